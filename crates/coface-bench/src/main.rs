@@ -1,0 +1,2 @@
+//! Benches of coface.
+fn main() {}

@@ -1,0 +1,2 @@
+//! The `coface` program.
+fn main() {}

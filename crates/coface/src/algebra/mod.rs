@@ -1,0 +1,64 @@
+//! Ground for exact answers: integers that widen, sparse integer matrices, Smith normal form, union-find.
+//!
+//! # Words
+//! * An [`Integer`] is held in 64 bits as long as it fits and as a big integer beyond; no sum or product wraps.
+//! * A [`SparseMatrix`] is in compressed columns: column `j` is a sorted list of (row, entry), no entry is zero.
+//! * A [`RaggedArray`] is a list of lists in one flat array: polygons, facets, orbits.
+//! * A [`UnionFind`] keeps a partition of `0..n`; [`ParityUnionFind`] also keeps a sign between members.
+
+mod integer;
+mod ragged;
+mod sparse_matrix;
+mod union_find;
+
+pub use integer::Integer;
+pub use ragged::RaggedArray;
+pub use sparse_matrix::{Column, SparseMatrix};
+pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
+
+use std::fmt;
+
+/// An orientation: the same as the reference, or opposite to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Sign {
+    /// The orientation of the reference.
+    Plus,
+    /// The opposite orientation.
+    Minus,
+}
+
+impl Sign {
+    /// The sign of $(-1)^i$: plus when `exponent` is even.
+    pub fn power_of_minus_one(exponent: usize) -> Self {
+        if exponent.is_multiple_of(2) { Self::Plus } else { Self::Minus }
+    }
+
+    /// +1 or -1.
+    pub fn to_i32(self) -> i32 {
+        match self {
+            Self::Plus => 1,
+            Self::Minus => -1,
+        }
+    }
+
+    /// The product of two signs.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        if self == other { Self::Plus } else { Self::Minus }
+    }
+
+    /// The opposite sign.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        self.times(Self::Minus)
+    }
+}
+
+impl fmt::Display for Sign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Plus => "+",
+            Self::Minus => "-",
+        })
+    }
+}

@@ -1,0 +1,226 @@
+//! Lists of lists in one flat array.
+
+use crate::{Error, ErrorKind};
+
+/// A list of lists of 32-bit numbers, flat: all items in one array and where each list starts.
+///
+/// Lists of one common length (all triangles) need no starts and take no room for them.
+///
+/// # Examples
+/// ```
+/// use coface::algebra::RaggedArray;
+/// let polygons = RaggedArray::from_lists([vec![0, 1, 2], vec![2, 1, 3, 4]]);
+/// assert_eq!(polygons.len(), 2);
+/// assert_eq!(polygons.list(1), [2, 1, 3, 4]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct RaggedArray {
+    items: Vec<u32>,
+    starts: Starts,
+}
+
+#[derive(Clone, Debug)]
+enum Starts {
+    /// All lists have this length, which is not zero.
+    Uniform(usize),
+    /// List `i` is `items[starts[i]..starts[i + 1]]`; one more start than lists.
+    Listed(Vec<u32>),
+}
+
+impl Default for RaggedArray {
+    fn default() -> Self {
+        Self { items: Vec::new(), starts: Starts::Listed(vec![0]) }
+    }
+}
+
+impl RaggedArray {
+    /// No list at all.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Lists of the length `width`, one after the other.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] if `width` is zero or does not divide the number of items;
+    /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 items.
+    pub fn uniform(width: usize, items: Vec<u32>) -> Result<Self, Error> {
+        if width == 0 || !items.len().is_multiple_of(width) {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} items cannot be cut into lists of length {width}", items.len()),
+            ));
+        }
+        if u32::try_from(items.len()).is_err() {
+            return Err(too_large(items.len()));
+        }
+        Ok(Self { items, starts: Starts::Uniform(width) })
+    }
+
+    /// Lists between consecutive starts: list `i` is `items[starts[i]..starts[i + 1]]`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless the starts rise from 0 to the number of items;
+    /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 items.
+    pub fn from_parts(starts: Vec<u32>, items: Vec<u32>) -> Result<Self, Error> {
+        let Ok(item_count) = u32::try_from(items.len()) else { return Err(too_large(items.len())) };
+        if starts.first() != Some(&0) || starts.last() != Some(&item_count) || !starts.is_sorted() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("the starts of the lists must rise from 0 to the number of items, {item_count}"),
+            ));
+        }
+        Ok(Self { items, starts: Starts::Listed(starts) })
+    }
+
+    /// The array with these lists.
+    ///
+    /// # Panics
+    /// Beyond 2^32 - 1 items.
+    pub fn from_lists<L: AsRef<[u32]>>(lists: impl IntoIterator<Item = L>) -> Self {
+        let mut array = Self::new();
+        for list in lists {
+            array.push(list.as_ref());
+        }
+        array
+    }
+
+    /// The number of lists.
+    pub fn len(&self) -> usize {
+        match &self.starts {
+            Starts::Uniform(width) => self.items.len() / width,
+            Starts::Listed(starts) => starts.len() - 1,
+        }
+    }
+
+    /// Whether there is no list.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The number of items in all lists.
+    pub fn item_count(&self) -> usize {
+        self.items.len()
+    }
+
+    /// The common length of all lists if they are stored that way.
+    pub fn uniform_width(&self) -> Option<usize> {
+        match &self.starts {
+            Starts::Uniform(width) => Some(*width),
+            Starts::Listed(_) => None,
+        }
+    }
+
+    /// Where list `i` starts among [`Self::items`]; `start(len())` is the number of items.
+    pub fn start(&self, i: usize) -> usize {
+        match &self.starts {
+            Starts::Uniform(width) => i * width,
+            Starts::Listed(starts) => starts[i] as usize,
+        }
+    }
+
+    /// The list at position `i`.
+    ///
+    /// # Panics
+    /// If `i >= len()`.
+    pub fn list(&self, i: usize) -> &[u32] {
+        &self.items[self.start(i)..self.start(i + 1)]
+    }
+
+    /// All lists in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.len()).map(|i| self.list(i))
+    }
+
+    /// The items of all lists, one after the other.
+    pub fn items(&self) -> &[u32] {
+        &self.items
+    }
+
+    /// The items of all lists, for changing them in place; the lengths stay.
+    pub fn items_mut(&mut self) -> &mut [u32] {
+        &mut self.items
+    }
+
+    /// The flat items, given away.
+    pub fn into_items(self) -> Vec<u32> {
+        self.items
+    }
+
+    /// Appends a list.
+    ///
+    /// # Panics
+    /// Beyond 2^32 - 1 items.
+    pub fn push(&mut self, list: &[u32]) {
+        match &mut self.starts {
+            Starts::Uniform(width) if *width == list.len() => {}
+            Starts::Listed(starts) if starts.len() == 1 && !list.is_empty() => {
+                self.starts = Starts::Uniform(list.len());
+            }
+            _ => self.listed_starts(list.len()),
+        }
+        self.items.extend_from_slice(list);
+        assert!(u32::try_from(self.items.len()).is_ok(), "a ragged array holds fewer than 2^32 items");
+    }
+
+    /// Writes the starts out and appends the one after a list of length `added`.
+    fn listed_starts(&mut self, added: usize) {
+        if let Starts::Uniform(width) = self.starts {
+            let count = self.items.len() / width;
+            self.starts = Starts::Listed((0..=count).map(|i| (i * width) as u32).collect());
+        }
+        if let Starts::Listed(starts) = &mut self.starts {
+            starts.push((self.items.len() + added) as u32);
+        }
+    }
+}
+
+/// Two arrays are equal when their lists are; how the starts are stored does not matter.
+impl PartialEq for RaggedArray {
+    fn eq(&self, other: &Self) -> bool {
+        self.items == other.items
+            && self.len() == other.len()
+            && (0..self.len()).all(|i| self.start(i) == other.start(i))
+    }
+}
+
+impl Eq for RaggedArray {}
+
+fn too_large(count: usize) -> Error {
+    Error::new(ErrorKind::TooLarge, format!("{count} items in one list of lists; the limit is 2^32 - 1"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn uniform_and_listed_starts_agree() {
+        let mut grown = RaggedArray::new();
+        for triangle in [[0, 1, 2], [2, 1, 3]] {
+            grown.push(&triangle);
+        }
+        assert_eq!(grown.uniform_width(), Some(3));
+        assert_eq!(grown, RaggedArray::from_parts(vec![0, 3, 6], vec![0, 1, 2, 2, 1, 3]).unwrap());
+        grown.push(&[5, 6]);
+        grown.push(&[]);
+        assert_eq!(grown.uniform_width(), None);
+        assert_eq!(grown.iter().map(<[u32]>::len).collect::<Vec<_>>(), [3, 3, 2, 0]);
+    }
+
+    #[test]
+    fn an_empty_first_list_counts() {
+        let mut lists = RaggedArray::new();
+        lists.push(&[]);
+        lists.push(&[7]);
+        assert_eq!((lists.len(), lists.list(0).len(), lists.list(1)), (2, 0, &[7][..]));
+    }
+
+    #[test]
+    fn shapes_are_checked() {
+        assert_eq!(RaggedArray::uniform(3, vec![1, 2]).unwrap_err().kind(), ErrorKind::Shape);
+        assert_eq!(RaggedArray::uniform(0, vec![]).unwrap_err().kind(), ErrorKind::Shape);
+        assert!(RaggedArray::from_parts(vec![0, 2, 1, 3], vec![0; 3]).is_err());
+        assert!(RaggedArray::from_parts(vec![], vec![]).is_err());
+    }
+}

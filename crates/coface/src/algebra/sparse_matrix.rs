@@ -1,0 +1,313 @@
+//! Sparse integer matrices in compressed columns.
+
+use crate::{Error, ErrorKind};
+use rayon::prelude::*;
+
+/// A sparse integer matrix in compressed columns: 32-bit row numbers and 32-bit entries.
+///
+/// Within a column the rows rise strictly and no entry is zero, so equal matrices have equal parts.
+///
+/// # Complexity
+/// 8 bytes an entry and 4 bytes a column.
+///
+/// # Examples
+/// The boundary of an edge from vertex 0 to vertex 1 as a matrix with two rows and one column:
+/// ```
+/// use coface::algebra::SparseMatrix;
+/// # fn main() -> Result<(), coface::Error> {
+/// let boundary = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+/// assert_eq!(boundary.column(0).rows(), [0, 1]);
+/// assert_eq!(boundary.transpose().row_count(), 1);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SparseMatrix {
+    row_count: u32,
+    column_starts: Vec<u32>,
+    rows: Vec<u32>,
+    entries: Vec<i32>,
+}
+
+/// One column: its rows in rising order and the entries beside them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column<'a> {
+    rows: &'a [u32],
+    entries: &'a [i32],
+}
+
+impl<'a> Column<'a> {
+    /// The rows with a non-zero entry, rising.
+    pub fn rows(self) -> &'a [u32] {
+        self.rows
+    }
+
+    /// The entries in the order of [`Self::rows`].
+    pub fn entries(self) -> &'a [i32] {
+        self.entries
+    }
+
+    /// The pairs (row, entry).
+    pub fn iter(self) -> impl ExactSizeIterator<Item = (usize, i32)> + Clone + 'a {
+        self.rows.iter().zip(self.entries).map(|(&row, &entry)| (row as usize, entry))
+    }
+
+    /// The entry in this row; 0 where nothing is stored.
+    pub fn entry(self, row: usize) -> i32 {
+        match self.rows.binary_search_by(|&r| (r as usize).cmp(&row)) {
+            Ok(at) => self.entries[at],
+            Err(_) => 0,
+        }
+    }
+}
+
+impl SparseMatrix {
+    /// The zero matrix.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] if a count does not fit in 32 bits.
+    pub fn zero(row_count: usize, column_count: usize) -> Result<Self, Error> {
+        Self::from_parts(row_count, vec![0; column_count + 1], Vec::new(), Vec::new())
+    }
+
+    /// The matrix with these parts: column `j` has the rows `rows[column_starts[j]..column_starts[j + 1]]`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless the starts rise from 0 to the number of entries, the rows of each column rise
+    /// strictly and are below `row_count`, and no entry is zero; [`ErrorKind::TooLarge`] beyond 32 bits.
+    pub fn from_parts(
+        row_count: usize,
+        column_starts: Vec<u32>,
+        rows: Vec<u32>,
+        entries: Vec<i32>,
+    ) -> Result<Self, Error> {
+        let row_count = fits(row_count, "rows")?;
+        fits(column_starts.len(), "columns")?;
+        let entry_count = fits(rows.len(), "entries")?;
+        let shape = |message: String| Err(Error::new(ErrorKind::Shape, message));
+        if column_starts.first() != Some(&0)
+            || column_starts.last() != Some(&entry_count)
+            || !column_starts.is_sorted()
+        {
+            return shape(format!(
+                "the column starts must rise from 0 to the number of entries, {entry_count}"
+            ));
+        }
+        if entries.len() != rows.len() {
+            return shape(format!("{} rows beside {} entries", rows.len(), entries.len()));
+        }
+        let bad = (0..column_starts.len() - 1).into_par_iter().find_first(|&j| {
+            let range = column_starts[j] as usize..column_starts[j + 1] as usize;
+            let column = &rows[range.clone()];
+            column.last().is_some_and(|&last| last >= row_count)
+                || !column.is_sorted_by(|a, b| a < b)
+                || entries[range].contains(&0)
+        });
+        if let Some(j) = bad {
+            return shape(format!(
+                "column {j} must have strictly rising rows below {row_count} and no zero entry"
+            ));
+        }
+        Ok(Self { row_count, column_starts, rows, entries })
+    }
+
+    /// The matrix with these (row, column, entry) triples; entries at one place are added.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] for a place outside the matrix; [`ErrorKind::TooLarge`] for counts or sums beyond 32 bits.
+    ///
+    /// # Complexity
+    /// $O(m \log m)$ for m triples.
+    pub fn from_entries(
+        row_count: usize,
+        column_count: usize,
+        entries: impl IntoIterator<Item = (usize, usize, i64)>,
+    ) -> Result<Self, Error> {
+        fits(row_count, "rows")?;
+        fits(column_count, "columns")?;
+        let mut sorted = Vec::new();
+        for (row, column, entry) in entries {
+            if row >= row_count || column >= column_count {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!(
+                        "entry ({row}, {column}) lies outside a matrix of {row_count} rows and {column_count} columns"
+                    ),
+                ));
+            }
+            sorted.push((column as u32, row as u32, entry));
+        }
+        sorted.sort_unstable_by_key(|&(column, row, _)| (column, row));
+        let mut column_starts = vec![0u32; column_count + 1];
+        let (mut rows, mut values) = (Vec::with_capacity(sorted.len()), Vec::with_capacity(sorted.len()));
+        for group in sorted.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            let (column, row, _) = group[0];
+            let sum: i128 = group.iter().map(|&(_, _, entry)| i128::from(entry)).sum();
+            let Ok(value) = i32::try_from(sum) else {
+                return Err(Error::new(
+                    ErrorKind::TooLarge,
+                    format!("the entry at row {row}, column {column} is {sum}; the limit is 32 bits"),
+                ));
+            };
+            if value != 0 {
+                rows.push(row);
+                values.push(value);
+                column_starts[column as usize + 1] += 1;
+            }
+        }
+        let mut total = 0;
+        for start in &mut column_starts {
+            total += *start;
+            *start = total;
+        }
+        Self::from_parts(row_count, column_starts, rows, values)
+    }
+
+    /// The number of rows.
+    pub fn row_count(&self) -> usize {
+        self.row_count as usize
+    }
+
+    /// The number of columns.
+    pub fn column_count(&self) -> usize {
+        self.column_starts.len() - 1
+    }
+
+    /// The number of non-zero entries.
+    pub fn entry_count(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Column `j`.
+    ///
+    /// # Panics
+    /// If `j` is not below the number of columns.
+    pub fn column(&self, j: usize) -> Column<'_> {
+        let range = self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
+        Column { rows: &self.rows[range.clone()], entries: &self.entries[range] }
+    }
+
+    /// All columns in order.
+    pub fn columns(&self) -> impl ExactSizeIterator<Item = Column<'_>> {
+        (0..self.column_count()).map(|j| self.column(j))
+    }
+
+    /// Where each column starts among the rows and entries; one more than columns.
+    pub fn column_starts(&self) -> &[u32] {
+        &self.column_starts
+    }
+
+    /// The rows of all columns, one after the other.
+    pub fn rows(&self) -> &[u32] {
+        &self.rows
+    }
+
+    /// The entries of all columns, one after the other.
+    pub fn entries(&self) -> &[i32] {
+        &self.entries
+    }
+
+    /// The entry at a place; 0 where nothing is stored.
+    ///
+    /// # Panics
+    /// If `column` is not below the number of columns.
+    pub fn entry(&self, row: usize, column: usize) -> i32 {
+        self.column(column).entry(row)
+    }
+
+    /// The transposed matrix.
+    ///
+    /// # Complexity
+    /// Linear, by counting.
+    #[must_use]
+    pub fn transpose(&self) -> Self {
+        let mut starts = vec![0u32; self.row_count() + 1];
+        for &row in &self.rows {
+            starts[row as usize + 1] += 1;
+        }
+        let mut total = 0;
+        for start in &mut starts {
+            total += *start;
+            *start = total;
+        }
+        let mut next = starts.clone();
+        let mut rows = vec![0; self.rows.len()];
+        let mut entries = vec![0; self.rows.len()];
+        for j in 0..self.column_count() {
+            let range = self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
+            for (&row, &entry) in self.rows[range.clone()].iter().zip(&self.entries[range]) {
+                let at = &mut next[row as usize];
+                rows[*at as usize] = j as u32;
+                entries[*at as usize] = entry;
+                *at += 1;
+            }
+        }
+        Self { row_count: self.column_count() as u32, column_starts: starts, rows, entries }
+    }
+
+    /// The first column of the product `self * other` that is not zero, without storing the product; `None` if the
+    /// product is zero.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless `other` has as many rows as `self` has columns.
+    ///
+    /// # Complexity
+    /// Linear in the number of multiplications; columns run in parallel.
+    pub fn first_nonzero_product_column(&self, other: &Self) -> Result<Option<usize>, Error> {
+        if self.column_count() != other.row_count() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!(
+                    "a matrix of {} columns cannot be multiplied by one of {} rows",
+                    self.column_count(),
+                    other.row_count()
+                ),
+            ));
+        }
+        const BLOCK: usize = 1 << 14;
+        let block_count = other.column_count().div_ceil(BLOCK);
+        Ok((0..block_count)
+            .into_par_iter()
+            .filter_map(|block| {
+                let mut sums: Vec<(u32, i128)> = Vec::new();
+                let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
+                columns.into_iter().find(|&j| !self.combination_is_zero(other.column(j), &mut sums))
+            })
+            .min())
+    }
+
+    /// Whether the combination of columns of `self` that `coefficients` describes is zero. Boundaries of cells are
+    /// short, so a short list of sums beats a table of all rows; long ones are sorted.
+    fn combination_is_zero(&self, coefficients: Column<'_>, sums: &mut Vec<(u32, i128)>) -> bool {
+        sums.clear();
+        let mut term_count = 0;
+        for (k, _) in coefficients.iter() {
+            term_count += self.column(k).rows.len();
+        }
+        if term_count <= 32 {
+            for (k, coefficient) in coefficients.iter() {
+                for (row, entry) in self.column(k).iter() {
+                    let product = i128::from(coefficient) * i128::from(entry);
+                    match sums.iter_mut().find(|(r, _)| *r as usize == row) {
+                        Some((_, sum)) => *sum += product,
+                        None => sums.push((row as u32, product)),
+                    }
+                }
+            }
+            return sums.iter().all(|&(_, sum)| sum == 0);
+        }
+        for (k, coefficient) in coefficients.iter() {
+            let column = self.column(k);
+            sums.extend(column.iter().map(|(r, e)| (r as u32, i128::from(coefficient) * i128::from(e))));
+        }
+        sums.sort_unstable_by_key(|&(row, _)| row);
+        sums.chunk_by(|a, b| a.0 == b.0)
+            .all(|group| group.iter().map(|&(_, product)| product).sum::<i128>() == 0)
+    }
+}
+
+/// `count` as a 32-bit number, or an error that names what there are too many of.
+fn fits(count: usize, what: &str) -> Result<u32, Error> {
+    u32::try_from(count).map_err(|_| {
+        Error::new(ErrorKind::TooLarge, format!("{count} {what} in a matrix; the limit is 2^32 - 1"))
+    })
+}

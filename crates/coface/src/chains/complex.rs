@@ -1,0 +1,121 @@
+//! Chain complexes with a basis of cells in each degree.
+
+use crate::algebra::SparseMatrix;
+use crate::{Error, ErrorKind};
+
+/// A finite chain complex of free abelian groups, each with a basis of cells.
+///
+/// For each degree k a number of cells and, for k at least 1, the boundary matrix from k-chains to (k-1)-chains.
+///
+/// # Examples
+/// A triangle's rim: three vertices and three edges.
+/// ```
+/// use coface::algebra::SparseMatrix;
+/// use coface::chains::ChainComplex;
+/// # fn main() -> Result<(), coface::Error> {
+/// let boundary =
+///     SparseMatrix::from_entries(3, 3, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)])?;
+/// let circle = ChainComplex::new(vec![boundary])?;
+/// assert_eq!(circle.euler_characteristic(), 0);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChainComplex {
+    cell_counts: Vec<usize>,
+    /// The matrix of degree k is at position k - 1.
+    boundaries: Vec<SparseMatrix>,
+}
+
+impl ChainComplex {
+    /// The complex with these boundary matrices, of degrees 1, 2, ...; column j of the matrix of degree k is the
+    /// boundary of k-cell j.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless each matrix has as many rows as the one before has columns, and for an empty list
+    /// (use [`Self::of_points`]); [`ErrorKind::BoundaryOfBoundary`] naming the first cell whose boundary is no cycle.
+    ///
+    /// # Complexity
+    /// Linear in the multiplications of the products of neighboring matrices, in parallel; no product is stored.
+    pub fn new(boundaries: Vec<SparseMatrix>) -> Result<Self, Error> {
+        let Some(first) = boundaries.first() else {
+            return Err(Error::new(ErrorKind::Shape, "a chain complex needs a boundary matrix")
+                .with_cure("make a complex without cells of positive degree by ChainComplex::of_points"));
+        };
+        let mut cell_counts = vec![first.row_count()];
+        for (k, matrix) in boundaries.iter().enumerate() {
+            if matrix.row_count() != cell_counts[k] {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!(
+                        "the boundary matrix of degree {} has {} rows, but there are {} cells of degree {k}",
+                        k + 1,
+                        matrix.row_count(),
+                        cell_counts[k]
+                    ),
+                ));
+            }
+            cell_counts.push(matrix.column_count());
+        }
+        for (k, pair) in boundaries.windows(2).enumerate() {
+            if let Some(cell) = pair[0].first_nonzero_product_column(&pair[1])? {
+                return Err(Error::new(
+                    ErrorKind::BoundaryOfBoundary,
+                    format!("the boundary of the boundary of cell {cell} of degree {} is not zero", k + 2),
+                )
+                .with_cure("check the signs of its faces"));
+            }
+        }
+        Ok(Self { cell_counts, boundaries })
+    }
+
+    /// The complex of `count` points: cells of degree 0 only. No point gives the empty complex.
+    pub fn of_points(count: usize) -> Self {
+        Self { cell_counts: if count == 0 { Vec::new() } else { vec![count] }, boundaries: Vec::new() }
+    }
+
+    /// The number of cells of this degree; 0 beyond the dimension.
+    pub fn cell_count(&self, degree: usize) -> usize {
+        self.cell_counts.get(degree).copied().unwrap_or(0)
+    }
+
+    /// The numbers of cells of degrees 0, 1, ...
+    pub fn f_vector(&self) -> &[usize] {
+        &self.cell_counts
+    }
+
+    /// The number of degrees: one more than the highest degree that is stored (possibly without cells).
+    pub fn degree_count(&self) -> usize {
+        self.cell_counts.len()
+    }
+
+    /// The highest degree with a cell; `None` for the empty complex.
+    pub fn dimension(&self) -> Option<usize> {
+        self.cell_counts.iter().rposition(|&count| count > 0)
+    }
+
+    /// The boundary matrix from degree `degree` to `degree - 1`; `None` for degree 0 and beyond the dimension, where
+    /// the map is zero.
+    pub fn boundary_matrix(&self, degree: usize) -> Option<&SparseMatrix> {
+        self.boundaries.get(degree.checked_sub(1)?)
+    }
+
+    /// The coboundary matrix from degree `degree` to `degree + 1`, the transpose of the boundary matrix of
+    /// `degree + 1`; `None` where that map is zero.
+    pub fn coboundary_matrix(&self, degree: usize) -> Option<SparseMatrix> {
+        self.boundary_matrix(degree + 1).map(SparseMatrix::transpose)
+    }
+
+    /// All boundary matrices, of degrees 1, 2, ...
+    pub fn boundary_matrices(&self) -> &[SparseMatrix] {
+        &self.boundaries
+    }
+
+    /// The alternating sum of the numbers of cells.
+    pub fn euler_characteristic(&self) -> i64 {
+        self.cell_counts
+            .iter()
+            .enumerate()
+            .map(|(k, &n)| if k % 2 == 0 { n as i64 } else { -(n as i64) })
+            .sum()
+    }
+}

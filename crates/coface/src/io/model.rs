@@ -1,0 +1,282 @@
+//! What a file held.
+
+use crate::algebra::RaggedArray;
+use crate::cellular::CellShape;
+use crate::chains::ChainComplex;
+use crate::geometry::Positions;
+use crate::{Error, VertexId};
+
+/// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, or an abstract
+/// [`Structure`] instead of all these.
+///
+/// Every index is below the vertex count, no polygon or cell repeats a vertex, and coordinates are finite: the
+/// readers, and [`Model::check`], see to it. Vertices that nothing uses are kept: they are isolated vertices.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    pub(crate) vertex_count: usize,
+    pub(crate) positions: Positions,
+    pub(crate) polygons: RaggedArray,
+    pub(crate) shapes: Vec<CellShape>,
+    pub(crate) cells: RaggedArray,
+    pub(crate) lines: RaggedArray,
+    pub(crate) points: Vec<VertexId>,
+    pub(crate) groups: Vec<Group>,
+    pub(crate) structure: Option<Structure>,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// An abstract structure that a JSON file can hold instead of vertices, polygons and cells.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Structure {
+    /// Simplices of any dimension by their vertices; all faces are meant to be there too.
+    Facets(RaggedArray),
+    /// A surface as two permutations of its halfedges `0..next.len()`.
+    Halfedges {
+        /// The next halfedge around the face.
+        next: Vec<u32>,
+        /// The other halfedge of the edge.
+        twin: Vec<u32>,
+    },
+    /// Boundary matrices.
+    Chains(ChainComplex),
+}
+
+/// A named set of things of one kind: an OBJ group, a physical group of Gmsh, a reference number of MEDIT.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    pub(crate) name: String,
+    pub(crate) kind: GroupKind,
+    pub(crate) members: Vec<u32>,
+}
+
+/// What the members of a [`Group`] are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum GroupKind {
+    /// Vertices.
+    Vertices,
+    /// Lines.
+    Lines,
+    /// Polygons.
+    Polygons,
+    /// 3-cells.
+    Cells,
+}
+
+impl Group {
+    /// A group with these members.
+    pub fn new(name: impl Into<String>, kind: GroupKind, members: Vec<u32>) -> Self {
+        Self { name: name.into(), kind, members }
+    }
+
+    /// The name, or the number, that the file gives it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the members are.
+    pub fn kind(&self) -> GroupKind {
+        self.kind
+    }
+
+    /// The positions of the members among the vertices, lines, polygons or cells of the model.
+    pub fn members(&self) -> &[u32] {
+        &self.members
+    }
+}
+
+impl Model {
+    /// A model of polygons on these positions.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    pub fn from_polygons(positions: Positions, polygons: RaggedArray) -> Result<Self, Error> {
+        let model = Self { vertex_count: positions.len(), positions, polygons, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
+    /// A model of 3-cells on these positions: cell i has the shape `shapes[i]` and the vertices `cells.list(i)`.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    pub fn from_cells(
+        positions: Positions,
+        shapes: Vec<CellShape>,
+        cells: RaggedArray,
+    ) -> Result<Self, Error> {
+        let model = Self { vertex_count: positions.len(), positions, shapes, cells, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
+    /// A model that is an abstract structure.
+    pub fn from_structure(structure: Structure) -> Self {
+        Self { structure: Some(structure), ..Self::default() }
+    }
+
+    /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
+    /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), and that there are as
+    /// many positions as vertices, or none.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] naming the first culprit.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.positions.dimension() > 0 && self.positions.len() != self.vertex_count {
+            return Err(Error::invalid(format!(
+                "{} positions for {} vertices",
+                self.positions.len(),
+                self.vertex_count
+            )));
+        }
+        if self.shapes.len() != self.cells.len() {
+            return Err(Error::invalid(format!(
+                "{} shapes for {} cells",
+                self.shapes.len(),
+                self.cells.len()
+            )));
+        }
+        for (i, polygon) in self.polygons.iter().enumerate() {
+            self.check_vertices("polygon", i, polygon)?;
+            check_size("polygon", i, polygon, 3)?;
+        }
+        for (i, (cell, shape)) in self.cells.iter().zip(&self.shapes).enumerate() {
+            self.check_vertices(shape.name(), i, cell)?;
+            if cell.len() != shape.vertex_count() {
+                return Err(Error::invalid(format!(
+                    "cell {i}, a {}, has {} vertices",
+                    shape.name(),
+                    cell.len()
+                )));
+            }
+        }
+        for (i, line) in self.lines.iter().enumerate() {
+            for &vertex in line {
+                self.check_vertex("line", i, vertex)?;
+            }
+            check_size("line", i, line, 2)?;
+            if let Some(pair) = line.windows(2).find(|pair| pair[0] == pair[1]) {
+                return Err(Error::invalid(format!("line {i} repeats vertex {}", pair[0])));
+            }
+        }
+        for (i, vertex) in self.points.iter().enumerate() {
+            self.check_vertex("point", i, vertex.to_u32())?;
+        }
+        Ok(())
+    }
+
+    fn check_vertices(&self, what: &str, i: usize, vertices: &[u32]) -> Result<(), Error> {
+        for &vertex in vertices {
+            self.check_vertex(what, i, vertex)?;
+        }
+        if let Some(vertex) = repeated_vertex(vertices) {
+            return Err(Error::invalid(format!("{what} {i} repeats vertex {vertex}"))
+                .with_cure("remove it, or leave the repeated vertex out"));
+        }
+        Ok(())
+    }
+
+    fn check_vertex(&self, what: &str, i: usize, vertex: u32) -> Result<(), Error> {
+        if (vertex as usize) < self.vertex_count {
+            return Ok(());
+        }
+        Err(Error::invalid(format!(
+            "{what} {i} names vertex {vertex}, but there are {} vertices, numbered from 0",
+            self.vertex_count
+        )))
+    }
+
+    /// The number of vertices, isolated ones included.
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// The positions of the vertices; empty when the file has none.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The polygons as cycles of vertices.
+    pub fn polygons(&self) -> &RaggedArray {
+        &self.polygons
+    }
+
+    /// The shapes of the 3-cells.
+    pub fn shapes(&self) -> &[CellShape] {
+        &self.shapes
+    }
+
+    /// The 3-cells by their vertices, in the order that [`CellShape`] describes.
+    pub fn cells(&self) -> &RaggedArray {
+        &self.cells
+    }
+
+    /// The polylines: each runs through its vertices in order.
+    pub fn lines(&self) -> &RaggedArray {
+        &self.lines
+    }
+
+    /// The vertices that the file lists as points of their own.
+    pub fn points(&self) -> &[VertexId] {
+        &self.points
+    }
+
+    /// The named groups.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// The abstract structure, if the file holds one instead of a mesh.
+    pub fn structure(&self) -> Option<&Structure> {
+        self.structure.as_ref()
+    }
+
+    /// What the reader found odd but could read: one sentence each.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}
+
+/// The first vertex that stands twice in a list; short lists are compared pairwise, long ones sorted.
+pub(crate) fn repeated_vertex(vertices: &[u32]) -> Option<u32> {
+    if vertices.len() <= 16 {
+        return vertices.iter().enumerate().find(|(i, v)| vertices[..*i].contains(v)).map(|(_, &v)| v);
+    }
+    let mut sorted = vertices.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+}
+
+fn check_size(what: &str, i: usize, vertices: &[u32], least: usize) -> Result<(), Error> {
+    if vertices.len() < least {
+        return Err(Error::invalid(format!("{what} {i} has {} vertices; it needs {least}", vertices.len())));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plane(count: usize) -> Positions {
+        Positions::from_flat(2, (0..2 * count).map(|i| i as f64).collect()).unwrap()
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let fault = |polygon: Vec<u32>| {
+            Model::from_polygons(plane(4), RaggedArray::from_lists([polygon])).unwrap_err().to_string()
+        };
+        assert!(fault(vec![0, 1, 4]).contains("names vertex 4, but there are 4"));
+        assert!(fault(vec![0, 1, 0]).contains("polygon 0 repeats vertex 0"));
+        assert!(fault(vec![0, 1]).contains("needs 3"));
+    }
+
+    #[test]
+    fn repeated_vertices_are_found_in_long_lists() {
+        let mut long: Vec<u32> = (0..40).collect();
+        assert_eq!(repeated_vertex(&long), None);
+        long.push(17);
+        assert_eq!(repeated_vertex(&long), Some(17));
+    }
+}

@@ -1,0 +1,1 @@
+//! The report on a model: everything that `coface info` says, as data.

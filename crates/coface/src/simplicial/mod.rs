@@ -1,0 +1,1 @@
+//! Simplicial complexes of any dimension.

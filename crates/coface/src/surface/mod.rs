@@ -1,0 +1,1 @@
+//! Surfaces: polygon meshes with identified edges, their verdicts with witnesses, halfedge permutations.

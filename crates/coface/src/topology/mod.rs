@@ -1,0 +1,1 @@
+//! Questions that any chain complex can be asked.
