@@ -119,3 +119,57 @@ impl ChainComplex {
             .sum()
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    /// Complexes to test algorithms with: all faces of random simplices, with signs of cells flipped at random, or two
+    /// such complexes glued by a degree (entries beyond units come from doubling a boundary).
+    pub(crate) fn random_complexes() -> impl Strategy<Value = ChainComplex> {
+        let simplices = prop::collection::vec(prop::collection::btree_set(0u32..8, 1..5), 0..14);
+        (simplices, any::<u64>(), any::<bool>()).prop_map(|(simplices, flips, doubled)| {
+            let mut levels: Vec<BTreeSet<Vec<u32>>> = vec![BTreeSet::new(); 4];
+            for simplex in simplices {
+                let vertices: Vec<u32> = simplex.into_iter().collect();
+                for subset in 1u32..1 << vertices.len() {
+                    let face: Vec<u32> =
+                        (0..vertices.len()).filter(|i| subset >> i & 1 == 1).map(|i| vertices[i]).collect();
+                    levels[face.len() - 1].insert(face);
+                }
+            }
+            let levels: Vec<Vec<Vec<u32>>> =
+                levels.into_iter().map(|level| level.into_iter().collect()).collect();
+            let flip =
+                |k: usize, i: usize| if flips.rotate_left((7 * k + i) as u32) & 1 == 1 { -1 } else { 1 };
+            let top = levels.iter().rposition(|level| !level.is_empty()).unwrap_or(0);
+            let matrices = (1..levels.len()).map(|k| {
+                // A factor on all boundaries of the top degree keeps boundary of boundary zero.
+                let factor = if doubled && k == top { 2 } else { 1 };
+                let entries = levels[k].iter().enumerate().flat_map(|(j, simplex)| {
+                    let below = &levels[k - 1];
+                    (0..=k).map(move |i| {
+                        let mut face = simplex.clone();
+                        face.remove(i);
+                        let row = below.binary_search(&face).unwrap();
+                        let sign = if i % 2 == 0 { 1 } else { -1 };
+                        (row, j, factor * sign * flip(k, j) * flip(k - 1, row))
+                    })
+                });
+                SparseMatrix::from_entries(levels[k - 1].len(), levels[k].len(), entries).unwrap()
+            });
+            ChainComplex::new(matrices.collect()).unwrap()
+        })
+    }
+
+    #[test]
+    fn a_boundary_that_is_no_cycle_is_named() {
+        let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)]).unwrap();
+        let face = SparseMatrix::from_entries(2, 1, [(0, 0, 1), (1, 0, 1)]).unwrap();
+        let error = ChainComplex::new(vec![edges, face]).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::BoundaryOfBoundary);
+        assert!(error.message().contains("cell 0 of degree 2"));
+    }
+}

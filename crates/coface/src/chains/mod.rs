@@ -7,5 +7,9 @@
 //! * A room above asks questions of a `ChainComplex`; a producer makes one. No coordinates are ever seen here.
 
 mod complex;
+mod matching;
+mod morse;
 
 pub use complex::ChainComplex;
+pub use matching::{AcyclicMatching, MatchedPair};
+pub use morse::MorseComplex;
