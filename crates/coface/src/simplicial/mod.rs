@@ -1,1 +1,16 @@
 //! Simplicial complexes of any dimension.
+//!
+//! # Words and conventions
+//! * A [`Simplex`] is a non-empty set of vertices, kept sorted; its **dimension** is their number less one. The empty
+//!   set is no simplex here. A **face** is a non-empty subset (the simplex itself included), a **facet** of a simplex
+//!   is a face of one dimension less. The orientation of a simplex is the class of its rising vertex order.
+//! * A [`SimplicialComplex`] holds with each simplex all its faces. Its **facets** are its maximal simplices.
+//!   It changes: simplices are inserted with their faces and erased with their cofaces.
+//! * The **star** of a simplex is the set of its **cofaces**, the simplices it is a face of; the **closed star** adds
+//!   their faces. The **adjacent vertices** of a vertex share an edge with it.
+
+mod complex;
+mod simplex;
+
+pub use complex::SimplicialComplex;
+pub use simplex::Simplex;
