@@ -1,0 +1,41 @@
+//! Blocks of cubes cut into tetrahedra: the cube, the solid torus, the 3-torus.
+
+use super::Mesh;
+use coface::algebra::RaggedArray;
+
+/// A block of cubes, each cut into the six tetrahedra of its monotone paths from the lowest corner to the highest
+/// (H. W. Kuhn, 1960), so that neighbors match; a direction that is `periodic` closes up.
+///
+/// A periodic direction needs at least three cubes, or the result is no simplicial complex.
+pub(super) fn kuhn_cubes(cubes: [usize; 3], periodic: [bool; 3]) -> Mesh {
+    let points: [usize; 3] = std::array::from_fn(|i| cubes[i] + usize::from(!periodic[i]));
+    let id = |at: [usize; 3]| {
+        let [x, y, z] = std::array::from_fn(|i| at[i] % points[i]);
+        ((z * points[1] + y) * points[0] + x) as u32
+    };
+    let mut tetrahedra: Vec<[u32; 4]> = Vec::with_capacity(6 * cubes.iter().product::<usize>());
+    for z in 0..cubes[2] {
+        for y in 0..cubes[1] {
+            for x in 0..cubes[0] {
+                for path in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
+                    let mut at = [x, y, z];
+                    let mut tetrahedron = [id(at); 4];
+                    for (step, direction) in path.into_iter().enumerate() {
+                        at[direction] += 1;
+                        tetrahedron[step + 1] = id(at);
+                    }
+                    tetrahedra.push(tetrahedron);
+                }
+            }
+        }
+    }
+    let mut coordinates = Vec::with_capacity(3 * points.iter().product::<usize>());
+    for z in 0..points[2] {
+        for y in 0..points[1] {
+            for x in 0..points[0] {
+                coordinates.extend([x as f64, y as f64, z as f64]);
+            }
+        }
+    }
+    Mesh { vertex_count: coordinates.len() / 3, coordinates, lists: RaggedArray::from_lists(tetrahedra) }
+}

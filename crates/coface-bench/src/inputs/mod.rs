@@ -1,0 +1,133 @@
+//! Generated inputs: each is named on the command line by a family and its size, and is the same on every machine.
+//!
+//! # Words
+//! * `icoN`: the icosphere of level N, $20 \cdot 4^N$ triangles; new vertices are numbered level by level.
+//! * `genus10_M`: a flat plate of M by M quads, two-sided, with ten square holes, each quad cut into two triangles.
+//! * `st_KxM`: a solid torus, K by K by M cubes closed up in the last direction, six tetrahedra a cube.
+//! * `t3_N`: the 3-torus, N by N by N cubes closed up in all directions, six tetrahedra a cube.
+//! * `grid3_N`: the cube, N by N by N cubes, six tetrahedra a cube.
+//! * `simp_N`: N random simplices of dimension 0 to 5 on N/10 vertices.
+
+mod cubes;
+mod mesh;
+mod plate;
+mod random_simplices;
+mod sphere;
+
+pub(crate) use mesh::Mesh;
+
+use coface::Error;
+
+/// The families, as a person writes them.
+pub(crate) const FAMILIES: &[(&str, &str)] = &[
+    ("icoN", "icosphere of level N, 20 * 4^N triangles (ico8: 1,310,720)"),
+    ("genus10_M", "closed surface of genus 10 (genus10_160: 100,480 triangles, genus10_510: 1,010,880)"),
+    ("st_KxM", "solid torus of 6 K K M tetrahedra (st_16x65: 99,840, st_32x163: 1,001,472)"),
+    ("t3_N", "3-torus of 6 N N N tetrahedra (t3_26: 105,456, t3_55: 998,250)"),
+    ("grid3_N", "cube of 6 N N N tetrahedra (grid3_26: 105,456, grid3_55: 998,250)"),
+    ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
+];
+
+/// The input of this name.
+///
+/// # Errors
+/// If the name is of no family, or the size is out of the family's range.
+pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
+    let unknown = || {
+        Error::invalid(format!("{name:?} names no input"))
+            .with_cure("see `coface-bench list` for the families; a size follows the name, as in ico6")
+    };
+    let number = |text: &str, least: usize, most: usize| -> Result<usize, Error> {
+        let value: usize = text.parse().map_err(|_| unknown())?;
+        if !(least..=most).contains(&value) {
+            return Err(Error::invalid(format!("the size in {name:?} must be from {least} to {most}")));
+        }
+        Ok(value)
+    };
+    if let Some(level) = name.strip_prefix("ico") {
+        return Ok(sphere::icosphere(number(level, 0, 10)?));
+    }
+    match name.split_once('_').ok_or_else(unknown)? {
+        ("genus10", side) => Ok(plate::plate_of_genus_10(number(side, 32, 4000)?)),
+        ("st", size) => {
+            let (across, along) = size.split_once('x').ok_or_else(unknown)?;
+            let across = number(across, 1, 500)?;
+            Ok(cubes::kuhn_cubes([across, across, number(along, 3, 100_000)?], [false, false, true]))
+        }
+        ("t3", side) => Ok(cubes::kuhn_cubes([number(side, 3, 400)?; 3], [true; 3])),
+        ("grid3", side) => Ok(cubes::kuhn_cubes([number(side, 1, 400)?; 3], [false; 3])),
+        ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),
+        _ => Err(unknown()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// The numbers of faces of all dimensions, by listing them.
+    fn f_vector(mesh: &Mesh) -> Vec<usize> {
+        let mut faces: Vec<BTreeSet<Vec<u32>>> = vec![BTreeSet::new(); 6];
+        for simplex in mesh.lists.iter() {
+            for subset in 1u32..1 << simplex.len() {
+                let mut face: Vec<u32> =
+                    (0..simplex.len()).filter(|i| subset >> i & 1 == 1).map(|i| simplex[i]).collect();
+                face.sort_unstable();
+                faces[face.len() - 1].insert(face);
+            }
+        }
+        while faces.last().is_some_and(BTreeSet::is_empty) {
+            faces.pop();
+        }
+        faces.iter().map(BTreeSet::len).collect()
+    }
+
+    fn counts(name: &str) -> Vec<usize> {
+        f_vector(&generate(name).unwrap())
+    }
+
+    #[test]
+    fn small_members_of_each_family_have_the_counts_of_their_spaces() {
+        assert_eq!(counts("ico0"), [12, 30, 20]);
+        assert_eq!(counts("ico2"), [162, 480, 320]);
+        assert_eq!(counts("t3_3"), [27, 189, 324, 162]);
+        assert_eq!(counts("grid3_1"), [8, 19, 18, 6]);
+        assert_eq!(counts("grid3_2"), [27, 98, 120, 48]);
+    }
+
+    #[test]
+    fn the_plate_is_a_closed_surface_of_genus_10_coherently_oriented() {
+        let mesh = generate("genus10_64").unwrap();
+        let f = f_vector(&mesh);
+        assert_eq!(f[0] as i64 - f[1] as i64 + f[2] as i64, 2 - 2 * 10);
+        let mut halfedges: Vec<(u32, u32)> =
+            mesh.lists.iter().flat_map(|t| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])]).collect();
+        halfedges.sort_unstable();
+        assert!(halfedges.is_sorted_by(|a, b| a < b), "each edge is run once in each direction");
+        assert!(halfedges.iter().all(|&(a, b)| halfedges.binary_search(&(b, a)).is_ok()));
+    }
+
+    #[test]
+    fn a_solid_torus_has_euler_characteristic_0() {
+        assert_eq!(counts("st_2x5").iter().zip([1, -1, 1, -1]).map(|(&n, s)| n as i64 * s).sum::<i64>(), 0);
+    }
+
+    #[test]
+    fn random_simplices_repeat_no_vertex_and_do_not_change() {
+        let mesh = generate("simp_1000").unwrap();
+        assert_eq!(mesh.lists.len(), 1000);
+        for simplex in mesh.lists.iter() {
+            assert!((1..=6).contains(&simplex.len()) && simplex.iter().all(|&v| v < 100));
+            assert_eq!(simplex.iter().collect::<BTreeSet<_>>().len(), simplex.len());
+        }
+        assert_eq!(mesh, generate("simp_1000").unwrap());
+    }
+
+    #[test]
+    fn names_that_are_none_are_refused() {
+        for name in ["", "ico", "ico-1", "ico99", "t3_2", "st_4", "cube_7", "genus10_"] {
+            assert!(generate(name).is_err(), "{name}");
+        }
+    }
+}
