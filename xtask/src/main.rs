@@ -1,2 +1,53 @@
-//! Developer tasks: `cargo xtask test`.
-fn main() {}
+//! Developer tasks: `cargo xtask test` checks everything, `cargo xtask bench` measures.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a developer tool talks to a terminal")]
+
+mod tally;
+mod test;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+const USAGE: &str = "usage:
+  cargo xtask test            format, lints, docs, all tests, the command of the README
+  cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    match words.first().map(String::as_str) {
+        Some("test") if words.len() == 1 => test::run(),
+        Some("bench") => bench(&words[1..]),
+        Some("help" | "-h" | "--help") => {
+            println!("{USAGE}");
+            ExitCode::SUCCESS
+        }
+        _ => {
+            eprintln!("{USAGE}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Builds the programs for release and runs `coface-bench` with these words.
+fn bench(words: &[String]) -> ExitCode {
+    let is_built =
+        cargo(&["build", "--release", "--workspace"]).status().is_ok_and(|status| status.success());
+    let is_done = is_built
+        && cargo(&["run", "--release", "--quiet", "--package", "coface-bench", "--"])
+            .args(words)
+            .status()
+            .is_ok_and(|status| status.success());
+    if is_done { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The command `cargo WORDS` in the root of the repository.
+fn cargo(words: &[&str]) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(words).current_dir(root());
+    command
+}
+
+/// The root of the repository.
+fn root() -> PathBuf {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    own.parent().map_or_else(|| own.to_owned(), Path::to_owned)
+}

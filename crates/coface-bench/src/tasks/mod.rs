@@ -3,6 +3,8 @@
 //! A task reads its input file and prepares what it needs outside the clock, works inside it, and says what came out, so
 //! that a wrong answer is seen beside its time.
 
+mod edges;
+mod info;
 mod reduction;
 
 use crate::measure::{Measurement, own_high_water_mark};
@@ -31,7 +33,7 @@ pub(crate) enum Work {
 }
 
 /// All tasks.
-pub(crate) const ALL: &[Task] = &[reduction::TASK];
+pub(crate) const ALL: &[Task] = &[edges::TASK, reduction::TASK, info::TASK];
 
 /// Surfaces of about 250,000, 500,000 and 1,000,000 triangles.
 const SURFACES: &[&str] = &["genus10_160", "genus10_255", "genus10_360", "genus10_510"];

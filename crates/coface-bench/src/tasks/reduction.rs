@@ -12,7 +12,7 @@ pub(super) const TASK: Task = Task {
     extension: "raw",
     inputs: SOLIDS,
     work: Work::Inside(|path, clock| {
-        let complex = chain_complex(Mesh::read_raw(path)?)?;
+        let complex = chain_complex(&Mesh::read_raw(path)?)?;
         let morse = clock.time(complex.f_vector().iter().sum(), || MorseComplex::new(&complex));
         Ok(format!(
             "critical {:?}",
@@ -22,7 +22,7 @@ pub(super) const TASK: Task = Task {
 };
 
 /// The chain complex of simplices of one dimension with all their faces, vertices in rising order.
-fn chain_complex(mesh: Mesh) -> Result<ChainComplex, Error> {
+fn chain_complex(mesh: &Mesh) -> Result<ChainComplex, Error> {
     let mut simplices: Vec<Vec<u32>> = mesh.lists.iter().map(<[u32]>::to_vec).collect();
     simplices.iter_mut().for_each(|s| s.sort_unstable());
     simplices.sort_unstable();

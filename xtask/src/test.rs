@@ -1,0 +1,138 @@
+//! `cargo xtask test`: everything that a change must pass.
+
+use crate::tally::Tally;
+use crate::{cargo, root};
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Command, ExitCode, Stdio};
+use std::time::Instant;
+
+/// Runs every check to the end, says what is skipped and why, and closes with the counts.
+pub(crate) fn run() -> ExitCode {
+    let begin = Instant::now();
+    let mut tally = Tally::default();
+    check(&mut tally, "format", &mut cargo(&["fmt", "--all", "--check"]));
+    check(
+        &mut tally,
+        "lints",
+        &mut cargo(&["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"]),
+    );
+    let mut docs = cargo(&["doc", "--quiet", "--workspace", "--no-deps"]);
+    check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
+    tests(&mut tally);
+    readme(&mut tally);
+    skips(&mut tally);
+    println!("\n{:.0} s in all", begin.elapsed().as_secs_f64());
+    println!("{}", tally.to_line());
+    if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn check(tally: &mut Tally, name: &str, command: &mut Command) {
+    println!("== {name}: {}", words(command));
+    let begin = Instant::now();
+    let has_passed = match command.stdin(Stdio::null()).status() {
+        Ok(status) => status.success(),
+        Err(error) => {
+            println!("cannot run: {error}");
+            false
+        }
+    };
+    tally.count(has_passed);
+    println!("== {name}: {} in {:.0} s", verdict(has_passed), begin.elapsed().as_secs_f64());
+}
+
+/// Unit tests, property tests, tests of the floors and of the command line, doc tests; all are run even when some fail.
+fn tests(tally: &mut Tally) {
+    let mut command = cargo(&["test", "--workspace", "--no-fail-fast"]);
+    println!("== tests: {}", words(&command));
+    let begin = Instant::now();
+    let mut counts = Tally::default();
+    let mut is_done = false;
+    match command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn() {
+        Ok(mut child) => {
+            for line in child
+                .stdout
+                .take()
+                .into_iter()
+                .flat_map(|pipe| BufReader::new(pipe).lines())
+                .map_while(Result::ok)
+            {
+                println!("{line}");
+                counts.add_line(&line);
+            }
+            is_done = child.wait().is_ok_and(|status| status.success());
+        }
+        Err(error) => println!("cannot run: {error}"),
+    }
+    // Tests that do not compile, or do not run at all, give no count.
+    if counts.failed == 0 && (!is_done || counts.passed == 0) {
+        counts.failed = 1;
+    }
+    println!("== tests: {} in {:.0} s", counts.to_line(), begin.elapsed().as_secs_f64());
+    tally.passed += counts.passed;
+    tally.failed += counts.failed;
+    tally.skipped += counts.skipped;
+}
+
+/// Runs the commands that the README promises, as they stand there.
+fn readme(tally: &mut Tally) {
+    let text = std::fs::read_to_string(root().join("README.md")).unwrap_or_default();
+    let commands = promised_commands(&text);
+    if commands.is_empty() {
+        println!("== readme: failed, README.md has no line `cargo run --release -- ...`");
+        tally.count(false);
+    }
+    for command in commands {
+        check(tally, "readme", &mut cargo(&command));
+    }
+}
+
+/// The lines of a text that run the program on a file of the repository, without the word `cargo`.
+fn promised_commands(text: &str) -> Vec<Vec<&str>> {
+    text.lines()
+        .map(|line| line.trim().trim_start_matches("$ "))
+        .filter(|line| line.starts_with("cargo run --release -- ") && line.contains("data/"))
+        .filter(|line| !line.contains(['|', '>', '"', '\'', '`']))
+        .map(|line| line.split(" #").next().unwrap_or(line).split_whitespace().skip(1).collect())
+        .collect()
+}
+
+fn skips(tally: &mut Tally) {
+    let mut skip = |what: &str, why: &str| {
+        println!("== skipped: {what} ({why})");
+        tally.skipped += 1;
+    };
+    match std::env::var_os("COFACE_DATA").map(PathBuf::from) {
+        None => skip("tests on real files", "the environment variable COFACE_DATA names no folder"),
+        Some(folder) if !folder.join("MANIFEST.json").is_file() => {
+            skip("tests on real files", &format!("no MANIFEST.json in {}", folder.display()));
+        }
+        Some(_) => {}
+    }
+    for (folder, what) in [("crates/coface-py", "the Python package"), ("viewer", "the browser viewer")] {
+        if !root().join(folder).is_dir() {
+            skip(what, "it does not exist yet");
+        }
+    }
+}
+
+fn words(command: &Command) -> String {
+    let arguments = command.get_args().map(|word| word.to_string_lossy());
+    std::iter::once("cargo".into()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+fn verdict(has_passed: bool) -> &'static str {
+    if has_passed { "passed" } else { "failed" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::promised_commands;
+
+    #[test]
+    fn promised_commands_are_found() {
+        let text = "Try\n```sh\n$ cargo run --release -- info data/spot.obj   # a report\ncargo run --release -- info mine.obj\n\
+                    cargo run --release -- info --json data/spot.obj | jq .\n```\n";
+        assert_eq!(promised_commands(text), [["run", "--release", "--", "info", "data/spot.obj"]]);
+    }
+}
