@@ -43,10 +43,11 @@ impl Integer {
         }
     }
 
-    fn to_big(&self) -> IBig {
+    /// Hands the value to `f` as a big integer; a small one takes no allocation.
+    fn with_big<R>(&self, f: impl FnOnce(&IBig) -> R) -> R {
         match &self.0 {
-            Repr::Small(value) => IBig::from(*value),
-            Repr::Large(value) => (**value).clone(),
+            Repr::Small(value) => f(&IBig::from(*value)),
+            Repr::Large(value) => f(value),
         }
     }
 
@@ -118,11 +119,32 @@ impl Integer {
                 (Self::from(quotient), Self::from(remainder))
             };
         }
-        let (b, sign_b) = (divisor.to_big(), divisor.signum());
-        let (quotient, remainder) = self.to_big().div_rem(&b);
+        let sign_b = divisor.signum();
+        let (quotient, remainder) = self.with_big(|a| divisor.with_big(|b| a.div_rem(b)));
         let (quotient, remainder) = (Self::from_big(quotient), Self::from_big(remainder));
         if !remainder.is_zero() && remainder.signum() != sign_b {
             (quotient - Self::ONE, remainder + divisor.clone())
+        } else {
+            (quotient, remainder)
+        }
+    }
+
+    /// Quotient and remainder, rounding to the nearest: twice the remainder is at most the divisor in absolute value.
+    ///
+    /// # Panics
+    /// If `divisor` is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::Integer;
+    /// let (quotient, remainder) = Integer::from(7).div_rem_nearest(&Integer::from(4));
+    /// assert_eq!((quotient, remainder), (Integer::from(2), Integer::from(-1)));
+    /// ```
+    pub fn div_rem_nearest(&self, divisor: &Self) -> (Self, Self) {
+        let (quotient, remainder) = self.div_rem_floor(divisor);
+        let opposite = &remainder - divisor;
+        if opposite.abs() < remainder.abs() {
+            (quotient + Self::ONE, opposite)
         } else {
             (quotient, remainder)
         }
@@ -158,7 +180,7 @@ impl Integer {
         if self.is_zero() || other.is_zero() {
             return (self + other).abs();
         }
-        Self::from_big(IBig::from(self.to_big().gcd(other.to_big())))
+        Self::from_big(IBig::from(self.with_big(|a| other.with_big(|b| a.gcd(b)))))
     }
 
     /// $(g, x, y)$ with $g = \gcd(a, b) = x a + y b$, for `self` = a and `other` = b; g is not negative.
@@ -169,7 +191,7 @@ impl Integer {
         if other.is_zero() {
             return (self.abs(), Self::from(i64::from(self.signum())), Self::ZERO);
         }
-        let (gcd, x, y) = self.to_big().gcd_ext(other.to_big());
+        let (gcd, x, y) = self.with_big(|a| other.with_big(|b| a.gcd_ext(b)));
         (Self::from_big(IBig::from(gcd)), Self::from_big(x), Self::from_big(y))
     }
 }
@@ -248,7 +270,7 @@ macro_rules! operator {
                 {
                     return Integer::from(value);
                 }
-                Integer::from_big($trait::$method(self.to_big(), other.to_big()))
+                Integer::from_big(self.with_big(|a| other.with_big(|b| $trait::$method(a, b))))
             }
         }
         impl $trait for Integer {
@@ -274,7 +296,7 @@ impl Neg for &Integer {
     fn neg(self) -> Integer {
         match &self.0 {
             Repr::Small(value) if *value != i64::MIN => Integer::from(-value),
-            _ => Integer::from_big(-self.to_big()),
+            _ => Integer::from_big(self.with_big(|a| -a)),
         }
     }
 }
@@ -322,13 +344,16 @@ mod tests {
             prop_assert_eq!(x.bit_length(), (128 - a.unsigned_abs().leading_zeros()) as usize);
             if b != 0 {
                 let (quotient, remainder) = x.div_rem_floor(&y);
-                prop_assert_eq!(&(&quotient * &y) + &remainder, x.clone());
+                prop_assert_eq!(&(&(&quotient * &y) + &remainder), &x);
                 prop_assert!(remainder.is_zero() || remainder.signum() == y.signum());
                 prop_assert!(remainder.abs() < y.abs());
+                let (quotient, remainder) = x.div_rem_nearest(&y);
+                prop_assert_eq!(&(&(&quotient * &y) + &remainder), &x);
+                prop_assert!(&remainder.abs() + &remainder.abs() <= y.abs());
             }
             let (gcd, s, t) = x.extended_gcd(&y);
             prop_assert_eq!(&gcd, &x.gcd(&y));
-            prop_assert_eq!(&(&s * &x) + &(&t * &y), gcd.clone());
+            prop_assert_eq!(&(&(&s * &x) + &(&t * &y)), &gcd);
             prop_assert!(gcd.signum() >= 0 && gcd.divides(&x) && gcd.divides(&y));
         }
     }

@@ -6,14 +6,20 @@
 //! * A [`RaggedArray`] is a list of lists in one flat array: polygons, facets, orbits.
 //! * A [`UnionFind`] keeps a partition of `0..n`; [`ParityUnionFind`] also keeps a sign between members.
 
+mod elimination;
+mod entry;
 mod integer;
+mod modular;
 mod ragged;
+mod smith;
 mod sparse_matrix;
 mod union_find;
 
+pub use entry::Entry;
 pub use integer::Integer;
 pub use ragged::RaggedArray;
-pub use sparse_matrix::{Column, SparseMatrix};
+pub use smith::{SmithForm, SmithTransforms, invariant_factors, smith_form, smith_form_with_transforms};
+pub use sparse_matrix::{Column, SparseMatrix, WideMatrix};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
 
 use std::fmt;

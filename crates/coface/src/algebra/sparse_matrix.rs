@@ -1,14 +1,18 @@
 //! Sparse integer matrices in compressed columns.
 
+use super::{Entry, Integer};
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
+use std::fmt;
 
-/// A sparse integer matrix in compressed columns: 32-bit row numbers and 32-bit entries.
+/// A sparse integer matrix in compressed columns: 32-bit row numbers, and entries of 32 bits or of any size.
 ///
-/// Within a column the rows rise strictly and no entry is zero, so equal matrices have equal parts.
+/// `SparseMatrix` alone means 32-bit entries, which is what boundary matrices have; [`WideMatrix`] holds [`Integer`]s,
+/// which is what products and Smith transforms may need. Within a column the rows rise strictly and no entry is zero,
+/// so equal matrices have equal parts.
 ///
 /// # Complexity
-/// 8 bytes an entry and 4 bytes a column.
+/// 8 bytes a 32-bit entry and 4 bytes a column.
 ///
 /// # Examples
 /// The boundary of an edge from vertex 0 to vertex 1 as a matrix with two rows and one column:
@@ -20,43 +24,61 @@ use rayon::prelude::*;
 /// assert_eq!(boundary.transpose().row_count(), 1);
 /// # Ok(()) }
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SparseMatrix {
+#[derive(Clone, PartialEq, Eq)]
+pub struct SparseMatrix<E = i32> {
     row_count: u32,
     column_starts: Vec<u32>,
     rows: Vec<u32>,
-    entries: Vec<i32>,
+    entries: Vec<E>,
 }
+
+/// A sparse matrix of integers of any size.
+pub type WideMatrix = SparseMatrix<Integer>;
 
 /// One column: its rows in rising order and the entries beside them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Column<'a> {
+#[derive(Debug, PartialEq, Eq)]
+pub struct Column<'a, E = i32> {
     rows: &'a [u32],
-    entries: &'a [i32],
+    entries: &'a [E],
 }
 
-impl<'a> Column<'a> {
+impl<E> Clone for Column<'_, E> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<E> Copy for Column<'_, E> {}
+
+impl<'a, E: Entry> Column<'a, E> {
     /// The rows with a non-zero entry, rising.
     pub fn rows(self) -> &'a [u32] {
         self.rows
     }
 
     /// The entries in the order of [`Self::rows`].
-    pub fn entries(self) -> &'a [i32] {
+    pub fn entries(self) -> &'a [E] {
         self.entries
     }
 
-    /// The pairs (row, entry).
-    pub fn iter(self) -> impl ExactSizeIterator<Item = (usize, i32)> + Clone + 'a {
-        self.rows.iter().zip(self.entries).map(|(&row, &entry)| (row as usize, entry))
+    /// The pairs (row, entry by reference); for 32-bit entries [`Column::iter`] gives values.
+    pub fn terms(self) -> impl ExactSizeIterator<Item = (usize, &'a E)> + Clone + 'a {
+        self.rows.iter().zip(self.entries).map(|(&row, entry)| (row as usize, entry))
     }
 
     /// The entry in this row; 0 where nothing is stored.
-    pub fn entry(self, row: usize) -> i32 {
+    pub fn entry(self, row: usize) -> E {
         match self.rows.binary_search_by(|&r| (r as usize).cmp(&row)) {
-            Ok(at) => self.entries[at],
-            Err(_) => 0,
+            Ok(at) => self.entries[at].clone(),
+            Err(_) => E::default(),
         }
+    }
+}
+
+impl<'a> Column<'a> {
+    /// The pairs (row, entry).
+    pub fn iter(self) -> impl ExactSizeIterator<Item = (usize, i32)> + Clone + 'a {
+        self.rows.iter().zip(self.entries).map(|(&row, &entry)| (row as usize, entry))
     }
 }
 
@@ -67,6 +89,15 @@ impl SparseMatrix {
     /// [`ErrorKind::TooLarge`] if a count does not fit in 32 bits.
     pub fn zero(row_count: usize, column_count: usize) -> Result<Self, Error> {
         Self::from_parts(row_count, vec![0; column_count + 1], Vec::new(), Vec::new())
+    }
+
+    /// The identity matrix.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] if `count` does not fit in 32 bits.
+    pub fn identity(count: usize) -> Result<Self, Error> {
+        let count32 = fits(count, "rows")?;
+        Self::from_parts(count, (0..=count32).collect(), (0..count32).collect(), vec![1; count])
     }
 
     /// The matrix with these parts: column `j` has the rows `rows[column_starts[j]..column_starts[j + 1]]`.
@@ -80,34 +111,7 @@ impl SparseMatrix {
         rows: Vec<u32>,
         entries: Vec<i32>,
     ) -> Result<Self, Error> {
-        let row_count = fits(row_count, "rows")?;
-        fits(column_starts.len(), "columns")?;
-        let entry_count = fits(rows.len(), "entries")?;
-        let shape = |message: String| Err(Error::new(ErrorKind::Shape, message));
-        if column_starts.first() != Some(&0)
-            || column_starts.last() != Some(&entry_count)
-            || !column_starts.is_sorted()
-        {
-            return shape(format!(
-                "the column starts must rise from 0 to the number of entries, {entry_count}"
-            ));
-        }
-        if entries.len() != rows.len() {
-            return shape(format!("{} rows beside {} entries", rows.len(), entries.len()));
-        }
-        let bad = (0..column_starts.len() - 1).into_par_iter().find_first(|&j| {
-            let range = column_starts[j] as usize..column_starts[j + 1] as usize;
-            let column = &rows[range.clone()];
-            column.last().is_some_and(|&last| last >= row_count)
-                || !column.is_sorted_by(|a, b| a < b)
-                || entries[range].contains(&0)
-        });
-        if let Some(j) = bad {
-            return shape(format!(
-                "column {j} must have strictly rising rows below {row_count} and no zero entry"
-            ));
-        }
-        Ok(Self { row_count, column_starts, rows, entries })
+        Self::checked(row_count, column_starts, rows, entries)
     }
 
     /// The matrix with these (row, column, entry) triples; entries at one place are added.
@@ -161,6 +165,121 @@ impl SparseMatrix {
         }
         Self::from_parts(row_count, column_starts, rows, values)
     }
+}
+
+impl WideMatrix {
+    /// The matrix with these columns, each a list of (row, entry); entries at one place are added.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] for a row outside the matrix; [`ErrorKind::TooLarge`] for counts beyond 32 bits.
+    ///
+    /// # Complexity
+    /// Linear when the rows of each column rise strictly, else one sort a column.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::{Integer, WideMatrix};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let huge: Integer = "100000000000000000000".parse()?;
+    /// let matrix = WideMatrix::from_integer_columns(2, [vec![(1, huge.clone())], vec![]])?;
+    /// assert_eq!(matrix.entry(1, 0), huge);
+    /// assert_eq!(matrix.column_count(), 2);
+    /// # Ok(()) }
+    /// ```
+    pub fn from_integer_columns(
+        row_count: usize,
+        columns: impl IntoIterator<Item = Vec<(u32, Integer)>>,
+    ) -> Result<Self, Error> {
+        let (mut column_starts, mut rows, mut entries) = (vec![0], Vec::new(), Vec::new());
+        for mut column in columns {
+            if !column.is_sorted_by(|a, b| a.0 < b.0) {
+                column.sort_by_key(|&(row, _)| row);
+            }
+            let start = rows.len();
+            for (row, entry) in column {
+                if rows.len() > start && rows.last() == Some(&row) {
+                    let last = entries.len() - 1;
+                    entries[last] += &entry;
+                } else {
+                    drop_last_zero(start, &mut rows, &mut entries);
+                    rows.push(row);
+                    entries.push(entry);
+                }
+            }
+            drop_last_zero(start, &mut rows, &mut entries);
+            column_starts.push(fits(rows.len(), "entries")?);
+        }
+        Self::checked(row_count, column_starts, rows, entries)
+    }
+
+    /// The same matrix with 32-bit entries, or `None` if an entry does not fit.
+    pub fn to_narrow(&self) -> Option<SparseMatrix> {
+        let entries =
+            self.entries.iter().map(|entry| i32::try_from(entry.to_i64()?).ok()).collect::<Option<_>>()?;
+        Some(SparseMatrix {
+            row_count: self.row_count,
+            column_starts: self.column_starts.clone(),
+            rows: self.rows.clone(),
+            entries,
+        })
+    }
+}
+
+/// Takes the last entry away if it is zero and belongs to the column that begins at `start`.
+fn drop_last_zero(start: usize, rows: &mut Vec<u32>, entries: &mut Vec<Integer>) {
+    if rows.len() > start && entries.last().is_some_and(Integer::is_zero) {
+        rows.pop();
+        entries.pop();
+    }
+}
+
+impl<E: Entry> SparseMatrix<E> {
+    /// The matrix with these parts, after the checks that [`SparseMatrix::from_parts`] lists.
+    pub(super) fn checked(
+        row_count: usize,
+        column_starts: Vec<u32>,
+        rows: Vec<u32>,
+        entries: Vec<E>,
+    ) -> Result<Self, Error> {
+        let row_count = fits(row_count, "rows")?;
+        fits(column_starts.len(), "columns")?;
+        let entry_count = fits(rows.len(), "entries")?;
+        let shape = |message: String| Err(Error::new(ErrorKind::Shape, message));
+        if column_starts.first() != Some(&0)
+            || column_starts.last() != Some(&entry_count)
+            || !column_starts.is_sorted()
+        {
+            return shape(format!(
+                "the column starts must rise from 0 to the number of entries, {entry_count}"
+            ));
+        }
+        if entries.len() != rows.len() {
+            return shape(format!("{} rows beside {} entries", rows.len(), entries.len()));
+        }
+        let bad = (0..column_starts.len() - 1).into_par_iter().find_first(|&j| {
+            let range = column_starts[j] as usize..column_starts[j + 1] as usize;
+            let column = &rows[range.clone()];
+            column.last().is_some_and(|&last| last >= row_count)
+                || !column.is_sorted_by(|a, b| a < b)
+                || entries[range].iter().any(E::is_zero)
+        });
+        if let Some(j) = bad {
+            return shape(format!(
+                "column {j} must have strictly rising rows below {row_count} and no zero entry"
+            ));
+        }
+        Ok(Self { row_count, column_starts, rows, entries })
+    }
+
+    /// The same matrix with entries of any size.
+    pub fn to_wide(&self) -> WideMatrix {
+        SparseMatrix {
+            row_count: self.row_count,
+            column_starts: self.column_starts.clone(),
+            rows: self.rows.clone(),
+            entries: self.entries.iter().map(E::to_integer).collect(),
+        }
+    }
 
     /// The number of rows.
     pub fn row_count(&self) -> usize {
@@ -181,13 +300,13 @@ impl SparseMatrix {
     ///
     /// # Panics
     /// If `j` is not below the number of columns.
-    pub fn column(&self, j: usize) -> Column<'_> {
+    pub fn column(&self, j: usize) -> Column<'_, E> {
         let range = self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
         Column { rows: &self.rows[range.clone()], entries: &self.entries[range] }
     }
 
     /// All columns in order.
-    pub fn columns(&self) -> impl ExactSizeIterator<Item = Column<'_>> {
+    pub fn columns(&self) -> impl ExactSizeIterator<Item = Column<'_, E>> {
         (0..self.column_count()).map(|j| self.column(j))
     }
 
@@ -202,7 +321,7 @@ impl SparseMatrix {
     }
 
     /// The entries of all columns, one after the other.
-    pub fn entries(&self) -> &[i32] {
+    pub fn entries(&self) -> &[E] {
         &self.entries
     }
 
@@ -210,7 +329,7 @@ impl SparseMatrix {
     ///
     /// # Panics
     /// If `column` is not below the number of columns.
-    pub fn entry(&self, row: usize, column: usize) -> i32 {
+    pub fn entry(&self, row: usize, column: usize) -> E {
         self.column(column).entry(row)
     }
 
@@ -231,19 +350,21 @@ impl SparseMatrix {
         }
         let mut next = starts.clone();
         let mut rows = vec![0; self.rows.len()];
-        let mut entries = vec![0; self.rows.len()];
+        let mut entries = vec![E::default(); self.rows.len()];
         for j in 0..self.column_count() {
             let range = self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
-            for (&row, &entry) in self.rows[range.clone()].iter().zip(&self.entries[range]) {
+            for (&row, entry) in self.rows[range.clone()].iter().zip(&self.entries[range]) {
                 let at = &mut next[row as usize];
                 rows[*at as usize] = j as u32;
-                entries[*at as usize] = entry;
+                entries[*at as usize] = entry.clone();
                 *at += 1;
             }
         }
         Self { row_count: self.column_count() as u32, column_starts: starts, rows, entries }
     }
+}
 
+impl SparseMatrix {
     /// The first column of the product `self * other` that is not zero, without storing the product; `None` if the
     /// product is zero.
     ///
@@ -306,8 +427,24 @@ impl SparseMatrix {
 }
 
 /// `count` as a 32-bit number, or an error that names what there are too many of.
-fn fits(count: usize, what: &str) -> Result<u32, Error> {
+pub(super) fn fits(count: usize, what: &str) -> Result<u32, Error> {
     u32::try_from(count).map_err(|_| {
         Error::new(ErrorKind::TooLarge, format!("{count} {what} in a matrix; the limit is 2^32 - 1"))
     })
+}
+
+impl<E: Entry> fmt::Debug for SparseMatrix<E> {
+    /// The shape, and the entries as (row, column, entry) when they are few.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} x {} matrix, {} entries", self.row_count(), self.column_count(), self.entry_count())?;
+        if self.entry_count() <= 64 {
+            let places = self
+                .columns()
+                .enumerate()
+                .flat_map(|(j, column)| column.terms().map(move |(i, e)| (i, j, e)));
+            f.write_str(" ")?;
+            f.debug_list().entries(places).finish()?;
+        }
+        Ok(())
+    }
 }
