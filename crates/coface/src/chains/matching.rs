@@ -277,7 +277,7 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::complex::tests::random_complexes;
+    use crate::chains::random_complexes;
     use proptest::prelude::*;
 
     proptest! {

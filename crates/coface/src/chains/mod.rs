@@ -13,3 +13,6 @@ mod morse;
 pub use complex::ChainComplex;
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
+
+#[cfg(test)]
+pub(crate) use complex::tests::random_complexes;

@@ -1,6 +1,6 @@
 //! The Morse complex: what is left of a chain complex when all pairs of an acyclic matching have cancelled.
 
-use crate::algebra::{Integer, SparseMatrix};
+use crate::algebra::{Integer, SparseMatrix, WideMatrix};
 use crate::chains::{AcyclicMatching, ChainComplex, MatchedPair};
 
 /// The Morse complex of a chain complex: one cell for each critical cell, with the integral homology of the whole.
@@ -77,14 +77,12 @@ impl<'a> MorseComplex<'a> {
         degree.checked_sub(1).map_or(&[], |below| &self.boundaries[below][i])
     }
 
-    /// The entries (row, column, coefficient) of the boundary matrix of the Morse complex from this degree.
-    pub fn boundary_entries(&self, degree: usize) -> impl Iterator<Item = (usize, usize, &Integer)> {
-        let columns =
-            degree.checked_sub(1).and_then(|below| self.boundaries.get(below)).map_or(&[][..], |c| c);
-        columns
-            .iter()
-            .enumerate()
-            .flat_map(|(j, column)| column.iter().map(move |(i, x)| (*i as usize, j, x)))
+    /// The boundary matrix of the Morse complex from this degree to the one below, on the numbers of critical cells:
+    /// column j is the boundary of critical cell j. Without rows for degree 0, without columns beyond the dimension.
+    pub fn boundary_matrix(&self, degree: usize) -> WideMatrix {
+        let row_count = degree.checked_sub(1).map_or(0, |below| self.critical_count(below));
+        let columns = (0..self.critical_count(degree)).map(|i| self.boundary(degree, i).to_vec());
+        WideMatrix::from_integer_columns(row_count, columns).expect("critical cells have 32-bit numbers")
     }
 
     /// The image of a chain of the Morse complex in the original complex. The chain is given on the numbers of critical
@@ -305,7 +303,7 @@ impl SlotQueue {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::complex::tests::random_complexes;
+    use crate::chains::random_complexes;
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 

@@ -1,1 +1,19 @@
-//! Questions that any chain complex can be asked.
+//! Questions that any chain complex can be asked, wherever its cells came from.
+//!
+//! # Words and conventions
+//! * **Homology** in degree k: the cycles of degree k modulo the boundaries of (k+1)-chains. Over Z it is a finitely
+//!   generated abelian group, [`AbelianGroup`]: its rank is the **Betti number**, its finite part the **torsion**.
+//! * [`homology`] answers over Z; [`homology_with`] and [`cohomology`] over Z, Q or Z/n, by the universal coefficient
+//!   theorem.
+//! * [`generators`] gives cycles on the original cells, one for each cyclic summand.
+//! * All answers go through the acyclic matching of [`crate::chains::MorseComplex`], then Smith normal form.
+
+mod coefficients;
+mod generators;
+mod group;
+mod homology;
+
+pub use coefficients::Coefficients;
+pub use generators::{Generator, generators};
+pub use group::AbelianGroup;
+pub use homology::{Homology, cohomology, homology, homology_with};
