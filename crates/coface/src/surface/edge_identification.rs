@@ -209,7 +209,7 @@ fn sides_by_range(
                 for_each_polygon(polygons, faces.clone(), |_, start, polygon| {
                     let least = least_side(polygon);
                     for_each_side(polygon, |a, b, i| {
-                        put(a, b, start + i, if i == least { LEAST } else { 0 })
+                        put(a, b, start + i, if i == least { LEAST } else { 0 });
                     });
                     Ok(())
                 })?;

@@ -211,6 +211,37 @@ impl PolygonMesh {
         self.packed_faces(edge.index()).len()
     }
 
+    /// The number of faces at each edge, in the order of the edges.
+    pub(crate) fn edge_degrees(&self) -> impl ExactSizeIterator<Item = u32> + '_ {
+        self.edges.face_starts.windows(2).map(|pair| pair[1] - pair[0])
+    }
+
+    /// The loose edges that the mesh was made with, as pairs.
+    fn loose_pairs(&self) -> Vec<[u32; 2]> {
+        self.edges.corner_edges[self.polygons.item_count()..]
+            .iter()
+            .map(|&edge| self.ends(edge as usize))
+            .collect()
+    }
+
+    /// The same mesh with the faces of minus sign listed the other way around.
+    pub(crate) fn with_face_signs(&self, signs: &[Sign]) -> Self {
+        let mut polygons = self.polygons.clone();
+        for (face, _) in signs.iter().enumerate().filter(|&(_, &sign)| sign == Sign::Minus) {
+            let corners = polygons.start(face)..polygons.start(face + 1);
+            polygons.items_mut()[corners].reverse();
+        }
+        let edges = identify_edges(self.vertex_count, &polygons, &self.loose_pairs())
+            .expect("a mesh whose faces are turned around is as sound as before");
+        Self {
+            vertex_count: self.vertex_count,
+            polygons,
+            edges,
+            polygon_of_face: self.polygon_of_face.clone(),
+            duplicate_faces: self.duplicate_faces.clone(),
+        }
+    }
+
     /// The boundary matrix of degree 1: rows are vertices, columns edges; an edge is its larger end minus its smaller.
     pub fn edge_boundaries(&self) -> SparseMatrix {
         edge_boundaries(self.vertex_count, self.edges.ends.clone())
