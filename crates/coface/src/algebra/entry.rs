@@ -9,8 +9,17 @@ use std::fmt;
 pub trait Entry: Clone + Default + Eq + fmt::Debug + fmt::Display + Send + Sync + sealed::Sealed {
     /// The value, without limit of size.
     fn to_integer(&self) -> Integer;
+    /// The value if it fits in 64 bits.
+    fn to_i64(&self) -> Option<i64>;
     /// Whether this is 0.
     fn is_zero(&self) -> bool;
+    /// Whether a matrix may store this: not 0, and not $-2^{31}$ in 32 bits, which has no opposite there.
+    fn is_storable(&self) -> bool;
+    /// The opposite of an entry that a matrix stores.
+    #[must_use]
+    fn negated(&self) -> Self;
+    /// Whether this is below 0.
+    fn is_negative(&self) -> bool;
 }
 
 mod sealed {
@@ -24,8 +33,24 @@ impl Entry for i32 {
         Integer::from(*self)
     }
 
+    fn to_i64(&self) -> Option<i64> {
+        Some(i64::from(*self))
+    }
+
     fn is_zero(&self) -> bool {
         *self == 0
+    }
+
+    fn is_storable(&self) -> bool {
+        !matches!(*self, 0 | i32::MIN)
+    }
+
+    fn negated(&self) -> Self {
+        -*self
+    }
+
+    fn is_negative(&self) -> bool {
+        *self < 0
     }
 }
 
@@ -34,7 +59,23 @@ impl Entry for Integer {
         self.clone()
     }
 
+    fn to_i64(&self) -> Option<i64> {
+        Integer::to_i64(self)
+    }
+
     fn is_zero(&self) -> bool {
         Integer::is_zero(self)
+    }
+
+    fn is_storable(&self) -> bool {
+        !self.is_zero()
+    }
+
+    fn negated(&self) -> Self {
+        -self
+    }
+
+    fn is_negative(&self) -> bool {
+        self.signum() < 0
     }
 }

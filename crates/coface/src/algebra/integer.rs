@@ -36,10 +36,17 @@ impl Integer {
     /// 1.
     pub const ONE: Self = Self(Repr::Small(1));
 
-    fn from_big(value: IBig) -> Self {
+    pub(super) fn from_big(value: IBig) -> Self {
         match i64::try_from(&value) {
             Ok(small) => Self(Repr::Small(small)),
             Err(_) => Self(Repr::Large(Box::new(value))),
+        }
+    }
+
+    pub(super) fn into_big(self) -> IBig {
+        match self.0 {
+            Repr::Small(value) => IBig::from(value),
+            Repr::Large(value) => *value,
         }
     }
 

@@ -2,22 +2,37 @@
 //!
 //! # Words
 //! * An [`Integer`] is held in 64 bits as long as it fits and as a big integer beyond; no sum or product wraps.
-//! * A [`SparseMatrix`] is in compressed columns: column `j` is a sorted list of (row, entry), no entry is zero.
+//! * A [`Rational`] is a fraction in lowest terms, a [`Residue`] an integer modulo n.
+//! * A [`SparseMatrix`] is in compressed columns: column `j` is a sorted list of (row, entry), no entry is zero. Its
+//!   entries are 32 bits wide; a [`WideMatrix`] has integers of any size, and arithmetic gives an [`IntegerMatrix`],
+//!   which is whichever of the two suffices.
+//! * The [`SmithForm`] of a matrix is diagonal with each entry dividing the next; [`SmithTransforms`] make it.
+//! * A [`Permutation`] moves i to `image(i)`; `p.then(&q)` does p first.
 //! * A [`RaggedArray`] is a list of lists in one flat array: polygons, facets, orbits.
 //! * A [`UnionFind`] keeps a partition of `0..n`; [`ParityUnionFind`] also keeps a sign between members.
 
 mod elimination;
 mod entry;
 mod integer;
+mod integer_matrix;
+mod matrix_arithmetic;
 mod modular;
+mod permutation;
+mod product;
 mod ragged;
+mod rational;
+mod residue;
 mod smith;
 mod sparse_matrix;
 mod union_find;
 
 pub use entry::Entry;
 pub use integer::Integer;
+pub use integer_matrix::IntegerMatrix;
+pub use permutation::Permutation;
 pub use ragged::RaggedArray;
+pub use rational::Rational;
+pub use residue::Residue;
 pub use smith::{SmithForm, SmithTransforms, invariant_factors, smith_form, smith_form_with_transforms};
 pub use sparse_matrix::{Column, SparseMatrix, WideMatrix};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};

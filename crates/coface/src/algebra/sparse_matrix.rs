@@ -104,7 +104,7 @@ impl SparseMatrix {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless the starts rise from 0 to the number of entries, the rows of each column rise
-    /// strictly and are below `row_count`, and no entry is zero; [`ErrorKind::TooLarge`] beyond 32 bits.
+    /// strictly and are below `row_count`, and no entry is zero or $-2^{31}$; [`ErrorKind::TooLarge`] beyond 32 bits.
     pub fn from_parts(
         row_count: usize,
         column_starts: Vec<u32>,
@@ -146,11 +146,9 @@ impl SparseMatrix {
         for group in sorted.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             let (column, row, _) = group[0];
             let sum: i128 = group.iter().map(|&(_, _, entry)| i128::from(entry)).sum();
-            let Ok(value) = i32::try_from(sum) else {
-                return Err(Error::new(
-                    ErrorKind::TooLarge,
-                    format!("the entry at row {row}, column {column} is {sum}; the limit is 32 bits"),
-                ));
+            let value = match i32::try_from(sum) {
+                Ok(value) if value != i32::MIN => value,
+                _ => return Err(too_wide(row, column, &sum)),
             };
             if value != 0 {
                 rows.push(row);
@@ -211,18 +209,6 @@ impl WideMatrix {
         }
         Self::checked(row_count, column_starts, rows, entries)
     }
-
-    /// The same matrix with 32-bit entries, or `None` if an entry does not fit.
-    pub fn to_narrow(&self) -> Option<SparseMatrix> {
-        let entries =
-            self.entries.iter().map(|entry| i32::try_from(entry.to_i64()?).ok()).collect::<Option<_>>()?;
-        Some(SparseMatrix {
-            row_count: self.row_count,
-            column_starts: self.column_starts.clone(),
-            rows: self.rows.clone(),
-            entries,
-        })
-    }
 }
 
 /// Takes the last entry away if it is zero and belongs to the column that begins at `start`.
@@ -261,24 +247,51 @@ impl<E: Entry> SparseMatrix<E> {
             let column = &rows[range.clone()];
             column.last().is_some_and(|&last| last >= row_count)
                 || !column.is_sorted_by(|a, b| a < b)
-                || entries[range].iter().any(E::is_zero)
+                || !entries[range].iter().all(E::is_storable)
         });
         if let Some(j) = bad {
             return shape(format!(
-                "column {j} must have strictly rising rows below {row_count} and no zero entry"
+                "column {j} must have strictly rising rows below {row_count} and no entry that is zero or -2^31"
             ));
         }
         Ok(Self { row_count, column_starts, rows, entries })
     }
 
-    /// The same matrix with entries of any size.
-    pub fn to_wide(&self) -> WideMatrix {
+    /// The same matrix with 32-bit entries.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] naming the first entry beyond 32 bits.
+    pub fn to_narrow(&self) -> Result<SparseMatrix, Error> {
+        let mut entries = Vec::with_capacity(self.entry_count());
+        for (j, column) in self.columns().enumerate() {
+            for (i, entry) in column.terms() {
+                match entry.to_i64().and_then(|value| i32::try_from(value).ok()) {
+                    Some(value) if value != i32::MIN => entries.push(value),
+                    _ => return Err(too_wide(i as u32, j as u32, entry)),
+                }
+            }
+        }
+        Ok(SparseMatrix {
+            row_count: self.row_count,
+            column_starts: self.column_starts.clone(),
+            rows: self.rows.clone(),
+            entries,
+        })
+    }
+
+    /// The same places with entries made from the present ones; none may become zero.
+    pub(super) fn with_entries<F: Entry>(&self, entry: impl Fn(&E) -> F) -> SparseMatrix<F> {
         SparseMatrix {
             row_count: self.row_count,
             column_starts: self.column_starts.clone(),
             rows: self.rows.clone(),
-            entries: self.entries.iter().map(E::to_integer).collect(),
+            entries: self.entries.iter().map(entry).collect(),
         }
+    }
+
+    /// The same matrix with entries of any size.
+    pub fn to_wide(&self) -> WideMatrix {
+        self.with_entries(E::to_integer)
     }
 
     /// The number of rows.
@@ -426,6 +439,14 @@ impl SparseMatrix {
     }
 }
 
+/// The error of an entry that 32 bits do not hold.
+fn too_wide(row: u32, column: u32, value: &impl fmt::Display) -> Error {
+    Error::new(
+        ErrorKind::TooLarge,
+        format!("the entry at row {row}, column {column} is {value}; the limit is 32 bits"),
+    )
+}
+
 /// `count` as a 32-bit number, or an error that names what there are too many of.
 pub(super) fn fits(count: usize, what: &str) -> Result<u32, Error> {
     u32::try_from(count).map_err(|_| {
@@ -446,5 +467,34 @@ impl<E: Entry> fmt::Debug for SparseMatrix<E> {
             f.debug_list().entries(places).finish()?;
         }
         Ok(())
+    }
+}
+
+impl<E: Entry> fmt::Display for SparseMatrix<E> {
+    /// The matrix in the coordinate format of Matrix Market: a line `rows columns entries`, then a line
+    /// `row column entry` for each entry, counted from 1.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "%%MatrixMarket matrix coordinate integer general")?;
+        writeln!(f, "{} {} {}", self.row_count(), self.column_count(), self.entry_count())?;
+        for (j, column) in self.columns().enumerate() {
+            for (i, entry) in column.terms() {
+                writeln!(f, "{} {} {entry}", i + 1, j + 1)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl PartialEq<WideMatrix> for SparseMatrix {
+    fn eq(&self, other: &WideMatrix) -> bool {
+        (self.row_count, &self.column_starts, &self.rows)
+            == (other.row_count, &other.column_starts, &other.rows)
+            && self.entries.iter().zip(&other.entries).all(|(a, b)| Some(i64::from(*a)) == b.to_i64())
+    }
+}
+
+impl PartialEq<SparseMatrix> for WideMatrix {
+    fn eq(&self, other: &SparseMatrix) -> bool {
+        other == self
     }
 }
