@@ -11,6 +11,9 @@
 
 mod complex;
 mod simplex;
+mod tree;
+mod tree_bulk;
+mod tree_walk;
 
 pub use complex::SimplicialComplex;
 pub use simplex::Simplex;
