@@ -4,7 +4,7 @@ use crate::{Error, ErrorKind};
 use std::io::Read;
 
 /// The longest line or token that is read; a longer one is not text of any format here.
-const LONGEST: usize = 1 << 26;
+pub(super) const LONGEST: usize = 1 << 26;
 const BLOCK: usize = 1 << 18;
 
 /// Reads a stream once, forward, in blocks; knows the line and the byte it is at.
@@ -40,6 +40,11 @@ impl<R: Read> Scanner<R> {
             comment: None,
             finished: false,
         }
+    }
+
+    /// A scanner of what is left of a stream, from this line and byte on.
+    pub(crate) fn resumed(input: R, line: u64, byte: u64) -> Self {
+        Self { base: byte, line, place: (line, byte), ..Self::new(input) }
     }
 
     /// The rest of a line from this byte on is no token.

@@ -1,0 +1,62 @@
+//! The readers of surface formats on real files: counts against the manifest.
+//!
+//! The files lie in the folder that the environment variable `COFACE_DATA` names; without it the tests say so and pass.
+
+use coface::io::{Model, obj, off};
+use coface::{Error, VertexId};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+fn data() -> Option<PathBuf> {
+    let folder = std::env::var_os("COFACE_DATA").map(PathBuf::from);
+    if folder.is_none() {
+        println!("skipped: COFACE_DATA names no folder");
+    }
+    folder
+}
+
+fn read(path: &Path) -> Option<Result<Model, Error>> {
+    let input = File::open(path).unwrap();
+    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+    Some(match extension.as_str() {
+        "off" => off::read(input),
+        "obj" => obj::read(input),
+        _ => return None,
+    })
+}
+
+#[test]
+fn counts_are_those_of_the_manifest() {
+    let Some(data) = data() else { return };
+    let manifest = std::fs::read_to_string(data.join("MANIFEST.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    let mut checked = 0;
+    for record in manifest["files"].as_array().unwrap() {
+        let file = record["file"].as_str().unwrap();
+        let Some(vertices) = record["vertices"].as_u64() else { continue };
+        let Some(faces) = record["faces_in_file"].as_u64().or(record["faces"].as_u64()) else { continue };
+        if !file.starts_with("surfaces/") && !file.starts_with("tricky/") {
+            continue;
+        }
+        let Some(model) = read(&data.join(file)) else { continue };
+        let model = model.unwrap_or_else(|error| panic!("{file}: {error}"));
+        model.check().unwrap();
+        assert_eq!((model.vertex_count() as u64, model.polygons().len() as u64), (vertices, faces), "{file}");
+        checked += 1;
+    }
+    assert!(checked >= 16, "{checked} files");
+}
+
+#[test]
+fn four_coordinates_are_kept() {
+    let Some(data) = data() else { return };
+    let model = read(&data.join("surfaces/tetraplex.off")).unwrap().unwrap();
+    assert_eq!(model.positions().point(VertexId::new(5)), [-1.0, 0.0, -0.618034, -1.61803]);
+}
+
+#[test]
+fn a_face_of_two_vertices_is_refused_with_its_line() {
+    let Some(data) = data() else { return };
+    let error = read(&data.join("tricky/notenoughindices.obj")).unwrap().unwrap_err();
+    assert_eq!(error.line(), Some(9), "{error}");
+}
