@@ -6,6 +6,7 @@
 mod edges;
 mod info;
 mod reduction;
+mod simplicial;
 
 use crate::measure::{Measurement, own_high_water_mark};
 use coface::Error;
@@ -33,7 +34,7 @@ pub(crate) enum Work {
 }
 
 /// All tasks.
-pub(crate) const ALL: &[Task] = &[edges::TASK, reduction::TASK, info::TASK];
+pub(crate) const ALL: &[Task] = &[edges::TASK, reduction::TASK, simplicial::INSERTION, simplicial::STARS, info::TASK];
 
 /// Surfaces of about 250,000, 500,000 and 1,000,000 triangles.
 const SURFACES: &[&str] = &["genus10_160", "genus10_255", "genus10_360", "genus10_510"];

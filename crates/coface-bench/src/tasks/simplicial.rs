@@ -1,0 +1,37 @@
+//! Insertion of simplices with all their faces, stars and links of vertices.
+
+use super::{Task, Work};
+use crate::inputs::Mesh;
+use coface::simplicial::{Simplex, SimplicialComplex};
+
+const INPUTS: &[&str] = &["simp_100000", "simp_250000", "simp_500000", "simp_1000000"];
+/// As many vertices, the lowest, have their stars and links listed.
+const VERTEX_COUNT: usize = 2000;
+
+pub(super) const INSERTION: Task = Task {
+    name: "insertion",
+    about: "a dynamic complex from simplices of dimension 0 to 5, with all faces",
+    extension: "raw",
+    inputs: INPUTS,
+    work: Work::Inside(|path, clock| {
+        let mesh = Mesh::read_raw(path)?;
+        let complex = clock.time(mesh.lists.len(), || SimplicialComplex::from_facets(mesh.lists.iter()))?;
+        Ok(format!("simplices {}", complex.len()))
+    }),
+};
+
+pub(super) const STARS: Task = Task {
+    name: "stars",
+    about: "all cofaces of 2000 vertices, one after the other",
+    extension: "raw",
+    inputs: INPUTS,
+    work: Work::Inside(|path, clock| {
+        let mesh = Mesh::read_raw(path)?;
+        let complex = SimplicialComplex::from_facets(mesh.lists.iter())?;
+        let vertices: Vec<Simplex> = complex.vertices().take(VERTEX_COUNT).map(Simplex::vertex).collect();
+        let count = clock.time(complex.len(), || -> usize {
+            vertices.iter().map(|vertex| complex.cofaces(vertex).count()).sum()
+        });
+        Ok(format!("vertices {} simplices {count}", vertices.len()))
+    }),
+};
