@@ -41,7 +41,12 @@ pub(crate) fn compare(task: &str, input: &str, peers: &[Peer], arguments: &Argum
         }
     }
     for row in &rows[1..] {
-        println!("ratio {} / coface = {:.2}", row.program, row.seconds() / rows[0].seconds());
+        println!(
+            "ratio {} / coface = {:.2} (processor time {:.2})",
+            row.program,
+            row.seconds() / rows[0].seconds(),
+            row.cpu_seconds() / rows[0].cpu_seconds()
+        );
     }
     Ok(())
 }

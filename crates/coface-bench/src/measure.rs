@@ -11,6 +11,8 @@ use std::time::{Duration, Instant};
 pub(crate) struct Measurement {
     /// Seconds of the work alone, without start-up and preparation, if the program says so; else of the whole process.
     pub(crate) seconds: f64,
+    /// Seconds of processor time of all threads in the same span, if known: steadier on a machine shared with others.
+    pub(crate) cpu_seconds: Option<f64>,
     /// The most memory the process held, preparation included, in MB of 2^20 bytes.
     pub(crate) peak_megabytes: f64,
     /// The same when timing began, if the program says so.
@@ -26,6 +28,7 @@ impl Measurement {
     pub(crate) fn to_line(&self) -> String {
         json!({
             "seconds": self.seconds,
+            "cpu_seconds": self.cpu_seconds,
             "peak_mb": self.peak_megabytes,
             "before_mb": self.before_megabytes,
             "size": self.size,
@@ -40,6 +43,7 @@ impl Measurement {
         line.into_iter().find_map(|value| {
             Some(Self {
                 seconds: value.get("seconds")?.as_f64()?,
+                cpu_seconds: value.get("cpu_seconds").and_then(Value::as_f64),
                 peak_megabytes: value.get("peak_mb").and_then(Value::as_f64).unwrap_or(f64::NAN),
                 before_megabytes: value.get("before_mb").and_then(Value::as_f64),
                 size: value.get("size").and_then(Value::as_f64).unwrap_or(0.0),
@@ -68,7 +72,7 @@ pub(crate) fn measure(command: &mut Command) -> Result<Measurement, Error> {
         let mut output = Vec::new();
         pipe.read_to_end(&mut output).map(|_| output)
     });
-    let (succeeded, peak) = watch(&mut child)?;
+    let (succeeded, peak, cpu_seconds) = watch(&mut child)?;
     let seconds = begin.elapsed().as_secs_f64();
     let output = reader.join().map_err(|_| Error::invalid(format!("{label}: its output was lost")))??;
     if !succeeded {
@@ -77,6 +81,7 @@ pub(crate) fn measure(command: &mut Command) -> Result<Measurement, Error> {
     let output = String::from_utf8_lossy(&output);
     Ok(Measurement::from_output(&output).unwrap_or_else(|| Measurement {
         seconds,
+        cpu_seconds,
         peak_megabytes: peak,
         before_megabytes: None,
         size: 0.0,
@@ -84,15 +89,16 @@ pub(crate) fn measure(command: &mut Command) -> Result<Measurement, Error> {
     }))
 }
 
-/// Waits for a process, looking at its high-water mark of memory every millisecond; the mark only rises, so at most the
-/// growth of the last millisecond is missed.
-fn watch(child: &mut Child) -> Result<(bool, f64), Error> {
-    let status = format!("/proc/{}/status", child.id());
-    let mut peak = 0.0;
+/// Waits for a process, looking at its high-water mark of memory and its processor time every millisecond; both only
+/// rise, so at most the growth of the last millisecond is missed.
+fn watch(child: &mut Child) -> Result<(bool, f64, Option<f64>), Error> {
+    let folder = format!("/proc/{}", child.id());
+    let (mut peak, mut cpu_seconds) = (0.0, None);
     loop {
-        peak = high_water_mark(&status).unwrap_or(0.0).max(peak);
+        peak = high_water_mark(&format!("{folder}/status")).unwrap_or(0.0).max(peak);
+        cpu_seconds = processor_ticks(&folder).map(|ticks| ticks as f64 / 100.0).or(cpu_seconds);
         if let Some(exit) = child.try_wait()? {
-            return Ok((exit.success(), peak));
+            return Ok((exit.success(), peak, cpu_seconds));
         }
         std::thread::sleep(Duration::from_millis(1));
     }
@@ -108,6 +114,24 @@ fn high_water_mark(status: &str) -> Option<f64> {
     let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     let kilobytes: f64 = line.split_whitespace().next()?.parse().ok()?;
     Some(kilobytes / 1024.0)
+}
+
+/// The processor time of a process, in user and system mode, in hundredths of a second.
+fn processor_ticks(folder: &str) -> Option<u64> {
+    let text = std::fs::read_to_string(format!("{folder}/stat")).ok()?;
+    // The second field, the name in parentheses, may itself hold blanks.
+    let fields: Vec<&str> = text.rsplit_once(')')?.1.split_whitespace().collect();
+    Some(fields.get(11)?.parse::<u64>().ok()? + fields.get(12)?.parse::<u64>().ok()?)
+}
+
+/// The processor time of the threads of this process that still run, in seconds; `None` where the system does not tell.
+pub(crate) fn own_processor_seconds() -> Option<f64> {
+    let mut nanoseconds = 0;
+    for thread in std::fs::read_dir("/proc/self/task").ok()? {
+        let text = std::fs::read_to_string(thread.ok()?.path().join("schedstat")).ok()?;
+        nanoseconds += text.split_whitespace().next()?.parse::<u64>().ok()?;
+    }
+    Some(nanoseconds as f64 * 1e-9)
 }
 
 /// The middle of the values; of two middle ones the mean. Not a number for an empty list.

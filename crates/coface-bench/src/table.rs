@@ -20,6 +20,11 @@ impl Row {
         median(self.runs.iter().map(|run| run.seconds))
     }
 
+    /// The median of the seconds of processor time, where known.
+    pub(crate) fn cpu_seconds(&self) -> f64 {
+        median(self.runs.iter().filter_map(|run| run.cpu_seconds))
+    }
+
     /// The highest peak of memory.
     pub(crate) fn peak(&self) -> f64 {
         self.runs.iter().map(|run| run.peak_megabytes).fold(0.0, f64::max)
@@ -49,6 +54,7 @@ impl Row {
             "program": self.program,
             "median_seconds": self.seconds(),
             "seconds": self.runs.iter().map(|run| run.seconds).collect::<Vec<_>>(),
+            "median_cpu_seconds": self.cpu_seconds(),
             "peak_mb": self.peak(),
             "before_mb": self.runs.first().and_then(|run| run.before_megabytes),
             "size": self.size(),
@@ -62,8 +68,8 @@ impl Row {
     /// The heading over [`Self::to_text`].
     pub(crate) fn heading() -> String {
         format!(
-            "{:<20} {:<14} {:<26} {:>9} {:>19} {:>8} {:>8}  {}",
-            "task", "input", "program", "median s", "least - most", "peak MB", "before", "result"
+            "{:<20} {:<14} {:<26} {:>9} {:>9} {:>19} {:>8} {:>8}  {}",
+            "task", "input", "program", "median s", "cpu s", "least - most", "peak MB", "before", "result"
         )
     }
 
@@ -71,11 +77,12 @@ impl Row {
     pub(crate) fn to_text(&self) -> String {
         let before = self.runs.first().and_then(|run| run.before_megabytes);
         format!(
-            "{:<20} {:<14} {:<26} {:>9.4} {:>19} {:>8.0} {:>8}  {}",
+            "{:<20} {:<14} {:<26} {:>9.4} {:>9.4} {:>19} {:>8.0} {:>8}  {}",
             self.task,
             self.input,
             self.program,
             self.seconds(),
+            self.cpu_seconds(),
             format!("{:.4} - {:.4}", self.extreme(f64::min), self.extreme(f64::max)),
             self.peak(),
             before.map_or_else(|| "-".to_owned(), |mb| format!("{mb:.0}")),

@@ -4,11 +4,12 @@
 //! that a wrong answer is seen beside its time.
 
 mod edges;
+mod homology;
 mod info;
 mod reduction;
 mod simplicial;
 
-use crate::measure::{Measurement, own_high_water_mark};
+use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
 use coface::Error;
 use std::path::Path;
 use std::process::Command;
@@ -34,7 +35,8 @@ pub(crate) enum Work {
 }
 
 /// All tasks.
-pub(crate) const ALL: &[Task] = &[edges::TASK, reduction::TASK, simplicial::INSERTION, simplicial::STARS, info::TASK];
+pub(crate) const ALL: &[Task] =
+    &[edges::TASK, homology::SURFACE, reduction::TASK, simplicial::INSERTION, simplicial::STARS, info::TASK];
 
 /// Surfaces of about 250,000, 500,000 and 1,000,000 triangles.
 const SURFACES: &[&str] = &["genus10_160", "genus10_255", "genus10_360", "genus10_510"];
@@ -95,6 +97,7 @@ pub(crate) fn sample(name: &str, path: &Path) -> Result<Measurement, Error> {
     let result = work(path, &mut clock)?;
     Ok(Measurement {
         seconds: clock.seconds,
+        cpu_seconds: clock.cpu_seconds,
         peak_megabytes: own_high_water_mark(),
         before_megabytes: Some(clock.before_megabytes),
         size: clock.size,
@@ -106,6 +109,7 @@ pub(crate) fn sample(name: &str, path: &Path) -> Result<Measurement, Error> {
 #[derive(Default)]
 pub(crate) struct Clock {
     seconds: f64,
+    cpu_seconds: Option<f64>,
     before_megabytes: f64,
     size: f64,
 }
@@ -115,9 +119,10 @@ impl Clock {
     pub(crate) fn time<T>(&mut self, size: usize, work: impl FnOnce() -> T) -> T {
         self.size = size as f64;
         self.before_megabytes = own_high_water_mark();
-        let begin = Instant::now();
+        let (begin, begin_cpu) = (Instant::now(), own_processor_seconds());
         let result = work();
-        self.seconds += begin.elapsed().as_secs_f64();
+        self.seconds = begin.elapsed().as_secs_f64();
+        self.cpu_seconds = own_processor_seconds().zip(begin_cpu).map(|(end, begin)| end - begin);
         result
     }
 }

@@ -1,23 +1,21 @@
-//! Reduction of a chain complex that is ready: acyclic matching and the Morse complex.
+//! Homology of a chain complex that is ready.
 
+use super::homology::to_text;
 use super::{SOLIDS, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::SparseMatrix;
-use coface::chains::{ChainComplex, MorseComplex};
+use coface::chains::ChainComplex;
+use coface::topology::homology;
 
 pub(super) const TASK: Task = Task {
     name: "reduction",
-    about: "acyclic matching and Morse complex, the chain complex ready",
+    about: "integral homology, the chain complex ready: acyclic matching, Morse complex, Smith normal form",
     extension: "raw",
     inputs: SOLIDS,
     work: Work::Inside(|path, clock| {
         let complex = chain_complex(&Mesh::read_raw(path)?)?;
-        let morse = clock.time(complex.f_vector().iter().sum(), || MorseComplex::new(&complex));
-        Ok(format!(
-            "critical {:?}",
-            (0..complex.degree_count()).map(|k| morse.critical_count(k)).collect::<Vec<_>>()
-        ))
+        Ok(to_text(&clock.time(complex.f_vector().iter().sum(), || homology(&complex))))
     }),
 };
 
