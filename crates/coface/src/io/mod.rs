@@ -1,15 +1,23 @@
 //! Doors: one file a format, and [`Model`], what a file can hold.
 //!
 //! A reader takes bytes and gives a whole [`Model`] or an error that names the line or byte; it never allocates by a
-//! count that a file merely claims. Indices in a model are 0-based whatever the format does.
+//! count that a file merely claims. Indices in a model are 0-based whatever the format does. [`read_path`] and
+//! [`write_path`] find out the format by themselves.
 
 mod blocks;
 mod decimal;
+mod doors;
+mod format;
+pub mod json;
 mod limits;
 mod lists;
 mod model;
 pub mod obj;
 pub mod off;
+mod output;
 mod scanner;
 
+pub use doors::{read, read_path, read_unknown, write, write_path};
+pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};
+pub use output::replace_file;

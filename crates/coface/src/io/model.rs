@@ -1,5 +1,6 @@
 //! What a file held.
 
+use super::Format;
 use crate::algebra::RaggedArray;
 use crate::cellular::CellShape;
 use crate::chains::ChainComplex;
@@ -11,8 +12,11 @@ use crate::{Error, VertexId};
 ///
 /// Every index is below the vertex count, no polygon or cell repeats a vertex, and coordinates are finite: the
 /// readers, and [`Model::check`], see to it. Vertices that nothing uses are kept: they are isolated vertices.
-#[derive(Clone, Debug, Default, PartialEq)]
+///
+/// Two models are equal when they hold the same; the format they came from and the warnings do not matter.
+#[derive(Clone, Debug, Default)]
 pub struct Model {
+    pub(crate) format: Option<Format>,
     pub(crate) vertex_count: usize,
     pub(crate) positions: Positions,
     pub(crate) polygons: RaggedArray,
@@ -186,6 +190,16 @@ impl Model {
         )))
     }
 
+    /// The format that [`read_path`](super::read_path) and its neighbors read the model from; `None` for a model made
+    /// otherwise.
+    pub fn format(&self) -> Option<Format> {
+        self.format
+    }
+
+    pub(crate) fn with_format(self, format: Format) -> Self {
+        Self { format: Some(format), ..self }
+    }
+
     /// The number of vertices, isolated ones included.
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
@@ -234,6 +248,20 @@ impl Model {
     /// What the reader found odd but could read: one sentence each.
     pub fn warnings(&self) -> &[String] {
         &self.warnings
+    }
+}
+
+impl PartialEq for Model {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertex_count == other.vertex_count
+            && self.positions == other.positions
+            && self.polygons == other.polygons
+            && self.shapes == other.shapes
+            && self.cells == other.cells
+            && self.lines == other.lines
+            && self.points == other.points
+            && self.groups == other.groups
+            && self.structure == other.structure
     }
 }
 

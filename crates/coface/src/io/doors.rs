@@ -1,0 +1,200 @@
+//! Reading and writing models by path or stream, whatever the format.
+
+use super::{Format, Model, format, json, obj, off, output};
+use crate::{Error, ErrorKind};
+use std::fs::File;
+use std::io::{Read, Write};
+use std::path::Path;
+
+/// So many bytes are looked at to tell the format.
+const START: usize = 1 << 16;
+
+/// Reads the model in a file. Without a format, the name and the content tell it; when they disagree it is an error
+/// that says how to settle it. [`Model::format`] then says which it was.
+///
+/// One entry of a JSON list of named objects is chosen by its name after a `#`: `facets.json#RP^3`.
+///
+/// # Errors
+/// [`ErrorKind::Io`] when the file is missing, a directory or unreadable; [`ErrorKind::UnsupportedFormat`] when the
+/// format cannot be told; otherwise what the reader of the format found. All name the file, and the line or byte.
+///
+/// # Examples
+/// ```
+/// use coface::io;
+/// # fn main() -> Result<(), coface::Error> {
+/// let path = std::env::temp_dir().join("coface-read-path.json");
+/// std::fs::write(&path, "[[0, 1, 2], [1, 2, 3]]")?;
+/// let model = io::read_path(&path, None)?;
+/// assert_eq!(model.format(), Some(io::Format::Json));
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model, Error> {
+    let path = path.as_ref();
+    if !path.exists()
+        && let Some((file, entry)) = entry_of(path)
+    {
+        let read = || json::read_entry(open(file)?, entry);
+        return match read() {
+            Ok(model) => Ok(model.with_format(Format::Json)),
+            Err(error) => Err(error.in_file(file.display().to_string())),
+        };
+    }
+    let read = || {
+        let mut file = open(path)?;
+        let (start, whole) = start_of(&mut file)?;
+        let format = match format {
+            Some(format) => {
+                format::check_hopeless(&start, whole)?;
+                format
+            }
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+        };
+        read_started(&start, whole, &mut file, format)
+    };
+    read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// Reads a model of this format.
+///
+/// # Errors
+/// What the reader of the format found.
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, Format};
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = io::read(&b"[[0, 1, 2], [1, 2, 3]]"[..], Format::Json)?;
+/// assert!(model.structure().is_some());
+/// # Ok(()) }
+/// ```
+pub fn read(mut input: impl Read, format: Format) -> Result<Model, Error> {
+    let (start, whole) = start_of(&mut input)?;
+    format::check_hopeless(&start, whole)?;
+    read_started(&start, whole, &mut input, format)
+}
+
+/// Reads a model whose format only its content tells, such as one from the standard input.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] when the content is of no known format; otherwise what the reader of the format
+/// found.
+///
+/// # Examples
+/// ```
+/// use coface::io;
+/// # fn main() -> Result<(), coface::Error> {
+/// assert_eq!(io::read_unknown(&b"[[0, 1, 2]]"[..])?.format(), Some(io::Format::Json));
+/// # Ok(()) }
+/// ```
+pub fn read_unknown(mut input: impl Read) -> Result<Model, Error> {
+    let (start, whole) = start_of(&mut input)?;
+    let format = format::decide(format::without_mark(&start), whole, None)?;
+    read_started(&start, whole, &mut input, format)
+}
+
+/// Writes a model in this format, in the encoding that is most often wanted: ascii, but binary for STL and PLY.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] when the format cannot hold the model; [`ErrorKind::Io`] from the output.
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, Format};
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = io::read(&b"[[0, 1, 2], [1, 2, 3]]"[..], Format::Json)?;
+/// let mut out = Vec::new();
+/// io::write(&model, &mut out, Format::Json)?;
+/// assert_eq!(io::read(&out[..], Format::Json)?, model);
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error> {
+    match format {
+        Format::Off => off::write(model, out),
+        Format::Obj => obj::write(model, out),
+        Format::Json => json::write(model, out),
+        _ => Err(not_built(format)),
+    }
+}
+
+/// Writes a model to a file, in the format that the name tells unless another is given. The file appears whole or not
+/// at all: see [`replace_file`](super::replace_file).
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] when the name tells no format or the format cannot hold the model;
+/// [`ErrorKind::Io`] with the path when it cannot be written.
+///
+/// # Examples
+/// ```
+/// use coface::io;
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = io::read_unknown(&b"[[0, 1, 2]]"[..])?;
+/// let path = std::env::temp_dir().join("coface-write-path.json");
+/// io::write_path(&model, &path, None)?;
+/// assert_eq!(io::read_path(&path, None)?, model);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>) -> Result<(), Error> {
+    let path = path.as_ref();
+    let format = match format.or_else(|| Format::from_path(path)) {
+        Some(format) => format,
+        None => {
+            return Err(Error::new(ErrorKind::UnsupportedFormat, "the name tells no format to write")
+                .with_cure(format!("end it in one of {}, or give --format", format::names()))
+                .in_file(path.display().to_string()));
+        }
+    };
+    output::replace_file(path, |out| write(model, out, format))
+}
+
+/// The file and the entry that `file#entry` names, if there is such a file.
+fn entry_of(path: &Path) -> Option<(&Path, &str)> {
+    let text = path.to_str()?;
+    text.match_indices('#')
+        .map(|(at, _)| (Path::new(&text[..at]), &text[at + 1..]))
+        .find(|(file, _)| file.is_file())
+}
+
+fn open(path: &Path) -> Result<File, Error> {
+    let fault = |error: &std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
+        }
+        std::io::ErrorKind::PermissionDenied => Error::new(ErrorKind::Io, "the file may not be read")
+            .with_cure("change its permissions, or copy it"),
+        _ => Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}"))
+            .with_cure("check the path"),
+    };
+    let file = File::open(path).map_err(|error| fault(&error))?;
+    if file.metadata().map_err(|error| fault(&error))?.is_dir() {
+        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
+    }
+    Ok(file)
+}
+
+/// The first bytes of a stream, and whether they are all of it.
+fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
+    let mut start = Vec::new();
+    input.by_ref().take(START as u64).read_to_end(&mut start)?;
+    let whole = start.len() < START;
+    Ok((start, whole))
+}
+
+/// Reads on from the start that was looked at.
+fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) -> Result<Model, Error> {
+    let rest = rest.take(if whole { 0 } else { u64::MAX });
+    let mut input = format::without_mark(start).chain(rest);
+    let input: &mut dyn Read = &mut input;
+    let model = match format {
+        Format::Off => off::read(input)?,
+        Format::Obj => obj::read(input)?,
+        Format::Json => json::read(input)?,
+        _ => return Err(not_built(format)),
+    };
+    Ok(model.with_format(format))
+}
+
+fn not_built(format: Format) -> Error {
+    Error::new(ErrorKind::UnsupportedFormat, format!("{} is not supported yet", format.title()))
+}

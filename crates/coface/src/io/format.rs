@@ -1,0 +1,452 @@
+//! The formats, and telling them apart by name and by content.
+
+use crate::{Error, ErrorKind};
+use std::path::Path;
+
+/// A file format that is read and written here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// The OFF family: polygons with positions of any dimension.
+    Off,
+    /// Wavefront OBJ: polygons, polylines, groups.
+    Obj,
+    /// The Stanford polygon format, ascii and binary.
+    Ply,
+    /// Stereolithography: loose triangles, ascii and binary.
+    Stl,
+    /// MEDIT `.mesh` and `.meshb`: polygons and 3-cells with reference numbers.
+    Medit,
+    /// Gmsh MSH 2 and 4: polygons and 3-cells with physical groups.
+    Msh,
+    /// Legacy VTK: polygons, 3-cells, structured grids.
+    Vtk,
+    /// Facet lists, halfedge permutations and chain complexes as JSON.
+    Json,
+}
+
+/// How well the first bytes of a file fit a format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Likeness {
+    No,
+    Possible,
+    Certain,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 8] =
+        [Self::Off, Self::Obj, Self::Ply, Self::Stl, Self::Medit, Self::Msh, Self::Vtk, Self::Json];
+
+    /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
+    /// `json`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert_eq!(Format::Medit.name(), "mesh");
+    /// ```
+    pub const fn name(self) -> &'static str {
+        self.extensions()[0]
+    }
+
+    /// The file extensions of the format, the usual one first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert_eq!(Format::Medit.extensions(), ["mesh", "meshb"]);
+    /// ```
+    pub const fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Off => &["off", "coff", "noff", "cnoff", "stoff", "4off", "noff4"],
+            Self::Obj => &["obj"],
+            Self::Ply => &["ply"],
+            Self::Stl => &["stl", "stla", "stlb"],
+            Self::Medit => &["mesh", "meshb"],
+            Self::Msh => &["msh"],
+            Self::Vtk => &["vtk"],
+            Self::Json => &["json"],
+        }
+    }
+
+    /// The name of the format in a sentence.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert_eq!(Format::Msh.title(), "Gmsh MSH");
+    /// ```
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Off => "OFF",
+            Self::Obj => "OBJ",
+            Self::Ply => "PLY",
+            Self::Stl => "STL",
+            Self::Medit => "MEDIT mesh",
+            Self::Msh => "Gmsh MSH",
+            Self::Vtk => "legacy VTK",
+            Self::Json => "JSON",
+        }
+    }
+
+    /// The format of this name: any of [`Self::extensions`], or `medit` or `gmsh`, in any case.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] listing the names.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert_eq!(Format::from_name("OFF").ok(), Some(Format::Off));
+    /// assert!(Format::from_name("docx").is_err());
+    /// ```
+    pub fn from_name(name: &str) -> Result<Self, Error> {
+        let lower = name.trim_start_matches('.').to_ascii_lowercase();
+        match lower.as_str() {
+            "medit" => return Ok(Self::Medit),
+            "gmsh" => return Ok(Self::Msh),
+            _ => {}
+        }
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
+            Error::new(
+                ErrorKind::UnsupportedFormat,
+                format!("\"{}\" is no format known here", lower.escape_debug()),
+            )
+            .with_cure(format!("choose one of {}", names()))
+        })
+    }
+
+    /// The format that the extension of a path tells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert_eq!(Format::from_path("part.STL".as_ref()), Some(Format::Stl));
+    /// assert_eq!(Format::from_path("part".as_ref()), None);
+    /// ```
+    pub fn from_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+    }
+
+    /// The format that the first bytes of a file look like. The more bytes, the surer: some thousand do. `whole` says
+    /// that nothing comes after them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert_eq!(Format::from_content(b"ply\nformat ascii 1.0\n", false), Some(Format::Ply));
+    /// assert_eq!(Format::from_content(b"It was a dark and stormy night", true), None);
+    /// ```
+    pub fn from_content(start: &[u8], whole: bool) -> Option<Self> {
+        let best = Self::ALL.into_iter().map(|format| (format.likeness(start, whole), format));
+        // The first of equals: max_by_key would take the last.
+        let (likeness, format) = best.rev().max_by_key(|&(likeness, _)| likeness)?;
+        (likeness > Likeness::No).then_some(format)
+    }
+
+    fn likeness(self, start: &[u8], whole: bool) -> Likeness {
+        let certain_if = |fits: bool| if fits { Likeness::Certain } else { Likeness::No };
+        let word = first_word(start);
+        match self {
+            Self::Off => {
+                if is_off_keyword(word) {
+                    Likeness::Certain
+                } else if is_counts(first_line(start)) && is_text(start) {
+                    // The keyword may be left out.
+                    Likeness::Possible
+                } else {
+                    Likeness::No
+                }
+            }
+            Self::Obj => obj_likeness(start),
+            Self::Ply => certain_if(start.starts_with(b"ply\n") || start.starts_with(b"ply\r")),
+            Self::Stl => stl_likeness(start, whole),
+            Self::Medit => certain_if(
+                word == b"MeshVersionFormatted"
+                    || word == b"MeshVersionUnformatted"
+                    || start.starts_with(&[1, 0, 0, 0]) && matches!(start.get(4..8), Some([1..=4, 0, 0, 0]))
+                    || start.starts_with(&[0, 0, 0, 1]) && matches!(start.get(4..8), Some([0, 0, 0, 1..=4])),
+            ),
+            Self::Msh => certain_if(word.starts_with(b"$")),
+            Self::Vtk => certain_if(start.len() >= 14 && start[..14].eq_ignore_ascii_case(b"# vtk DataFile")),
+            Self::Json => {
+                let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
+                certain_if(matches!(first, Some(b'{' | b'[')))
+            }
+        }
+    }
+}
+
+/// The names of all formats, for an error message.
+pub(super) fn names() -> String {
+    Format::ALL.map(Format::name).join(", ")
+}
+
+/// Decides the format of a file from its first bytes and, if it has one, its name.
+///
+/// # Errors
+/// What the content is not, what it looks like, and how to say which format is meant.
+pub(super) fn decide(start: &[u8], whole: bool, by_name: Option<Format>) -> Result<Format, Error> {
+    check_hopeless(start, whole)?;
+    let unsupported = |message: String| Error::new(ErrorKind::UnsupportedFormat, message);
+    if let Some(named) = by_name {
+        if named.likeness(start, whole) > Likeness::No {
+            return Ok(named);
+        }
+        if let Some((what, cure)) = foreign(start) {
+            return Err(unsupported(format!("this is {what}, not {}", named.title())).with_cure(cure));
+        }
+        let seen = Format::from_content(start, whole);
+        if named == Format::Stl && seen.is_none() && !is_text(start) {
+            // A binary STL has no mark: its reader says best what is wrong with it.
+            return Ok(named);
+        }
+        return Err(match seen {
+            Some(seen) => unsupported(format!(
+                "the name says {}, but the content looks like {}",
+                named.title(),
+                seen.title()
+            ))
+            .with_cure(format!("rename the file, or say what it is with --format {}", seen.name())),
+            None => unsupported(format!(
+                "the name says {}, but the content is {}",
+                named.title(),
+                if is_text(start) { "text of another kind" } else { "binary data of another kind" }
+            ))
+            .with_cure("check that the file is the one meant, or say what it is with --format"),
+        });
+    }
+    if let Some((what, cure)) = foreign(start) {
+        return Err(unsupported(format!("this is {what}")).with_cure(cure));
+    }
+    Format::from_content(start, whole).ok_or_else(|| {
+        unsupported(format!(
+            "the content, {}, is of no format known here",
+            if is_text(start) { "text" } else { "binary data" }
+        ))
+        .with_cure(format!("say what it is with --format, one of {}", names()))
+    })
+}
+
+/// Refuses content that is nothing in any format.
+pub(super) fn check_hopeless(start: &[u8], whole: bool) -> Result<(), Error> {
+    if whole && start.iter().all(u8::is_ascii_whitespace) {
+        let message = if start.is_empty() { "the file is empty" } else { "the file holds only white space" };
+        return Err(Error::parse(message).with_cure("write it again, or restore it from a copy"));
+    }
+    // 84 zeros are a binary STL without triangles.
+    if start.iter().all(|&byte| byte == 0) && !(whole && start.len() == 84) {
+        return Err(Error::parse("the file holds nothing but zero bytes")
+            .at_byte(0)
+            .with_cure("it was not written to its end: write it again, or restore it from a copy"));
+    }
+    Ok(())
+}
+
+/// The start without the mark that some editors put before UTF-8 text.
+pub(super) fn without_mark(start: &[u8]) -> &[u8] {
+    start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start)
+}
+
+/// What a file is that is surely none of ours, and what to do about it.
+fn foreign(start: &[u8]) -> Option<(&'static str, &'static str)> {
+    const CONVERT: &str = "convert it to one of the formats known here first";
+    const UNPACK: &str = "unpack it first";
+    const KNOWN: [(&[u8], &str, &str); 17] = [
+        (b"\x1f\x8b", "compressed by gzip", UNPACK),
+        (b"PK\x03\x04", "a ZIP archive", UNPACK),
+        (b"BZh", "compressed by bzip2", UNPACK),
+        (b"\xfd7zXZ", "compressed by xz", UNPACK),
+        (b"\x28\xb5\x2f\xfd", "compressed by zstd", UNPACK),
+        (b"7z\xbc\xaf", "a 7-Zip archive", UNPACK),
+        (b"\xff\xfe", "text in UTF-16", "save it as plain text (UTF-8)"),
+        (b"\xfe\xff", "text in UTF-16", "save it as plain text (UTF-8)"),
+        (b"glTF", "binary glTF", CONVERT),
+        (b"Kaydara FBX", "FBX", CONVERT),
+        (b"ISO-10303-21", "STEP", CONVERT),
+        (b"\x89HDF", "HDF5", CONVERT),
+        (b"\x89PNG", "a PNG picture", CONVERT),
+        (b"\xff\xd8\xff", "a JPEG picture", CONVERT),
+        (b"%PDF", "a PDF document", CONVERT),
+        (b"\x7fELF", "a program", "name the file of the model"),
+        (b"<", "XML or HTML", "convert it first; VTK XML files can be saved as legacy .vtk"),
+    ];
+    KNOWN
+        .iter()
+        .find(|(mark, _, _)| start.trim_ascii_start().starts_with(mark))
+        .map(|&(_, what, cure)| (what, cure))
+}
+
+/// Whether this is text: no control bytes but white space.
+fn is_text(start: &[u8]) -> bool {
+    start.iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace() || byte == 0x0b)
+}
+
+/// The first line that is neither empty nor a comment.
+fn first_line(start: &[u8]) -> &[u8] {
+    start
+        .split(|&byte| byte == b'\n')
+        .map(<[u8]>::trim_ascii)
+        .find(|line| !line.is_empty() && line[0] != b'#')
+        .unwrap_or_default()
+}
+
+/// The first word that is not in a comment.
+fn first_word(start: &[u8]) -> &[u8] {
+    first_line(start).split(u8::is_ascii_whitespace).next().unwrap_or_default()
+}
+
+/// Two or three numbers: vertices, faces and perhaps edges.
+fn is_counts(line: &[u8]) -> bool {
+    let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let count = words.clone().count();
+    (2..=3).contains(&count) && words.all(|word| word.iter().all(u8::is_ascii_digit))
+}
+
+/// `[ST][C][N][4][n]OFF`.
+fn is_off_keyword(word: &[u8]) -> bool {
+    let Some(mut rest) = word.strip_suffix(b"OFF") else { return false };
+    for part in [&b"ST"[..], b"C", b"N", b"4", b"n"] {
+        rest = rest.strip_prefix(part).unwrap_or(rest);
+    }
+    rest.is_empty()
+}
+
+fn obj_likeness(start: &[u8]) -> Likeness {
+    const KEYWORDS: [&[u8]; 14] = [
+        b"v", b"vt", b"vn", b"vp", b"f", b"fo", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"usemap",
+    ];
+    if !is_text(start) {
+        return Likeness::No;
+    }
+    let (mut known, mut unknown) = (0u32, 0u32);
+    for line in start.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii) {
+        let word = line.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        if KEYWORDS.contains(&word) {
+            known += 1;
+        } else if !word.is_empty() && word[0] != b'#' {
+            unknown += 1;
+        }
+        if known + unknown == 100 {
+            break;
+        }
+    }
+    match (known, unknown) {
+        (1.., 0) => Likeness::Certain,
+        (1.., _) => Likeness::Possible,
+        // Comments alone: an OBJ without anything in it.
+        (0, 0) => Likeness::Possible,
+        (0, _) => Likeness::No,
+    }
+}
+
+fn stl_likeness(start: &[u8], whole: bool) -> Likeness {
+    let text = first_word(start).eq_ignore_ascii_case(b"solid");
+    if text && is_text(start) {
+        return Likeness::Certain;
+    }
+    let Some(count) = start.get(80..84) else {
+        return if text { Likeness::Possible } else { Likeness::No };
+    };
+    let count = u64::from(u32::from_le_bytes(count.try_into().expect("four bytes")));
+    let size = 84 + 50 * count;
+    if whole {
+        return if start.len() as u64 == size {
+            Likeness::Certain
+        } else if text {
+            Likeness::Possible
+        } else {
+            Likeness::No
+        };
+    }
+    let triangles = start[84..].chunks_exact(50).take(count as usize);
+    let finite = triangles.flat_map(|triangle| triangle[..48].chunks_exact(4)).all(|number| {
+        let number = f32::from_le_bytes(number.try_into().expect("four bytes"));
+        number.abs() < 1e30
+    });
+    if size > start.len() as u64 && finite && !is_text(start) { Likeness::Possible } else { Likeness::No }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_extensions_are_distinct() {
+        let mut all: Vec<&str> = Format::ALL.into_iter().flat_map(Format::extensions).copied().collect();
+        for format in Format::ALL {
+            assert_eq!(Format::from_name(format.name()).unwrap(), format);
+            assert_eq!(Format::from_path(format!("a.b.{}", format.name()).as_ref()), Some(format));
+        }
+        let count = all.len();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), count);
+        assert!(
+            Format::from_name("xyz")
+                .unwrap_err()
+                .to_string()
+                .contains("off, obj, ply, stl, mesh, msh, vtk, json")
+        );
+    }
+
+    #[test]
+    fn content_tells_the_format() {
+        for (start, format) in [
+            (&b"# a comment\n\nOFF\n"[..], Format::Off),
+            (b"STCN4nOFF 8 6 12\n", Format::Off),
+            (b"  8 6 12\n1 1 1\n", Format::Off),
+            (b"mtllib a.mtl\nv 0 0 0\n", Format::Obj),
+            (b"ply\r\nformat ascii 1.0\r\n", Format::Ply),
+            (b"solid cube\n facet normal", Format::Stl),
+            (b"\nMeshVersionFormatted 2\n", Format::Medit),
+            (b"\x01\0\0\0\x02\0\0\0", Format::Medit),
+            (b"$MeshFormat\n2.2 0 8\n", Format::Msh),
+            (b"# vtk DataFile Version 3.0\n", Format::Vtk),
+            (b" [[0,1,2]]", Format::Json),
+        ] {
+            assert_eq!(Format::from_content(start, true), Some(format), "{}", start.escape_ascii());
+            assert_eq!(decide(start, true, None).unwrap(), format);
+            assert_eq!(decide(start, true, Some(format)).unwrap(), format);
+            let other = if format == Format::Ply { Format::Vtk } else { Format::Ply };
+            let error = decide(start, true, Some(other)).unwrap_err().to_string();
+            assert!(error.contains(&format!("--format {}", format.name())), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_binary_stl_is_known_by_its_size() {
+        let mut bytes = vec![0; 84 + 2 * 50];
+        bytes[80] = 2;
+        assert_eq!(Format::from_content(&bytes, true), Some(Format::Stl));
+        assert_eq!(Format::from_content(&bytes, false), None);
+        bytes.push(0);
+        assert_eq!(Format::from_content(&bytes, true), None);
+        assert_eq!(decide(&bytes, true, Some(Format::Stl)).unwrap(), Format::Stl);
+        bytes[80] = 3;
+        assert_eq!(Format::from_content(&bytes, false), Some(Format::Stl));
+    }
+
+    #[test]
+    fn content_that_is_nothing_is_refused_with_a_cure() {
+        for (start, message) in [
+            (&b""[..], "empty"),
+            (b" \n\t\r\n", "white space"),
+            (&[0; 5000], "zero bytes"),
+            (b"\x1f\x8b\x08", "gzip"),
+            (b"\xff\xfeO\0F\0", "UTF-16"),
+            (b"<VTKFile type=\"PolyData\">", "XML"),
+            (b"once upon a time", "text"),
+            (b"\x07\x01\x99\x80", "binary"),
+        ] {
+            for by_name in [None, Some(Format::Obj), Some(Format::Json)] {
+                let error = decide(start, true, by_name).unwrap_err();
+                assert!(error.to_string().contains(message), "{error}");
+                assert!(error.cure().is_some(), "{error}");
+            }
+        }
+        assert!(check_hopeless(&[0; 84], true).is_ok());
+    }
+}

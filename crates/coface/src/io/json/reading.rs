@@ -1,0 +1,184 @@
+//! From a stream to a model.
+
+use super::document::{Content, Document, Faults, Root};
+use crate::chains::ChainComplex;
+use crate::io::{Model, Structure};
+use crate::{Error, ErrorKind};
+use serde::de::DeserializeSeed;
+use serde_json::error::Category;
+use std::io::{BufReader, Read};
+
+/// Names that an error lists at most.
+const LISTED_NAMES: usize = 60;
+
+/// Reads the structure that a JSON file describes: see [the forms](self).
+///
+/// # Errors
+/// [`ErrorKind::Parse`] for what is no JSON or none of the forms; [`ErrorKind::InvalidInput`] naming the facet,
+/// halfedge or entry that is wrong; [`ErrorKind::TooLarge`] for numbers beyond 32 bits; the errors of
+/// [`ChainComplex::new`]; for a list of objects, one that lists their names. All but the last name the line.
+///
+/// # Complexity
+/// Linear; memory is the model.
+///
+/// # Examples
+/// ```
+/// use coface::io::{Structure, json};
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = json::read(&br#"{"facets": [[0, 1, 2], [4000000000]]}"#[..])?;
+/// let Some(Structure::Facets(facets)) = model.structure() else { panic!("facets") };
+/// assert_eq!(facets.list(1), [4_000_000_000]);
+/// let error = json::read(&b"[[0, 1], [2, 3, 2]]"[..]).unwrap_err();
+/// assert!(error.to_string().contains("facet 1 repeats vertex 2"));
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    match parse(input, None)? {
+        Document::One(content) => to_model(content),
+        Document::List { names, .. } => {
+            Err(Error::invalid(format!("the file is a list of {} objects", names.len()))
+                .with_cure(format!("choose one by its name after a #: {}", listed(&names))))
+        }
+    }
+}
+
+/// Reads the object of this name from a list of objects, as [`read`] reads one alone.
+///
+/// # Errors
+/// [`ErrorKind::InvalidInput`] listing the names when there is none, or more than one, of this name; otherwise those of
+/// [`read`], also for faults in other objects of the list.
+///
+/// # Complexity
+/// Linear; memory is the largest object.
+///
+/// # Examples
+/// ```
+/// use coface::io::json;
+/// # fn main() -> Result<(), coface::Error> {
+/// let list = br#"[{"name": "a", "facets": [[0, 1]]}, {"name": "b", "facets": [[0, 1, 2]]}]"#;
+/// assert_eq!(json::read_entry(&list[..], "b")?, json::read(&b"[[0, 1, 2]]"[..])?);
+/// assert!(json::read_entry(&list[..], "c").unwrap_err().to_string().contains("a, b"));
+/// # Ok(()) }
+/// ```
+pub fn read_entry(input: impl Read, name: &str) -> Result<Model, Error> {
+    let (names, mut chosen) = match parse(input, Some(name))? {
+        Document::List { names, chosen } => (names, chosen),
+        Document::One(_) => {
+            return Err(Error::invalid(format!("there is no entry {name}: the file is a list of facets"))
+                .with_cure("leave the entry out"));
+        }
+    };
+    match (chosen.pop(), chosen.len()) {
+        (Some(content), 0) => to_model(content),
+        (Some(_), more) => Err(Error::invalid(format!("{} entries have the name {name}", more + 1))
+            .with_cure("give them names of their own")),
+        (None, _) => Err(Error::invalid(format!("there is no entry {name}"))
+            .with_cure(format!("choose one of: {}", listed(&names)))),
+    }
+}
+
+fn parse(input: impl Read, wanted: Option<&str>) -> Result<Document, Error> {
+    let mut deserializer = serde_json::Deserializer::from_reader(BufReader::with_capacity(1 << 16, input));
+    let faults = Faults::default();
+    Root { wanted, faults: &faults }
+        .deserialize(&mut deserializer)
+        .and_then(|document| deserializer.end().map(|()| document))
+        .map_err(|error| located(error, faults.take()))
+}
+
+/// The fault that was raised, or the parser's own, with the place.
+fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
+    let line = error.line() as u64;
+    if let Some(fault) = fault {
+        return fault.at_line(line);
+    }
+    let (category, column) = (error.classify(), error.column());
+    if category == Category::Io {
+        return std::io::Error::from(error).into();
+    }
+    let text = error.to_string();
+    let place = format!(" at line {line} column {column}");
+    let message = format!("{} (column {column})", text.strip_suffix(&place).unwrap_or(&text));
+    Error::parse(message).at_line(line).with_cure(match category {
+        Category::Eof => "the file was cut short: write it again",
+        Category::Data => {
+            "give facets, halfedges or boundary matrices as the documentation of the format says"
+        }
+        _ => "the file must be JSON",
+    })
+}
+
+fn to_model(content: Content) -> Result<Model, Error> {
+    let structure = match content {
+        Content::Facets(facets) => Structure::Facets(facets),
+        Content::Halfedges { next, twin } => {
+            let twin = twin.unwrap_or_else(|| (0..next.len() as u32).map(|h| h ^ 1).collect());
+            check_permutation("next", &next, next.len())?;
+            check_permutation("twin", &twin, next.len())?;
+            Structure::Halfedges { next, twin }
+        }
+        Content::Boundaries(matrices) if matrices.is_empty() => Structure::Chains(ChainComplex::of_points(0)),
+        Content::Boundaries(matrices) => Structure::Chains(ChainComplex::new(matrices)?),
+        Content::Gluings => {
+            return Err(Error::new(ErrorKind::UnsupportedFormat, "gluing tables are not read yet")
+                .with_cure("give the facets of a triangulation without identified vertices as \"facets\""));
+        }
+        Content::Unknown(keys) if keys.is_empty() => {
+            return Err(Error::parse("the object has none of the keys \"facets\", \"next\", \"boundaries\"")
+                .with_cure("give one of them"));
+        }
+        Content::Unknown(keys) => {
+            let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();
+            return Err(Error::parse(format!(
+                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\"",
+                keys.join(", ")
+            ))
+            .with_cure("give one of them, or check that the file is the one meant"));
+        }
+    };
+    Ok(Model::from_structure(structure))
+}
+
+/// Verifies that the list is a permutation of the halfedges `0..count`.
+fn check_permutation(name: &str, images: &[u32], count: usize) -> Result<(), Error> {
+    if images.len() != count {
+        return Err(Error::invalid(format!(
+            "\"{name}\" has {} halfedges, but \"next\" has {count}",
+            images.len()
+        ))
+        .with_cure("give each halfedge a next and a twin"));
+    }
+    let mut seen = vec![false; count];
+    for (halfedge, &image) in images.iter().enumerate() {
+        let fault = match seen.get_mut(image as usize) {
+            Some(seen) if !*seen => {
+                *seen = true;
+                continue;
+            }
+            Some(_) => format!("is {image}, as is that of an earlier one"),
+            None => format!("is {image}, but there are {count} halfedges, numbered from 0"),
+        };
+        return Err(Error::invalid(format!("\"{name}\" of halfedge {halfedge} {fault}"))
+            .with_cure(format!("make \"{name}\" a permutation of the halfedges")));
+    }
+    Ok(())
+}
+
+/// The names of the objects for an error message.
+fn listed(names: &[Option<String>]) -> String {
+    let shown: Vec<String> = names.iter().flatten().take(LISTED_NAMES).map(|name| shortened(name)).collect();
+    match (shown.len(), names.len()) {
+        (0, _) => "none has a name, so give them names".to_owned(),
+        (shown_count, count) if shown_count < count => {
+            format!("{} and {} more", shown.join(", "), count - shown_count)
+        }
+        _ => shown.join(", "),
+    }
+}
+
+/// A text from the file, safe and short enough for an error message.
+fn shortened(text: &str) -> String {
+    let start: String = text.chars().take(60).collect();
+    let dots = if start.len() < text.len() { "..." } else { "" };
+    format!("{}{dots}", start.escape_debug())
+}

@@ -1,0 +1,116 @@
+//! From a model to a stream.
+
+use crate::algebra::SparseMatrix;
+use crate::cellular::CellShape;
+use crate::chains::ChainComplex;
+use crate::io::{Model, Structure};
+use crate::{Error, ErrorKind};
+use std::io::{BufWriter, Write};
+
+/// Writes a structure as JSON, one facet or matrix a line. A mesh of simplices becomes its list of facets: positions
+/// and groups are not written, polylines become edges, isolated vertices become facets of their own.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] for polygons that are no triangles and cells that are no tetrahedra;
+/// [`ErrorKind::Io`] from the output.
+///
+/// # Examples
+/// ```
+/// use coface::io::json;
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = json::read(&b"[[0, 1, 2], [1, 2, 3]]"[..])?;
+/// let mut out = Vec::new();
+/// json::write(&model, &mut out)?;
+/// assert_eq!(out, b"{\"facets\":[\n[0,1,2],\n[1,2,3]\n]}\n");
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    match model.structure() {
+        Some(Structure::Facets(facets)) => write_facets(&mut out, facets.iter())?,
+        Some(Structure::Halfedges { next, twin }) => {
+            write!(out, "{{\"next\":")?;
+            write_list(&mut out, next)?;
+            write!(out, ",\n\"twin\":")?;
+            write_list(&mut out, twin)?;
+            writeln!(out, "}}")?;
+        }
+        Some(Structure::Chains(complex)) => write_chains(&mut out, complex)?,
+        None => write_mesh(&mut out, model)?,
+    }
+    out.flush()?;
+    Ok(())
+}
+
+/// The cells of a mesh of simplices, then the vertices that none of them has.
+fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
+    let unsupported = |what: String| {
+        Err(Error::new(
+            ErrorKind::UnsupportedFormat,
+            format!("a JSON facet list holds simplices, but {what}"),
+        )
+        .with_cure("write another format, or triangulate first"))
+    };
+    if let Some(i) = model.polygons().iter().position(|polygon| polygon.len() != 3) {
+        return unsupported(format!("polygon {i} has {} vertices", model.polygons().list(i).len()));
+    }
+    if let Some(i) = model.shapes().iter().position(|&shape| shape != CellShape::Tetrahedron) {
+        return unsupported(format!("cell {i} is a {}", model.shapes()[i].name()));
+    }
+    let mut isolated = vec![true; model.vertex_count()];
+    for list in [model.cells(), model.polygons(), model.lines()] {
+        for &vertex in list.items() {
+            isolated[vertex as usize] = false;
+        }
+    }
+    let isolated: Vec<u32> = (0..model.vertex_count() as u32).filter(|&v| isolated[v as usize]).collect();
+    let edges = model.lines().iter().flat_map(|line| line.windows(2));
+    let simplices = model.cells().iter().chain(model.polygons().iter()).chain(edges);
+    write_facets(out, simplices.chain(isolated.chunks(1)))
+}
+
+fn write_facets<'a>(out: &mut impl Write, facets: impl Iterator<Item = &'a [u32]>) -> Result<(), Error> {
+    write!(out, "{{\"facets\":[")?;
+    for (i, facet) in facets.enumerate() {
+        out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+        write_list(out, facet)?;
+    }
+    writeln!(out, "\n]}}")?;
+    Ok(())
+}
+
+fn write_list(out: &mut impl Write, list: &[u32]) -> Result<(), Error> {
+    out.write_all(b"[")?;
+    for (i, number) in list.iter().enumerate() {
+        if i > 0 {
+            out.write_all(b",")?;
+        }
+        write!(out, "{number}")?;
+    }
+    out.write_all(b"]")?;
+    Ok(())
+}
+
+/// A complex of points alone is written as one matrix without columns.
+fn write_chains(out: &mut impl Write, complex: &ChainComplex) -> Result<(), Error> {
+    write!(out, "{{\"boundaries\":[")?;
+    let points = match complex.boundary_matrices() {
+        [] if complex.degree_count() > 0 => Some(SparseMatrix::zero(complex.cell_count(0), 0)?),
+        _ => None,
+    };
+    for (i, matrix) in complex.boundary_matrices().iter().chain(&points).enumerate() {
+        out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+        write!(out, "{{\"rows\":{},\"cols\":{},\"entries\":[", matrix.row_count(), matrix.column_count())?;
+        let mut first = true;
+        for (j, column) in matrix.columns().enumerate() {
+            for (row, entry) in column.iter() {
+                out.write_all(if first { b"" } else { b"," })?;
+                first = false;
+                write!(out, "[{row},{j},{entry}]")?;
+            }
+        }
+        out.write_all(b"]}")?;
+    }
+    writeln!(out, "\n]}}")?;
+    Ok(())
+}
