@@ -4,12 +4,23 @@
 //! * The **boundary matrix** of degree k goes from k-chains to (k-1)-chains: column j is the boundary of the k-cell j.
 //!   Its transpose is the **coboundary matrix** of degree k - 1.
 //! * Boundary of boundary is zero (checked when a [`ChainComplex`] is made).
+//! * A [`Chain`] is a combination of cells, a [`Cochain`] a function on cells; the value of the coboundary of a cochain
+//!   on a chain is its value on the boundary of the chain. A chain without boundary is a **cycle**, a cochain without
+//!   coboundary is **closed**. The [`Coefficient`]s are integers, rationals, residues modulo n, or `f64`.
 //! * A room above asks questions of a `ChainComplex`; a producer makes one. No coordinates are ever seen here.
 
+mod chain;
+mod cochain;
+mod coefficient;
+mod combination;
 mod complex;
 mod matching;
 mod morse;
+mod subcomplex;
 
+pub use chain::Chain;
+pub use cochain::Cochain;
+pub use coefficient::Coefficient;
 pub use complex::ChainComplex;
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
