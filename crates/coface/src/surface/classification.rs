@@ -1,7 +1,7 @@
 //! Classification of compact surfaces: which one is each component.
 
+use super::dual_graph::contradictions;
 use super::{BoundaryLoop, Components, PolygonMesh, SurfaceOrientation, SurfaceVerdict};
-use crate::algebra::{ParityUnion, ParityUnionFind, Sign};
 use crate::{EdgeId, VertexId};
 use std::fmt;
 
@@ -289,22 +289,11 @@ impl PolygonMesh {
     fn non_orientable_parts(&self, components: &Components, orientation: &SurfaceOrientation) -> Vec<bool> {
         let mut found = vec![false; components.count()];
         if orientation.odd_cycle().is_some() {
-            for edge in self.contradictions() {
-                found[components.of_vertex(self.edge(edge)[0])] = true;
+            for edge in contradictions(self) {
+                found[components.of_vertex(self.edge(EdgeId::new(edge))[0])] = true;
             }
         }
         found
-    }
-
-    /// The edges with two faces that contradict the orientation spread over the edges before them.
-    fn contradictions(&self) -> Vec<EdgeId> {
-        let mut classes = ParityUnionFind::new(self.face_count());
-        let mut contradicting = |edge: &usize| {
-            matches!(self.packed_faces(*edge), &[f, g]
-                if classes.unite(f >> 1, g >> 1, Sign::power_of_minus_one(((f ^ g ^ 1) & 1) as usize))
-                    == ParityUnion::Contradicts)
-        };
-        (0..self.edge_count()).filter(|edge| contradicting(edge)).map(EdgeId::new).collect()
     }
 }
 

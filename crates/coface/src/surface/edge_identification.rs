@@ -5,6 +5,7 @@
 //! come to lie beside each other are one edge. Both passes run in parallel over chunks of faces and ranges of
 //! vertices; the result does not depend on how they were cut.
 
+use super::range_sort::{RangedRecords, RecordSource, equal_ranges, split_by};
 use crate::algebra::RaggedArray;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
@@ -62,12 +63,12 @@ pub(crate) fn identify_edges(
             ),
         ));
     }
-    let range_count = vertex_count.div_ceil(RANGE);
-    let (sides, chunks) = sides_by_range(vertex_count, range_count, polygons, loose_edges)?;
+    let sides =
+        RangedRecords::new(vertex_count, RANGE_BITS, &Sides::new(vertex_count, polygons, loose_edges))?;
+    let range_count = sides.range_count();
 
     // Second pass, first half: sort each range, count its edges.
-    let range_sizes: Vec<usize> =
-        (0..range_count).map(|r| chunks.iter().map(|chunk| chunk.segment(r).len()).sum()).collect();
+    let range_sizes = sides.range_sizes();
     let mut keys = vec![0u64; side_count];
     let mut bucket_ends = vec![0u32; vertex_count];
     let counted: Vec<RangeCount> = split_by(&mut keys, range_sizes.iter().copied())
@@ -75,8 +76,7 @@ pub(crate) fn identify_edges(
         .zip(bucket_ends.par_chunks_mut(RANGE))
         .enumerate()
         .map(|(r, (keys, ends))| {
-            let segments = chunks.iter().map(|chunk| &sides[chunk.segment(r)]);
-            sort_range(r << RANGE_BITS, segments, keys, ends, polygons, corner_count)
+            sort_range(sides.base(r), sides.segments(r), keys, ends, polygons, corner_count)
         })
         .collect();
     drop(sides);
@@ -142,89 +142,64 @@ struct RangeCount {
     duplicates: Vec<(u32, u32)>,
 }
 
-/// The sides of one chunk of faces, sorted by range: those of range r are at `first + starts[r]..first + starts[r + 1]`.
-struct Chunk {
-    first: usize,
-    starts: Vec<u32>,
+/// The sides of all faces and the loose edges as records.
+struct Sides<'a> {
+    vertex_count: usize,
+    polygons: &'a RaggedArray,
+    loose_edges: &'a [[u32; 2]],
+    /// The faces of each chunk but the last, which is that of the loose edges.
+    face_ranges: Vec<Range<usize>>,
 }
 
-impl Chunk {
-    fn segment(&self, range: usize) -> Range<usize> {
-        self.first + self.starts[range] as usize..self.first + self.starts[range + 1] as usize
+impl<'a> Sides<'a> {
+    fn new(vertex_count: usize, polygons: &'a RaggedArray, loose_edges: &'a [[u32; 2]]) -> Self {
+        let chunk_count = polygons.item_count().div_ceil(CHUNK);
+        let face_ranges = equal_ranges(polygons.len(), chunk_count);
+        Self { vertex_count, polygons, loose_edges, face_ranges }
     }
 }
 
-/// First pass: the sides of all faces and the loose edges, chunk after chunk and in each chunk sorted by the range of
-/// the smaller vertex, stably. Checks the input on the way.
-fn sides_by_range(
-    vertex_count: usize,
-    range_count: usize,
-    polygons: &RaggedArray,
-    loose_edges: &[[u32; 2]],
-) -> Result<(Vec<Side>, Vec<Chunk>), Error> {
-    let corner_count = polygons.item_count();
-    let chunk_count = corner_count.div_ceil(CHUNK).max(1);
-    let face_ranges: Vec<Range<usize>> = (0..chunk_count)
-        .map(|c| polygons.len() * c / chunk_count..polygons.len() * (c + 1) / chunk_count)
-        .collect();
-    let mut sizes: Vec<usize> =
-        face_ranges.iter().map(|faces| polygons.start(faces.end) - polygons.start(faces.start)).collect();
-    sizes.push(loose_edges.len());
-    let mut sides: Vec<Side> = vec![[0; 3]; corner_count + loose_edges.len()];
-    let chunks: Result<Vec<Chunk>, Error> = split_by(&mut sides, sizes.iter().copied())
-        .into_par_iter()
-        .enumerate()
-        .map(|(c, sides)| {
-            let mut starts = vec![0u32; range_count + 1];
-            let count =
-                |starts: &mut [u32], a: u32, b: u32| starts[(a.min(b) >> RANGE_BITS) as usize + 1] += 1;
-            let first;
-            if let Some(faces) = face_ranges.get(c) {
-                first = polygons.start(faces.start);
-                for_each_polygon(polygons, faces.clone(), |face, _, polygon| {
-                    check_polygon(vertex_count, face, polygon)?;
-                    for_each_side(polygon, |a, b, _| count(&mut starts, a, b));
-                    Ok(())
-                })?;
-            } else {
-                first = corner_count;
-                for (i, &[a, b]) in loose_edges.iter().enumerate() {
-                    check_loose_edge(vertex_count, i, [a, b])?;
-                    count(&mut starts, a, b);
+impl RecordSource<3> for Sides<'_> {
+    fn chunk_sizes(&self) -> Vec<usize> {
+        let corners =
+            |faces: &Range<usize>| self.polygons.start(faces.end) - self.polygons.start(faces.start);
+        self.face_ranges.iter().map(corners).chain([self.loose_edges.len()]).collect()
+    }
+
+    fn check(&self, chunk: usize) -> Result<(), Error> {
+        if let Some(faces) = self.face_ranges.get(chunk) {
+            let mut bad = None;
+            for_each_polygon(self.polygons, faces.clone(), |face, _, polygon| {
+                if bad.is_none() && !is_sound(self.vertex_count, polygon) {
+                    bad = Some(face);
                 }
+            });
+            return bad.map_or(Ok(()), |face| {
+                Err(polygon_fault(self.vertex_count, face, self.polygons.list(face)))
+            });
+        }
+        for (i, &ends) in self.loose_edges.iter().enumerate() {
+            check_loose_edge(self.vertex_count, i, ends)?;
+        }
+        Ok(())
+    }
+
+    fn for_each(&self, chunk: usize, mut put: impl FnMut(Side)) {
+        let mut put = |a: u32, b: u32, position: usize, least: u32| {
+            let (smaller, larger, reversed) = if a < b { (a, b, 0) } else { (b, a, REVERSED) };
+            put([smaller, larger, (position as u32) << 2 | least | reversed]);
+        };
+        if let Some(faces) = self.face_ranges.get(chunk) {
+            for_each_polygon(self.polygons, faces.clone(), |_, start, polygon| {
+                let least = least_side(polygon);
+                for_each_side(polygon, |a, b, i| put(a, b, start + i, if i == least { LEAST } else { 0 }));
+            });
+        } else {
+            for (i, &[a, b]) in self.loose_edges.iter().enumerate() {
+                put(a, b, self.polygons.item_count() + i, 0);
             }
-            let mut total = 0;
-            for start in &mut starts {
-                total += *start;
-                *start = total;
-            }
-            let mut next = starts.clone();
-            let mut put = |a: u32, b: u32, position: usize, least: u32| {
-                let (smaller, larger, reversed) = if a < b { (a, b, 0) } else { (b, a, REVERSED) };
-                let at = &mut next[(smaller >> RANGE_BITS) as usize];
-                sides[*at as usize] = [smaller, larger, (position as u32) << 2 | least | reversed];
-                *at += 1;
-            };
-            if let Some(faces) = face_ranges.get(c) {
-                for_each_polygon(polygons, faces.clone(), |_, start, polygon| {
-                    let least = least_side(polygon);
-                    for_each_side(polygon, |a, b, i| {
-                        put(a, b, start + i, if i == least { LEAST } else { 0 });
-                    });
-                    Ok(())
-                })?;
-            } else {
-                for (i, &[a, b]) in loose_edges.iter().enumerate() {
-                    put(a, b, corner_count + i, 0);
-                }
-            }
-            Ok(Chunk { first, starts })
-        })
-        // The error of the first chunk in order, so that the same fault is named whatever ran first.
-        .collect::<Vec<_>>()
-        .into_iter()
-        .collect();
-    Ok((sides, chunks?))
+        }
+    }
 }
 
 /// Sorts the sides of one range by smaller vertex, larger vertex and position into `keys` (larger vertex above, word
@@ -419,24 +394,23 @@ fn face_of_position(polygons: &RaggedArray, corner: usize) -> usize {
 fn for_each_polygon(
     polygons: &RaggedArray,
     faces: Range<usize>,
-    mut visit: impl FnMut(usize, usize, &[u32]) -> Result<(), Error>,
-) -> Result<(), Error> {
+    mut visit: impl FnMut(usize, usize, &[u32]),
+) {
     let corners = polygons.start(faces.start)..polygons.start(faces.end);
     let mut start = corners.start;
     // Triangles as a loop of their own: their size is then known when the loop is compiled.
     if polygons.uniform_width() == Some(3) {
         for (face, triangle) in faces.zip(polygons.items()[corners].as_chunks::<3>().0) {
-            visit(face, start, triangle)?;
+            visit(face, start, triangle);
             start += 3;
         }
-        return Ok(());
+        return;
     }
     for face in faces {
         let polygon = polygons.list(face);
-        visit(face, start, polygon)?;
+        visit(face, start, polygon);
         start += polygon.len();
     }
-    Ok(())
 }
 
 /// Calls `visit` with the ends and the number of each side of a polygon.
@@ -473,15 +447,14 @@ fn least_side(polygon: &[u32]) -> usize {
     if polygon[after] < polygon[before] { least } else { before }
 }
 
-fn check_polygon(vertex_count: usize, face: usize, polygon: &[u32]) -> Result<(), Error> {
-    let sound = if let &[a, b, c] = polygon {
+fn is_sound(vertex_count: usize, polygon: &[u32]) -> bool {
+    if let &[a, b, c] = polygon {
         (a.max(b).max(c) as usize) < vertex_count && a != b && b != c && c != a
     } else {
         polygon.len() > 3
             && polygon.iter().all(|&v| (v as usize) < vertex_count)
             && repeated_vertex(polygon).is_none()
-    };
-    if sound { Ok(()) } else { Err(polygon_fault(vertex_count, face, polygon)) }
+    }
 }
 
 #[cold]
@@ -522,15 +495,4 @@ fn repeated_vertex(vertices: &[u32]) -> Option<u32> {
     let mut sorted = vertices.to_vec();
     sorted.sort_unstable();
     sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
-}
-
-/// Cuts a slice into pieces of these sizes.
-fn split_by<T>(mut slice: &mut [T], sizes: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
-    sizes
-        .map(|size| {
-            let (piece, rest) = std::mem::take(&mut slice).split_at_mut(size);
-            slice = rest;
-            piece
-        })
-        .collect()
 }

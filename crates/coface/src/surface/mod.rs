@@ -3,10 +3,12 @@
 mod boundary;
 mod classification;
 mod components;
-mod edge_identification;
-mod manifold;
+pub(crate) mod dual_graph;
+pub(crate) mod edge_identification;
+pub(crate) mod manifold;
 mod orientation;
 mod polygon_mesh;
+pub(crate) mod range_sort;
 
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};

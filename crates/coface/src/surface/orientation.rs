@@ -1,9 +1,9 @@
 //! Orientation of surfaces: are the faces coherent, can they be, and if not, why.
 
 use super::PolygonMesh;
-use crate::algebra::{ParityUnion, ParityUnionFind, Sign};
+use super::dual_graph::{DualGraph, coherence};
+use crate::algebra::Sign;
 use crate::{EdgeId, Error, ErrorKind, FaceId};
-use rayon::prelude::*;
 
 /// How the faces of a mesh are oriented and whether they can be oriented coherently.
 ///
@@ -98,37 +98,16 @@ impl PolygonMesh {
     /// # Ok(()) }
     /// ```
     pub fn orientation(&self) -> SurfaceOrientation {
-        let many_faced_edge = self.edge_degrees().position(|count| count > 2).map(EdgeId::new);
-        const BLOCK: usize = 1 << 14;
-        let conflicts: Vec<EdgeId> = (0..self.edge_count().div_ceil(BLOCK))
-            .into_par_iter()
-            .flat_map_iter(|block| {
-                let edges = block * BLOCK..((block + 1) * BLOCK).min(self.edge_count());
-                edges.filter(|&e| matches!(self.packed_faces(e), [f, g] if (f ^ g) & 1 == 0)).map(EdgeId::new)
-            })
-            .collect();
-        let mut found = SurfaceOrientation { many_faced_edge, conflicts, signs: Vec::new(), odd_cycle: None };
-        if found.conflicts.is_empty() {
-            return found;
+        let found = coherence(self);
+        SurfaceOrientation {
+            many_faced_edge: found.crowded_wall.map(EdgeId::new),
+            conflicts: found.conflicts.into_iter().map(EdgeId::from_u32).collect(),
+            signs: found.signs,
+            odd_cycle: found.odd_cycle.map(|(faces, edges)| OddFaceCycle {
+                faces: faces.into_iter().map(FaceId::from_u32).collect(),
+                edges: edges.into_iter().map(EdgeId::from_u32).collect(),
+            }),
         }
-        let mut classes = ParityUnionFind::new(self.face_count());
-        for edge in 0..self.edge_count() {
-            if let &[f, g] = self.packed_faces(edge) {
-                let relative = Sign::power_of_minus_one(((f ^ g ^ 1) & 1) as usize);
-                if classes.unite(f >> 1, g >> 1, relative) == ParityUnion::Contradicts {
-                    found.odd_cycle = Some(self.odd_face_cycle(f >> 1));
-                    return found;
-                }
-            }
-        }
-        let mut sign_of_root: Vec<Option<Sign>> = vec![None; self.face_count()];
-        found.signs = (0..self.face_count() as u32)
-            .map(|face| {
-                let (root, sign) = classes.find(face);
-                sign.times(*sign_of_root[root as usize].get_or_insert(sign))
-            })
-            .collect();
-        found
     }
 
     /// The mesh with its faces turned so that all agree; the first face of each strongly connected part keeps its
@@ -177,61 +156,23 @@ impl PolygonMesh {
         }
         Ok(self.with_face_signs(&orientation.signs))
     }
-
-    /// A closed chain of faces with an odd number of conflicts, in a part of the mesh that is not orientable.
-    ///
-    /// Nodes of the double cover are 2 * face + side; crossing an edge on which the faces conflict changes the side.
-    fn odd_face_cycle(&self, start: u32) -> OddFaceCycle {
-        const UNSEEN: u32 = u32::MAX;
-        let mut from = vec![(UNSEEN, 0u32); 2 * self.face_count()];
-        let (source, target) = (start << 1, start << 1 | 1);
-        let mut queue = vec![source];
-        let mut at = 0;
-        from[source as usize] = (source, 0);
-        while from[target as usize].0 == UNSEEN {
-            let node = queue[at];
-            at += 1;
-            for &edge in self.side_edges((node >> 1) as usize) {
-                let &[f, g] = self.packed_faces(edge as usize) else { continue };
-                let other = if f >> 1 == node >> 1 { g >> 1 } else { f >> 1 };
-                let next = other << 1 | (node & 1) ^ ((f ^ g ^ 1) & 1);
-                if from[next as usize].0 == UNSEEN {
-                    from[next as usize] = (node, edge);
-                    queue.push(next);
-                }
-            }
-        }
-        let mut walk = Vec::new();
-        let mut node = target;
-        while node != source {
-            let (before, edge) = from[node as usize];
-            walk.push((before, edge));
-            node = before;
-        }
-        walk.reverse();
-        simple_odd_cycle(&walk)
-    }
 }
 
-/// The odd simple part of a closed walk in the double cover, whose steps are (node left, edge crossed).
-///
-/// Where the walk comes back to a face it left, the part between is a closed walk itself. Coming back on the other
-/// side it is odd, and its faces are distinct because the first return is taken. A shortest path never comes back
-/// on the same side.
-fn simple_odd_cycle(walk: &[(u32, u32)]) -> OddFaceCycle {
-    let mut last: Vec<(u32, usize)> = walk.iter().enumerate().map(|(i, &(node, _))| (node >> 1, i)).collect();
-    last.sort_unstable();
-    // The pair of visits to one face that lie closest together; the whole walk closes at its own start.
-    let (first, after) = last
-        .windows(2)
-        .filter(|pair| pair[0].0 == pair[1].0)
-        .map(|pair| (pair[0].1, pair[1].1))
-        .min_by_key(|&(i, j)| (j - i, i))
-        .unwrap_or((0, walk.len()));
-    let steps = &walk[first..after];
-    OddFaceCycle {
-        faces: steps.iter().map(|&(node, _)| FaceId::from_u32(node >> 1)).collect(),
-        edges: steps.iter().map(|&(_, edge)| EdgeId::from_u32(edge)).collect(),
+impl DualGraph for PolygonMesh {
+    fn node_count(&self) -> usize {
+        self.face_count()
+    }
+
+    fn wall_count(&self) -> usize {
+        self.edge_count()
+    }
+
+    fn walls_of(&self, face: u32) -> impl Iterator<Item = u32> {
+        self.side_edges(face as usize).iter().copied()
+    }
+
+    fn nodes_at(&self, edge: usize) -> &[u32] {
+        self.packed_faces(edge)
     }
 }
 
