@@ -447,7 +447,7 @@ fn least_side(polygon: &[u32]) -> usize {
     if polygon[after] < polygon[before] { least } else { before }
 }
 
-fn is_sound(vertex_count: usize, polygon: &[u32]) -> bool {
+pub(crate) fn is_sound(vertex_count: usize, polygon: &[u32]) -> bool {
     if let &[a, b, c] = polygon {
         (a.max(b).max(c) as usize) < vertex_count && a != b && b != c && c != a
     } else {
@@ -458,7 +458,7 @@ fn is_sound(vertex_count: usize, polygon: &[u32]) -> bool {
 }
 
 #[cold]
-fn polygon_fault(vertex_count: usize, face: usize, polygon: &[u32]) -> Error {
+pub(crate) fn polygon_fault(vertex_count: usize, face: usize, polygon: &[u32]) -> Error {
     if let Some(&vertex) = polygon.iter().find(|&&v| v as usize >= vertex_count) {
         return Error::invalid(format!(
             "face f{face} names vertex v{vertex}, but there are {vertex_count} vertices"

@@ -269,31 +269,48 @@ impl PolygonMesh {
     /// # Ok(()) }
     /// ```
     pub fn chain_complex(&self) -> ChainComplex {
-        complex_of(self.vertex_count, &self.polygons, self.edges.ends.clone(), self.corner_edges().to_vec())
+        let (ends, corner_edges) = (self.edges.ends.clone(), self.corner_edges().to_vec());
+        complex_of(
+            self.vertex_count,
+            boundary_matrices(self.vertex_count, &self.polygons, ends, corner_edges),
+        )
     }
 
     /// The chain complex, made out of the arrays of the mesh; saves memory and time where the mesh is not needed
     /// any more.
     pub fn into_chain_complex(self) -> ChainComplex {
+        let vertex_count = self.vertex_count;
+        complex_of(vertex_count, self.into_boundary_matrices())
+    }
+
+    /// The boundary matrices of degrees 1 and 2, as far as there are edges and faces, made out of the arrays of the mesh.
+    pub(crate) fn into_boundary_matrices(self) -> Vec<SparseMatrix> {
         let Self { vertex_count, polygons, edges: EdgeTable { ends, mut corner_edges, .. }, .. } = self;
         corner_edges.truncate(polygons.item_count());
-        complex_of(vertex_count, &polygons, ends, corner_edges)
+        boundary_matrices(vertex_count, &polygons, ends, corner_edges)
     }
 }
 
-fn complex_of(
+fn boundary_matrices(
     vertex_count: usize,
     polygons: &RaggedArray,
     ends: Vec<u32>,
     corner_edges: Vec<u32>,
-) -> ChainComplex {
+) -> Vec<SparseMatrix> {
     let edge_count = ends.len() / 2;
     if edge_count == 0 {
-        return ChainComplex::of_points(vertex_count);
+        return Vec::new();
     }
     let mut boundaries = vec![edge_boundaries(vertex_count, ends)];
     if !polygons.is_empty() {
         boundaries.push(face_boundaries(edge_count, polygons, corner_edges));
+    }
+    boundaries
+}
+
+fn complex_of(vertex_count: usize, boundaries: Vec<SparseMatrix>) -> ChainComplex {
+    if boundaries.is_empty() {
+        return ChainComplex::of_points(vertex_count);
     }
     ChainComplex::new(boundaries).expect("the sides of a polygon are a cycle")
 }
