@@ -9,11 +9,25 @@
 //! * The **star** of a simplex is the set of its **cofaces**, the simplices it is a face of; the **closed star** adds
 //!   their faces. The **adjacent vertices** of a vertex share an edge with it.
 
+mod collapse;
 mod complex;
+mod components;
+mod construction;
+mod glued_solid;
+pub mod known_spaces;
+mod manifold;
+mod neighborhood;
+mod orientation;
 mod simplex;
+mod subcomplex;
 mod tree;
 mod tree_bulk;
 mod tree_walk;
 
 pub use complex::SimplicialComplex;
+pub use construction::Composite;
+pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitness};
+pub use neighborhood::SimplexSet;
+pub use orientation::{OddFacetCycle, Orientability, Orientation, orientability, relative_orientation};
 pub use simplex::Simplex;
+pub use subcomplex::Purity;
