@@ -6,6 +6,8 @@
 mod edges;
 mod homology;
 mod info;
+mod manifold;
+mod reading;
 mod reduction;
 mod simplicial;
 
@@ -35,8 +37,18 @@ pub(crate) enum Work {
 }
 
 /// All tasks.
-pub(crate) const ALL: &[Task] =
-    &[edges::TASK, homology::SURFACE, reduction::TASK, simplicial::INSERTION, simplicial::STARS, info::TASK];
+pub(crate) const ALL: &[Task] = &[
+    reading::OBJ,
+    reading::OFF,
+    reading::PLY,
+    edges::TASK,
+    manifold::TASK,
+    homology::SURFACE,
+    reduction::TASK,
+    simplicial::INSERTION,
+    simplicial::STARS,
+    info::TASK,
+];
 
 /// Surfaces of about 250,000, 500,000 and 1,000,000 triangles.
 const SURFACES: &[&str] = &["genus10_160", "genus10_255", "genus10_360", "genus10_510"];
