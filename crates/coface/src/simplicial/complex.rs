@@ -1,8 +1,8 @@
 //! Simplicial complexes that change: simplices come with their faces and go with their cofaces.
 
 use super::Simplex;
+use super::lists::{Lists, check_face_count};
 use super::tree::{ROOT, Tree};
-use super::tree_bulk::{Lists, check_face_count};
 use super::tree_walk::{CofaceWalk, Walk};
 use crate::algebra::RaggedArray;
 use crate::{Error, ErrorKind, VertexId};
@@ -132,7 +132,7 @@ impl SimplicialComplex {
             self.tree = if self.is_empty() { added } else { self.tree.merged(&added) };
             return Ok(());
         }
-        self.tree.reserve(lists.face_bound as usize)?;
+        self.tree.make_room(lists.face_bound as usize)?;
         let mut numbers = Vec::with_capacity(lists.longest);
         for list in lists.iter() {
             numbers.clear();
@@ -189,7 +189,7 @@ impl SimplicialComplex {
     pub fn insert_skeleton(&mut self, simplex: &Simplex, dimension: usize) -> Result<bool, Error> {
         let before = self.len();
         let limit = dimension.saturating_add(1);
-        self.tree.reserve(check_face_count(simplex.vertex_count(), limit)?)?;
+        self.tree.make_room(check_face_count(simplex.vertex_count(), limit)?)?;
         self.tree.insert(simplex.numbers(), limit);
         self.tree.tidy();
         Ok(self.len() > before)
@@ -496,6 +496,14 @@ impl SimplicialComplex {
     /// ```
     pub fn check(&self) -> Result<(), Error> {
         self.tree.check()
+    }
+
+    pub(super) fn from_tree(tree: Tree) -> Self {
+        Self { tree }
+    }
+
+    pub(super) fn tree(&self) -> &Tree {
+        &self.tree
     }
 
     /// # Errors

@@ -8,13 +8,18 @@
 //!   It changes: simplices are inserted with their faces and erased with their cofaces.
 //! * The **star** of a simplex is the set of its **cofaces**, the simplices it is a face of; the **closed star** adds
 //!   their faces. The **adjacent vertices** of a vertex share an edge with it.
+//! * A [`FrozenComplex`] is a complex at rest, in sorted flat arrays; boundary and incidence matrices are made from it.
+//!   Its cells are in lexicographic order, as are those of every chain complex made here.
 
 mod collapse;
 mod complex;
 mod components;
 mod construction;
+mod frozen;
 mod glued_solid;
+mod incidence;
 pub mod known_spaces;
+mod lists;
 mod manifold;
 mod neighborhood;
 mod orientation;
@@ -26,6 +31,7 @@ mod tree_walk;
 
 pub use complex::SimplicialComplex;
 pub use construction::Composite;
+pub use frozen::FrozenComplex;
 pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitness};
 pub use neighborhood::SimplexSet;
 pub use orientation::{OddFacetCycle, Orientability, Orientation, orientability, relative_orientation};

@@ -224,7 +224,7 @@ impl Tree {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] if there are not so many numbers for nodes, or not so much memory.
-    pub(super) fn reserve(&mut self, more: usize) -> Result<(), Error> {
+    pub(super) fn make_room(&mut self, more: usize) -> Result<(), Error> {
         if self.nodes.len() + more > ARENA_LIMIT && self.erased_count > 0 {
             *self = self.merged(&Self::default());
         }
