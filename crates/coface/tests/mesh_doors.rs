@@ -1,9 +1,10 @@
 //! The readers of surface formats on real files: counts against the manifest.
 //!
 //! The files lie in the folder that the environment variable `COFACE_DATA` names; without it the tests say so and pass.
+#![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
-use coface::io::{Model, obj, off};
-use coface::{Error, VertexId};
+use coface::io::{Model, obj, off, ply, stl};
+use coface::{Error, ErrorKind, VertexId};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
@@ -16,11 +17,13 @@ fn data() -> Option<PathBuf> {
 }
 
 fn read(path: &Path) -> Option<Result<Model, Error>> {
-    let input = File::open(path).unwrap();
+    let input = File::open(path).expect("the manifest names files that are there");
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();
     Some(match extension.as_str() {
         "off" => off::read(input),
         "obj" => obj::read(input),
+        "ply" => ply::read(input),
+        "stl" => stl::read(input),
         _ => return None,
     })
 }
@@ -44,7 +47,7 @@ fn counts_are_those_of_the_manifest() {
         assert_eq!((model.vertex_count() as u64, model.polygons().len() as u64), (vertices, faces), "{file}");
         checked += 1;
     }
-    assert!(checked >= 16, "{checked} files");
+    assert!(checked >= 22, "{checked} files");
 }
 
 #[test]
@@ -59,4 +62,23 @@ fn a_face_of_two_vertices_is_refused_with_its_line() {
     let Some(data) = data() else { return };
     let error = read(&data.join("tricky/notenoughindices.obj")).unwrap().unwrap_err();
     assert_eq!(error.line(), Some(9), "{error}");
+}
+
+#[test]
+fn broken_stl_files_name_their_line() {
+    let Some(data) = data() else { return };
+    let error = read(&data.join("tricky/invalidvertex.stl")).unwrap().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 89: \"blah\" is not a number, as a coordinate must be; write a decimal number"
+    );
+    let error = read(&data.join("tricky/unparseable.stl")).unwrap().unwrap_err();
+    assert_eq!((error.kind(), error.line()), (ErrorKind::Parse, Some(4)), "{error}");
+}
+
+#[test]
+fn a_ply_header_without_elements_is_an_empty_model() {
+    let Some(data) = data() else { return };
+    let model = read(&data.join("tricky/ply_empty_header.ply")).unwrap().unwrap();
+    assert_eq!(model, Model::default());
 }

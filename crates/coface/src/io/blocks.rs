@@ -32,8 +32,8 @@ pub(crate) struct Blocks<R> {
     line: u64,
     /// The byte of the stream at which `rest` begins, as long as lines are taken one by one.
     byte: u64,
-    /// Whether `\` at the end of a line joins the next line to it.
-    continued: bool,
+    /// Whether a block may end behind this line, given without its end.
+    may_end: fn(&[u8]) -> bool,
     finished: bool,
     /// Used texts, whose memory serves again.
     spare: Vec<Vec<u8>>,
@@ -46,16 +46,22 @@ impl<R: Read> Blocks<R> {
             rest: Vec::new(),
             line: 1,
             byte: 0,
-            continued: false,
+            may_end: |_| true,
             finished: false,
             spare: Vec::new(),
         }
     }
 
-    /// `\` at the end of a line joins the next line to it, so no block ends there.
-    pub(crate) fn with_continued_lines(mut self) -> Self {
-        self.continued = true;
+    /// Blocks end only behind lines, given without their ends, for which this is true.
+    pub(crate) fn ending_behind(mut self, may_end: fn(&[u8]) -> bool) -> Self {
+        self.may_end = may_end;
         self
+    }
+
+    /// The first bytes that were not given out yet: `count` of them unless the stream ends before.
+    pub(crate) fn peek(&mut self, count: usize) -> Result<&[u8], Error> {
+        self.read_more(count)?;
+        Ok(&self.rest[..count.min(self.rest.len())])
     }
 
     /// The next line, with its number and without its end; for headers. `None` at the end of the stream.
@@ -150,20 +156,19 @@ impl<R: Read> Blocks<R> {
 
     /// The position behind the last line end in `rest` at which a block may end.
     fn last_line_end(&self) -> Option<usize> {
-        let mut end = self.rest.len();
-        while let Some(found) = memchr::memrchr(b'\n', &self.rest[..end]) {
-            let line = &self.rest[..found];
-            let line = line.strip_suffix(b"\r").unwrap_or(line);
-            if !self.continued || line.last() != Some(&b'\\') {
-                return Some(found + 1);
+        let mut end = memchr::memrchr(b'\n', &self.rest)?;
+        loop {
+            let before = memchr::memrchr(b'\n', &self.rest[..end]);
+            let line = &self.rest[before.map_or(0, |found| found + 1)..end];
+            if (self.may_end)(line.strip_suffix(b"\r").unwrap_or(line)) {
+                return Some(end + 1);
             }
-            end = found;
+            end = before?;
         }
-        None
     }
 
     fn too_long(&self) -> Error {
-        Error::parse(format!("a line is longer than {LONGEST} bytes"))
+        Error::parse(format!("a line or statement is longer than {LONGEST} bytes"))
             .at_line(self.line)
             .with_cure("this is not a text file of a format known here")
     }
@@ -283,7 +288,8 @@ mod tests {
         let line = b"v 1 2 3\nab\\\n";
         let mut file = line.repeat(200_000);
         file.extend_from_slice(b"\nend");
-        let (text, places) = collect(Blocks::new(&file[..]).with_continued_lines()).unwrap();
+        let (text, places) =
+            collect(Blocks::new(&file[..]).ending_behind(|line| line.last() != Some(&b'\\'))).unwrap();
         assert_eq!(text[..text.len() - 1], file[..]);
         assert!(places.len() > 5);
         for &(line, record) in &places[1..] {

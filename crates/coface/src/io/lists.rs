@@ -63,6 +63,17 @@ impl Lists {
         self.finish();
     }
 
+    /// Appends a list of three, which is the usual one.
+    #[inline]
+    pub(crate) fn push_triangle(&mut self, triangle: [u32; 3]) {
+        self.items.extend_from_slice(&triangle);
+        if self.width == 3 && self.ends.is_none() && self.count > 0 {
+            self.count += 1;
+        } else {
+            self.finish();
+        }
+    }
+
     /// Appends the lists of another.
     pub(crate) fn append(&mut self, other: &Self) -> Result<(), Error> {
         if self.items.len() + other.items.len() > u32::MAX as usize {

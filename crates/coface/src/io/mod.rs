@@ -15,7 +15,9 @@ mod model;
 pub mod obj;
 pub mod off;
 mod output;
+pub mod ply;
 mod scanner;
+pub mod stl;
 
 pub use doors::{read, read_path, read_unknown, write, write_path};
 pub use format::Format;

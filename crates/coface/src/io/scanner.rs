@@ -210,6 +210,17 @@ impl<R: Read> Scanner<R> {
         Ok(())
     }
 
+    /// The unread bytes that are at hand, at least `least` of them unless the stream ends before.
+    pub(crate) fn available(&mut self, least: usize) -> Result<&[u8], Error> {
+        while self.end - self.at < least && self.fill()? {}
+        Ok(&self.buffer[self.at..self.end])
+    }
+
+    /// Takes the first of the [`available`](Self::available) bytes.
+    pub(crate) fn consume(&mut self, count: usize) {
+        self.at = (self.at + count).min(self.end);
+    }
+
     /// The line of the token or line that was given last, from 1.
     pub(crate) fn line_number(&self) -> u64 {
         self.place.0

@@ -43,17 +43,21 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut groups = Groups::default();
     let mut ahead: Vec<(u32, u64)> = Vec::new();
     let mut seen = false;
-    Blocks::new(input).with_continued_lines().parse(count_vertices, parse_block, |piece| {
-        let before = elements.polygons.len() as u32;
-        coordinates.extend_from_slice(&piece.coordinates);
-        elements.append(&piece.elements)?;
-        ahead.extend(piece.ahead);
-        seen |= piece.seen;
-        for (polygon, change) in piece.changes {
-            groups.change(change, before + polygon);
-        }
-        piece.fault.map_or(Ok(()), Err)
-    })?;
+    Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
+        count_vertices,
+        parse_block,
+        |piece| {
+            let before = elements.polygons.len() as u32;
+            coordinates.extend_from_slice(&piece.coordinates);
+            elements.append(&piece.elements)?;
+            ahead.extend(piece.ahead);
+            seen |= piece.seen;
+            for (polygon, change) in piece.changes {
+                groups.change(change, before + polygon);
+            }
+            piece.fault.map_or(Ok(()), Err)
+        },
+    )?;
     if !seen {
         return Err(Error::parse("the file is empty")
             .at_line(1)
