@@ -1,8 +1,21 @@
 //! Complexes of cells that need not be simplices: tetrahedra, hexahedra, wedges and pyramids with shared faces.
+//!
+//! # Words
+//! * A [`CellMesh`] is a set of cells on one vertex set with **sides** identified: two sides of cells are one **face** when
+//!   they are the same cycle of vertices. Its vertices, edges and faces are its **skeleton**, a
+//!   [`crate::surface::PolygonMesh`].
+//! * A **positive** cell lists its vertices as [`CellShape`] describes in a right-handed frame; the boundary of a cell is
+//!   the sum of its sides as seen from outside.
+//! * [`VolumeVerdict`], [`VolumeOrientation`]: exact answers with the cells that prove a no.
+//! * [`BoundarySurface`]: the faces of exactly one cell.
 
+mod boundary;
 mod cell_mesh;
 mod face_identification;
+mod manifold;
 mod shape;
 
+pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
+pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use shape::CellShape;

@@ -1,7 +1,6 @@
 //! The manifold test for surfaces: edges by their faces, vertices by their links.
 
 use super::PolygonMesh;
-use crate::algebra::UnionFind;
 use crate::{EdgeId, FaceId, VertexId};
 use rayon::prelude::*;
 
@@ -194,10 +193,10 @@ impl PolygonMesh {
             .into_par_iter()
             .flat_map_iter(|block| {
                 let (corners, singular) = (&corners, &singular);
-                let mut scratch = Vec::new();
+                let mut scratch = Scratch::default();
                 let vertices = block * BLOCK..((block + 1) * BLOCK).min(self.vertex_count());
                 vertices
-                    .filter(move |&v| singular[v] || !corners.is_one_fan(v, &mut scratch))
+                    .filter(move |&v| singular[v] || !is_one_fan(corners.arcs(v), &mut scratch))
                     .map(VertexId::new)
             })
             .collect();
@@ -311,14 +310,14 @@ fn in_order(start: usize, neighbors: &[Vec<usize>]) -> Vec<usize> {
 }
 
 /// The corners at each vertex, compressed: a counting sort of all corners.
-struct VertexCorners {
+pub(crate) struct VertexCorners {
     starts: Vec<u32>,
     /// The edges before and after each corner.
     arcs: Vec<[u32; 2]>,
 }
 
 impl VertexCorners {
-    fn new(mesh: &PolygonMesh) -> Self {
+    pub(crate) fn new(mesh: &PolygonMesh) -> Self {
         let (polygons, edges) = (mesh.polygons(), mesh.corner_edges());
         // Starts shifted by one place: filling moves each to where the next vertex starts.
         let mut starts = vec![0u32; mesh.vertex_count() + 2];
@@ -356,49 +355,83 @@ impl VertexCorners {
         Self { starts, arcs }
     }
 
-    /// Whether the faces at a vertex, none of whose edges lies in more than two faces, form one fan or none at all.
-    fn is_one_fan(&self, vertex: usize, scratch: &mut Vec<u32>) -> bool {
-        let arcs = &self.arcs[self.starts[vertex] as usize..self.starts[vertex + 1] as usize];
-        if arcs.len() <= 1 {
-            return true;
-        }
-        if arcs.len() > 64 {
-            return is_connected(arcs, scratch);
-        }
-        let mut left = u64::MAX >> (64 - arcs.len()) & !1;
-        for end in arcs[0] {
-            let mut at = end;
-            'walk: while left != 0 {
-                let mut candidates = left;
-                while candidates != 0 {
-                    let i = candidates.trailing_zeros() as usize;
-                    let [a, b] = arcs[i];
-                    if a == at || b == at {
-                        at ^= a ^ b;
-                        left &= !(1 << i);
-                        continue 'walk;
-                    }
-                    candidates &= candidates - 1;
-                }
-                break;
-            }
-        }
-        left == 0
+    /// The faces at a vertex, each as the edges before and after the vertex: the arcs of its link.
+    pub(crate) fn arcs(&self, vertex: usize) -> &[[u32; 2]] {
+        &self.arcs[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 }
 
-/// Whether a graph given by its arcs is connected.
-fn is_connected(arcs: &[[u32; 2]], nodes: &mut Vec<u32>) -> bool {
-    nodes.clear();
-    nodes.extend(arcs.as_flattened());
-    nodes.sort_unstable();
-    nodes.dedup();
-    let local = |node: u32| nodes.binary_search(&node).expect("an arc joins two nodes") as u32;
-    let mut partition = UnionFind::new(nodes.len());
-    for &[a, b] in arcs {
-        partition.unite(local(a), local(b));
+/// Whether the arcs of a graph without branching form one path or cycle, or there is none.
+pub(crate) fn is_one_fan(arcs: &[[u32; 2]], scratch: &mut Scratch) -> bool {
+    if arcs.len() <= 1 {
+        return true;
     }
-    partition.class_count() == 1
+    if arcs.len() > 64 {
+        return is_connected(arcs, scratch);
+    }
+    let mut left = u64::MAX >> (64 - arcs.len()) & !1;
+    for end in arcs[0] {
+        let mut at = end;
+        'walk: while left != 0 {
+            let mut candidates = left;
+            while candidates != 0 {
+                let i = candidates.trailing_zeros() as usize;
+                let [a, b] = arcs[i];
+                if a == at || b == at {
+                    at ^= a ^ b;
+                    left &= !(1 << i);
+                    continue 'walk;
+                }
+                candidates &= candidates - 1;
+            }
+            break;
+        }
+    }
+    left == 0
+}
+
+/// Memory for [`is_connected`], kept from one small graph to the next.
+#[derive(Default)]
+pub(crate) struct Scratch {
+    nodes: Vec<u32>,
+    parents: Vec<u32>,
+}
+
+/// Whether a graph given by its arcs is connected.
+pub(crate) fn is_connected(arcs: &[[u32; 2]], Scratch { nodes, parents }: &mut Scratch) -> bool {
+    // Few nodes are found faster by looking at all of them.
+    let few = arcs.len() <= 256;
+    nodes.clear();
+    if !few {
+        nodes.extend(arcs.as_flattened());
+        nodes.sort_unstable();
+        nodes.dedup();
+    }
+    parents.clear();
+    parents.extend(0..nodes.len() as u32);
+    let mut joins = 0;
+    for arc in arcs {
+        let [mut a, mut b] = arc.map(|node| {
+            let found =
+                if few { nodes.iter().position(|&n| n == node) } else { nodes.binary_search(&node).ok() };
+            found.unwrap_or_else(|| {
+                nodes.push(node);
+                parents.push(parents.len() as u32);
+                nodes.len() - 1
+            })
+        });
+        for end in [&mut a, &mut b] {
+            while parents[*end] as usize != *end {
+                parents[*end] = parents[parents[*end] as usize];
+                *end = parents[*end] as usize;
+            }
+        }
+        if a != b {
+            parents[a.max(b)] = a.min(b) as u32;
+            joins += 1;
+        }
+    }
+    joins + 1 >= nodes.len()
 }
 
 #[cfg(test)]
