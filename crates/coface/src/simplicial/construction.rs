@@ -349,7 +349,7 @@ impl SimplicialComplex {
     /// assert_eq!(pairs.len(), 9);
     /// # Ok(()) }
     /// ```
-    pub fn product(&self, other: &Self) -> Result<(Self, IdVec<VertexId, (VertexId, VertexId)>), Error> {
+    pub fn product(&self, other: &Self) -> Result<(Self, VertexPairs), Error> {
         let (first, second): (Vec<VertexId>, Vec<VertexId>) =
             (self.vertices().collect(), other.vertices().collect());
         if first.len().saturating_mul(second.len()) >= 1 << 32 {
@@ -371,7 +371,7 @@ impl SimplicialComplex {
             for b in &others {
                 let rows: Vec<usize> = b.vertices().map(|w| place(&second, w)).collect();
                 staircases(columns.len() - 1, rows.len() - 1, &mut |steps| {
-                    let vertex = |&(i, j): &(usize, usize)| (columns[i] * second.len() + rows[j]) as u32;
+                    let vertex = |&(i, j): &Place| (columns[i] * second.len() + rows[j]) as u32;
                     facets.push(steps.iter().map(vertex).collect::<Vec<u32>>());
                 });
             }
@@ -381,9 +381,14 @@ impl SimplicialComplex {
     }
 }
 
+/// The pair of vertices that each vertex of a product is.
+pub type VertexPairs = IdVec<VertexId, (VertexId, VertexId)>;
+
+type Place = (usize, usize);
+
 /// Calls `visit` with every walk from (0, 0) to (p, q) in steps of one along either axis.
-fn staircases(p: usize, q: usize, visit: &mut dyn FnMut(&[(usize, usize)])) {
-    fn walk(p: usize, q: usize, steps: &mut Vec<(usize, usize)>, visit: &mut dyn FnMut(&[(usize, usize)])) {
+fn staircases(p: usize, q: usize, visit: &mut dyn FnMut(&[Place])) {
+    fn walk(p: usize, q: usize, steps: &mut Vec<Place>, visit: &mut dyn FnMut(&[Place])) {
         let &(i, j) = steps.last().expect("a walk has its start");
         if (i, j) == (p, q) {
             return visit(steps);
@@ -435,7 +440,7 @@ mod tests {
             prop_assert_eq!(polynomial(&join.f_vector(), true), product);
             let (cone, apex) = k.cone().unwrap();
             prop_assert_eq!(chi(&cone), 1);
-            prop_assert_eq!(SimplexSet::from(&cone.link(&Simplex::vertex(apex)).unwrap()), SimplexSet::from(&k));
+            prop_assert_eq!(SimplexSet::from(&cone.link(Simplex::vertex(apex)).unwrap()), SimplexSet::from(&k));
             prop_assert_eq!(chi(&k.suspension().unwrap().0), 2 - chi(&k));
             let (product, pairs) = k.product(&l).unwrap();
             prop_assert_eq!(chi(&product), chi(&k) * chi(&l));

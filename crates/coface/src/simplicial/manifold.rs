@@ -6,10 +6,10 @@
 //! the Poincare sphere is the 5-sphere), so there "no" speaks of combinatorial manifolds only.
 
 use super::collapse::{is_seen_as_ball, is_seen_as_sphere};
-use super::orientation::{maximal_below_top, sorted_chain_complex};
-use super::{Simplex, SimplicialComplex};
+use super::orientation::maximal_below_top;
+use super::{FrozenComplex, Simplex, SimplicialComplex};
 use crate::Error;
-use crate::algebra::{UnionFind, smith_form};
+use crate::algebra::{RaggedArray, UnionFind, smith_form};
 use crate::chains::{ChainComplex, MorseComplex};
 use rayon::prelude::*;
 use std::fmt;
@@ -149,8 +149,8 @@ impl fmt::Display for ManifoldWitness {
 
 /// The simplices of a complex by degree and number, with the faces that a position leaves out.
 struct Cells<'a> {
+    complex: &'a FrozenComplex,
     chains: &'a ChainComplex,
-    simplex: &'a (dyn Fn(usize, usize) -> Simplex + Sync),
     dimension: usize,
 }
 
@@ -176,7 +176,7 @@ impl Cells<'_> {
     }
 
     fn named(&self, degree: usize, cell: usize) -> Simplex {
-        (self.simplex)(degree, cell)
+        self.complex.simplex(degree, cell)
     }
 
     fn top(&self, facets: impl IntoIterator<Item = u32>) -> impl Iterator<Item = Simplex> {
@@ -303,28 +303,46 @@ impl SimplicialComplex {
     /// # Errors
     /// As the chain complex of the complex.
     pub fn manifold_verdict(&self) -> Result<ManifoldVerdict, Error> {
-        let simplices: Vec<Vec<Simplex>> =
-            (0..self.dimension().map_or(0, |n| n + 1)).map(|k| self.simplices(k).collect()).collect();
-        Ok(manifold_verdict(&sorted_chain_complex(self)?, &|k, i| simplices[k][i].clone()))
+        self.freeze().manifold_verdict()
     }
 }
 
-/// The verdict on a complex given by its chain complex, whose simplices of each dimension are in lexicographic order.
-fn manifold_verdict(
-    chains: &ChainComplex,
-    simplex: &(dyn Fn(usize, usize) -> Simplex + Sync),
-) -> ManifoldVerdict {
-    let Some(dimension) = chains.dimension() else {
-        return ManifoldVerdict::Yes(ManifoldCertificate {
-            dimension: None,
-            boundary_ridge_count: 0,
-            collapsed_link_count: 0,
-        });
-    };
-    let cells = Cells { chains, simplex, dimension };
-    match test(&cells) {
-        Ok(certificate) => ManifoldVerdict::Yes(certificate),
-        Err(verdict) => *verdict,
+impl FrozenComplex {
+    /// Whether this is a combinatorial manifold: see [`SimplicialComplex::manifold_verdict`].
+    ///
+    /// # Errors
+    /// As [`FrozenComplex::chain_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::simplicial::FrozenComplex;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let disk = FrozenComplex::from_facets(&RaggedArray::from_lists([[0, 1, 2], [1, 2, 3]]))?;
+    /// assert_eq!(disk.manifold_verdict()?.to_bool(), Some(true));
+    /// # Ok(()) }
+    /// ```
+    pub fn manifold_verdict(&self) -> Result<ManifoldVerdict, Error> {
+        Ok(self.manifold_verdict_with(&self.chain_complex()?))
+    }
+
+    /// The same verdict, when the chain complex of this complex has been made already.
+    ///
+    /// # Panics
+    /// If `chains` has other numbers of cells than this complex.
+    pub fn manifold_verdict_with(&self, chains: &ChainComplex) -> ManifoldVerdict {
+        assert_eq!(chains.f_vector(), self.f_vector(), "the chain complex is that of this complex");
+        let Some(dimension) = self.dimension() else {
+            return ManifoldVerdict::Yes(ManifoldCertificate {
+                dimension: None,
+                boundary_ridge_count: 0,
+                collapsed_link_count: 0,
+            });
+        };
+        match test(&Cells { complex: self, chains, dimension }) {
+            Ok(certificate) => ManifoldVerdict::Yes(certificate),
+            Err(verdict) => *verdict,
+        }
     }
 }
 
@@ -573,12 +591,16 @@ impl Links {
 
     /// The chain complex of the link of a simplex.
     fn chains(&self, cells: &Cells<'_>, cell: usize) -> ChainComplex {
-        let simplex = cells.named(cells.dimension - self.codimension, cell);
-        let around = &self.facets[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        let facets = cells.top(around.iter().copied()).filter_map(|facet| facet.difference(&simplex));
-        let link =
-            SimplicialComplex::from_facets(facets).expect("the simplices of a link are sets of vertices");
-        sorted_chain_complex(&link).expect("the simplices of a link make a complex")
+        let n = cells.dimension;
+        let of = cells.complex.numbers(n - self.codimension, cell);
+        let mut vertices = Vec::new();
+        for &facet in &self.facets[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+            let facet = cells.complex.numbers(n, facet as usize);
+            vertices.extend(facet.iter().filter(|v| of.binary_search(v).is_err()));
+        }
+        RaggedArray::uniform(self.codimension, vertices)
+            .and_then(|facets| FrozenComplex::from_facets(&facets)?.chain_complex())
+            .expect("the link of a simplex is a complex")
     }
 
     /// What can be shown about one link. `is_manifold` says that it is known to be a combinatorial manifold.

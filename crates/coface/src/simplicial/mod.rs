@@ -30,7 +30,7 @@ mod tree_bulk;
 mod tree_walk;
 
 pub use complex::SimplicialComplex;
-pub use construction::Composite;
+pub use construction::{Composite, VertexPairs};
 pub use frozen::FrozenComplex;
 pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitness};
 pub use neighborhood::SimplexSet;

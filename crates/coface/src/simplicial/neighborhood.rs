@@ -68,6 +68,11 @@ impl SimplexSet {
         self.levels.iter().flatten()
     }
 
+    /// All members, given away in the same order.
+    pub fn into_simplices(self) -> impl Iterator<Item = Simplex> {
+        self.levels.into_iter().flatten()
+    }
+
     /// Whether the simplex is a member.
     ///
     /// # Complexity
@@ -258,8 +263,7 @@ impl SimplexSet {
     pub(super) fn first_not_in_top(&self) -> Option<Simplex> {
         let top = self.dimension()?;
         let maximal = self.maximal_simplices();
-        let first = maximal.iter().find(|simplex| simplex.dimension() < top).cloned();
-        first
+        maximal.into_simplices().find(|simplex| simplex.dimension() < top)
     }
 }
 
@@ -513,7 +517,7 @@ pub(super) mod tests {
         #[test]
         fn closure_and_star_are_idempotent_and_distribute((k, s) in complex_and_part(), cut in 0usize..100) {
             let star = k.star(&s).unwrap();
-            prop_assert_eq!(k.star(&star).unwrap(), star.clone());
+            prop_assert_eq!(&k.star(&star).unwrap(), &star);
             prop_assert_eq!(s.closure().closure(), s.closure());
             prop_assert!(s.closure().is_complex());
             let (a, b): (Vec<_>, Vec<_>) = s.iter().cloned().enumerate().partition(|(i, _)| *i < cut % (s.len() + 1));
@@ -571,17 +575,17 @@ pub(super) mod tests {
         let triangle = complex(&[&[0, 1, 2]]);
         let both = set([&[0], &[1]]);
         assert_eq!(triangle.link_simplices(&both).unwrap(), set([&[2]]));
-        let single = triangle.link_simplices(&Simplex::from([0])).unwrap();
+        let single = triangle.link_simplices(Simplex::from([0])).unwrap();
         assert_eq!(single, set([&[1], &[2], &[1, 2]]));
     }
 
     #[test]
     fn links_in_the_boundary_of_a_tetrahedron() {
         let sphere = complex(&[&[0, 1, 2], &[0, 1, 3], &[0, 2, 3], &[1, 2, 3]]);
-        assert_eq!(sphere.link_simplices(&Simplex::from([0, 1])).unwrap(), set([&[2], &[3]]));
-        assert!(sphere.link(&Simplex::from([0, 1, 2])).unwrap().is_empty());
+        assert_eq!(sphere.link_simplices(Simplex::from([0, 1])).unwrap(), set([&[2], &[3]]));
+        assert!(sphere.link(Simplex::from([0, 1, 2])).unwrap().is_empty());
         assert!(sphere.link(SimplexSet::new()).unwrap().is_empty());
-        assert_eq!(sphere.link(&Simplex::from([0])).unwrap().f_vector(), [3, 3]);
+        assert_eq!(sphere.link(Simplex::from([0])).unwrap().f_vector(), [3, 3]);
     }
 
     #[test]
@@ -610,7 +614,7 @@ pub(super) mod tests {
         let error = triangle.boundary_complex(&triangle).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::NotPure);
         assert!(error.message().starts_with("{2, 3} is a face of no simplex of dimension 2"));
-        let error = triangle.boundary_complex(&Simplex::from([0, 1, 2])).unwrap_err();
+        let error = triangle.boundary_complex(Simplex::from([0, 1, 2])).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::NotAComplex);
         assert!(error.message().contains("{0, 1, 2} without its face {1, 2}"));
         let many: SimplexSet = (10..30).map(|v| Simplex::from([v])).collect();

@@ -201,7 +201,7 @@ impl SimplicialComplex {
     /// # Ok(()) }
     /// ```
     pub fn orientability(&self) -> Result<Orientability, Error> {
-        Ok(orientability(&sorted_chain_complex(self)?))
+        Ok(orientability(&self.chain_complex()?))
     }
 }
 
@@ -235,35 +235,12 @@ pub fn orientability(complex: &ChainComplex) -> Orientability {
     }
     let Some(boundary) = complex.boundary_matrix(dimension) else { return Orientability::NoRidges };
     let mut result = orient_columns(boundary);
-    if let Orientability::NonOrientable(cycle) = &mut result {
-        if let (2, Some(edges)) = (dimension, complex.boundary_matrix(1)) {
-            cycle.embedded = Some(is_one_band(boundary, edges, &cycle.facets));
-        }
+    if let (Orientability::NonOrientable(cycle), 2, Some(edges)) =
+        (&mut result, dimension, complex.boundary_matrix(1))
+    {
+        cycle.embedded = Some(is_one_band(boundary, edges, &cycle.facets));
     }
     result
-}
-
-/// The chain complex of a complex, its simplices of each dimension in lexicographic order.
-pub(super) fn sorted_chain_complex(complex: &SimplicialComplex) -> Result<ChainComplex, Error> {
-    let levels: Vec<Vec<Simplex>> =
-        (0..complex.dimension().map_or(0, |n| n + 1)).map(|k| complex.simplices(k).collect()).collect();
-    if levels.len() < 2 {
-        return Ok(ChainComplex::of_points(complex.simplex_count(0)));
-    }
-    let matrix = |pair: &[Vec<Simplex>]| {
-        let (below, above) = (&pair[0], &pair[1]);
-        let entries = above.iter().enumerate().flat_map(|(j, simplex)| {
-            simplex
-                .facets()
-                .map(move |(sign, face)| {
-                    let row = below.binary_search(&face).expect("a complex holds the faces of its simplices");
-                    (row, j, i64::from(sign.to_i32()))
-                })
-                .collect::<Vec<_>>()
-        });
-        SparseMatrix::from_entries(below.len(), above.len(), entries)
-    };
-    ChainComplex::new(levels.windows(2).map(matrix).collect::<Result<_, _>>()?)
 }
 
 /// The cells of the lowest dimension below the top in which some are a face of no other cell; none if the complex is pure.
@@ -547,7 +524,7 @@ mod tests {
         ) {
             let facets: Vec<Vec<u32>> = facets.into_iter().map(|f| f.into_iter().collect()).collect();
             let complex = SimplicialComplex::from_facets(&facets).unwrap();
-            let chains = sorted_chain_complex(&complex).unwrap();
+            let chains = complex.chain_complex().unwrap();
             let matrix = chains.boundary_matrix(2).unwrap();
             let rows = matrix.transpose();
             let sums = |signs: &dyn Fn(usize) -> i32| {
@@ -605,7 +582,7 @@ mod tests {
             let Orientability::NonOrientable(cycle) = surface.orientability().unwrap() else {
                 panic!("orientable")
             };
-            check_cycle(sorted_chain_complex(&surface).unwrap().boundary_matrix(2).unwrap(), &cycle);
+            check_cycle(surface.chain_complex().unwrap().boundary_matrix(2).unwrap(), &cycle);
             assert!(cycle.facets().len() <= longest, "{}", cycle.facets().len());
             assert!(cycle.is_embedded_moebius_band().is_some());
         }
