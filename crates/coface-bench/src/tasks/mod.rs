@@ -3,12 +3,12 @@
 //! A task reads its input file and prepares what it needs outside the clock, works inside it, and says what came out, so
 //! that a wrong answer is seen beside its time.
 
+mod boundary_matrices;
 mod edges;
 mod homology;
 mod info;
 mod manifold;
 mod reading;
-mod reduction;
 mod simplicial;
 
 use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
@@ -43,10 +43,13 @@ pub(crate) const ALL: &[Task] = &[
     reading::PLY,
     edges::TASK,
     manifold::TASK,
+    boundary_matrices::TASK,
     homology::SURFACE,
-    reduction::TASK,
+    homology::SOLID,
+    homology::REDUCTION,
     simplicial::INSERTION,
     simplicial::STARS,
+    simplicial::LINKS,
     info::TASK,
 ];
 
