@@ -346,7 +346,7 @@ mod tests {
         ) {
             // Random tetrahedra, and some of those of a sphere, so that manifolds come up as well.
             let mut cells: BTreeSet<BTreeSet<u32>> = picked.iter().map(|v| v[..4].iter().copied().collect()).collect();
-            let random = cells.len() % 2 == 0;
+            let random = cells.len().is_multiple_of(2);
             if !random {
                 cells.clear();
             }

@@ -1,10 +1,23 @@
 //! Surfaces: polygon meshes with identified edges, their verdicts with witnesses, halfedge permutations.
+//!
+//! # Words
+//! * A [`PolygonMesh`] is any soup of polygons on one vertex set: its **sides** are identified to **edges**. It need be no
+//!   surface. A **corner** is a vertex of a face; the side of a corner runs from it to the next vertex.
+//! * A mesh is a **surface** when each edge lies in one or two faces and each vertex has one **fan** of faces: its **link**
+//!   is one path or one cycle. [`SurfaceVerdict`] names the edges and vertices where it is none.
+//! * The **boundary** is the edges in exactly one face; [`BoundaryLoop`] is a component of it.
+//! * Two faces on an edge **agree** when they run through it in opposite directions. [`SurfaceOrientation`] says whether
+//!   all do, whether they can be turned to, and gives an odd cycle of faces if not.
+//! * [`SurfaceType`] is a compact connected surface by orientability, genus and number of boundary loops;
+//!   [`SurfaceSurvey`] has all of this at once.
+//! * A [`HalfedgeMesh`] is a closed oriented surface as two permutations, `next` and `twin`.
 
 mod boundary;
 mod classification;
 mod components;
 pub(crate) mod dual_graph;
 pub(crate) mod edge_identification;
+mod halfedge;
 pub(crate) mod manifold;
 mod orientation;
 mod polygon_mesh;
@@ -13,6 +26,7 @@ pub(crate) mod range_sort;
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
 pub use components::Components;
+pub use halfedge::HalfedgeMesh;
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
 pub use orientation::{OddFaceCycle, SurfaceOrientation};
 pub use polygon_mesh::PolygonMesh;
