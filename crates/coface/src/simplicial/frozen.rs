@@ -240,13 +240,7 @@ impl FrozenComplex {
     /// ```
     pub fn index_of(&self, numbers: &[u32]) -> Option<usize> {
         let (&first, rest) = numbers.split_first()?;
-        let vertices = &self.levels.first()?.tuples;
-        // Vertices are often numbered without gaps; then the place is known.
-        let guess = first.checked_sub(*vertices.first()?)? as usize;
-        let mut at = match vertices.get(guess) {
-            Some(&number) if number == first => guess,
-            _ => vertices.binary_search(&first).ok()?,
-        };
+        let mut at = self.vertex_position(first)?;
         for (k, &vertex) in rest.iter().enumerate() {
             let children = self.children(k, at);
             let end = children.end;
@@ -344,13 +338,9 @@ impl FrozenComplex {
         if children.is_empty() {
             return;
         }
-        let vertices = &self.levels[0].tuples;
         let ranks = children.clone().map(|child| {
             let number = self.last_number(dimension + 1, child);
-            match vertices.get(number as usize) {
-                Some(&same) if same == number => number,
-                _ => vertices.partition_point(|&other| other < number) as u32,
-            }
+            self.vertex_position(number).expect("a complex has all vertices of its simplices") as u32
         });
         let first = tree.add_children(parent, dimension + 1, ranks);
         for (node, child) in (first..).zip(children) {
@@ -386,6 +376,17 @@ impl FrozenComplex {
             }
         }
         Ok(())
+    }
+
+    /// The position of a vertex among the vertices.
+    pub(super) fn vertex_position(&self, number: u32) -> Option<usize> {
+        let vertices = &self.levels.first()?.tuples;
+        // Vertices are often numbered without gaps; then the place is known.
+        let guess = number.checked_sub(*vertices.first()?)? as usize;
+        match vertices.get(guess) {
+            Some(&same) if same == number => Some(guess),
+            _ => vertices.binary_search(&number).ok(),
+        }
     }
 
     /// The positions of the simplices of the next dimension that begin with this one.

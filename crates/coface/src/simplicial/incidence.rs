@@ -157,16 +157,18 @@ impl FrozenComplex {
             for row in own.chunks_exact_mut(k + 1) {
                 row[0] = parent as u32;
             }
+            if k == 1 {
+                for (row, child) in own.chunks_exact_mut(2).zip(children) {
+                    let end = self.vertex_position(self.last_number(1, child));
+                    row[1] = end.expect("a complex has all vertices of its simplices") as u32;
+                }
+                continue;
+            }
             for j in 0..k {
-                // The facets of the children that leave out one vertex of the parent; for edges, all vertices.
-                let mut siblings = if k == 1 {
-                    parent + 1..self.simplex_count(0)
-                } else {
-                    self.children(k - 2, below[parent * k + j] as usize)
-                };
+                let mut cousins = self.children(k - 2, below[parent * k + j] as usize);
                 for (row, child) in own.chunks_exact_mut(k + 1).zip(children.clone()) {
-                    siblings.start = self.seek(k - 1, siblings.clone(), self.last_number(k, child));
-                    row[j + 1] = siblings.start as u32;
+                    cousins.start = self.seek(k - 1, cousins.clone(), self.last_number(k, child));
+                    row[j + 1] = cousins.start as u32;
                 }
             }
         }

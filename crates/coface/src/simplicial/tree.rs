@@ -426,23 +426,44 @@ impl Tree {
     /// For each place of the arena, whether it is erased or stands for a proper face of another simplex.
     pub(super) fn proper_faces(&self) -> Vec<bool> {
         let mut is_face: Vec<bool> = self.nodes.iter().map(|node| node.next == ERASED).collect();
-        self.mark_faces(ROOT, &[], &mut is_face);
+        self.mark_faces(ROOT, 0, &mut Vec::new(), &mut is_face);
         is_face
     }
 
-    /// `facets` are the facets of `parent`; a child's facets are their children of the same last vertex and `parent`.
-    fn mark_faces(&self, parent: u32, facets: &[u32], is_face: &mut [bool]) {
-        for (vertex, child) in self.cursor(parent) {
-            let mut own: Vec<u32> =
-                facets.iter().filter_map(|&facet| self.find_child(facet, vertex)).collect();
-            own.push(parent);
-            for &facet in own.iter().filter(|&&facet| facet != ROOT) {
-                is_face[facet as usize] = true;
-            }
-            if !self.nodes[child as usize].children.is_empty() {
-                self.mark_faces(child, &own, is_face);
+    /// Marks the facets of all nodes below `parent`, whose own facets are on the stack from `begin` on. The facets of a
+    /// child are `parent` and those children of the parent's facets that end in the same vertex.
+    fn mark_faces(&self, parent: u32, begin: usize, stack: &mut Vec<u32>, is_face: &mut [bool]) {
+        let end = stack.len();
+        let width = end - begin + 1;
+        let child_count = self.children(parent).count();
+        stack.resize(end + child_count * width, parent);
+        if parent != ROOT && child_count > 0 {
+            is_face[parent as usize] = true;
+        }
+        for i in begin..end {
+            let facet = stack[i];
+            let is_long = self.children(facet).count() > 8 * child_count;
+            let mut cousins = self.cursor(facet);
+            for (at, (vertex, _)) in self.cursor(parent).enumerate() {
+                let cousin = if is_long {
+                    self.find_child(facet, vertex)
+                } else {
+                    cousins.find(|&(other, _)| other == vertex).map(|(_, cousin)| cousin)
+                };
+                let cousin = cousin.expect("a complex has all faces of its simplices");
+                is_face[cousin as usize] = true;
+                stack[end + at * width + i - begin] = cousin;
             }
         }
+        for (at, (_, child)) in self.cursor(parent).enumerate() {
+            if !self.nodes[child as usize].children.is_empty() {
+                let top = stack.len();
+                stack.extend_from_within(end + at * width..end + (at + 1) * width);
+                self.mark_faces(child, top, stack, is_face);
+                stack.truncate(top);
+            }
+        }
+        stack.truncate(end);
     }
 
     /// Verifies the structure: sorted siblings, parents, rings, counts and closure under faces.
