@@ -36,3 +36,28 @@ pub(super) fn require_dimension(model: &Model, format: &str, most: usize) -> Res
     )
     .with_cure("write OFF, which holds any dimension"))
 }
+
+/// Refuses an abstract structure and vertices without positions, in a format of volume meshes.
+pub(super) fn require_volume_mesh(model: &Model, format: &str) -> Result<(), Error> {
+    let (what, cure) = if model.structure.is_some() {
+        ("an abstract structure", "write JSON")
+    } else if model.vertex_count > 0 && model.positions.dimension() == 0 {
+        ("vertices without positions", "write a JSON facet list")
+    } else {
+        return Ok(());
+    };
+    Err(Error::new(ErrorKind::UnsupportedFormat, format!("{format} cannot hold {what}")).with_cure(cure))
+}
+
+/// Refuses polygons of more than four vertices.
+pub(super) fn require_small_polygons(model: &Model, format: &str) -> Result<(), Error> {
+    let Some(i) = model.polygons.iter().position(|polygon| polygon.len() > 4) else { return Ok(()) };
+    Err(Error::new(
+        ErrorKind::UnsupportedFormat,
+        format!(
+            "{format} holds triangles and quadrangles, but polygon {i} has {} vertices",
+            model.polygons.list(i).len()
+        ),
+    )
+    .with_cure("write VTK, OFF, OBJ or PLY, which hold any polygon"))
+}

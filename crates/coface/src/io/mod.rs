@@ -4,6 +4,7 @@
 //! count that a file merely claims. Indices in a model are 0-based whatever the format does. [`read_path`] and
 //! [`write_path`] find out the format by themselves.
 
+mod assembly;
 mod blocks;
 mod decimal;
 mod doors;
@@ -11,13 +12,17 @@ mod format;
 pub mod json;
 mod limits;
 mod lists;
+pub mod medit;
 mod model;
 pub mod obj;
 pub mod off;
 mod output;
 pub mod ply;
+#[cfg(test)]
+mod samples;
 mod scanner;
 pub mod stl;
+mod values;
 
 pub use doors::{read, read_path, read_unknown, write, write_path};
 pub use format::Format;
