@@ -1,6 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::{Format, Model, format, json, medit, obj, off, output};
+use super::{Format, Model, format, json, medit, msh, obj, off, output};
 use crate::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -113,6 +113,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Off => off::write(model, out),
         Format::Obj => obj::write(model, out),
         Format::Medit => medit::write(model, out),
+        Format::Msh => msh::write(model, out, msh::Version::default()),
         Format::Json => json::write(model, out),
         _ => Err(not_built(format)),
     }
@@ -191,6 +192,7 @@ fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) 
         Format::Off => off::read(input)?,
         Format::Obj => obj::read(input)?,
         Format::Medit => medit::read(input)?,
+        Format::Msh => msh::read(input)?,
         Format::Json => json::read(input)?,
         _ => return Err(not_built(format)),
     };

@@ -14,6 +14,7 @@ mod limits;
 mod lists;
 pub mod medit;
 mod model;
+pub mod msh;
 pub mod obj;
 pub mod off;
 mod output;
