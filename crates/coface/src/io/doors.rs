@@ -1,6 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::{Format, Model, format, json, medit, msh, obj, off, output};
+use super::{Format, Model, format, json, medit, msh, obj, off, output, ply, stl};
 use crate::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -112,6 +112,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
     match format {
         Format::Off => off::write(model, out),
         Format::Obj => obj::write(model, out),
+        Format::Ply => ply::write(model, out, ply::Encoding::default()),
+        Format::Stl => stl::write(model, out, stl::Encoding::default()),
         Format::Medit => medit::write(model, out),
         Format::Msh => msh::write(model, out, msh::Version::default()),
         Format::Json => json::write(model, out),
@@ -191,6 +193,8 @@ fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) 
     let model = match format {
         Format::Off => off::read(input)?,
         Format::Obj => obj::read(input)?,
+        Format::Ply => ply::read(input)?,
+        Format::Stl => stl::read(input)?,
         Format::Medit => medit::read(input)?,
         Format::Msh => msh::read(input)?,
         Format::Json => json::read(input)?,

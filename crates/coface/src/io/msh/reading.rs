@@ -346,7 +346,9 @@ impl Nodes {
         match u64::try_from(tag) {
             Ok(tag @ 1..) => self.tags.push(tag),
             _ => {
-                return Err(Error::invalid(format!("a node has the tag {tag}")).with_cure("tags are positive"));
+                return Err(
+                    Error::invalid(format!("a node has the tag {tag}")).with_cure("tags are positive")
+                );
             }
         }
         Ok(())
