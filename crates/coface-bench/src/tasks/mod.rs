@@ -48,8 +48,10 @@ pub(crate) const ALL: &[Task] = &[
     homology::SOLID,
     homology::REDUCTION,
     simplicial::INSERTION,
+    simplicial::FREEZING,
     simplicial::STARS,
     simplicial::LINKS,
+    simplicial::LINK_SIMPLICES,
     info::TASK,
 ];
 

@@ -3,7 +3,7 @@
 use super::{Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::simplicial::{Simplex, SimplicialComplex};
+use coface::simplicial::{FrozenComplex, Simplex, SimplicialComplex};
 use std::path::Path;
 
 const INPUTS: &[&str] = &["simp_100000", "simp_250000", "simp_500000", "simp_1000000"];
@@ -18,6 +18,18 @@ pub(super) const INSERTION: Task = Task {
     work: Work::Inside(|path, clock| {
         let mesh = Mesh::read_raw(path)?;
         let complex = clock.time(mesh.lists.len(), || SimplicialComplex::from_facets(mesh.lists.iter()))?;
+        Ok(format!("simplices {}", complex.len()))
+    }),
+};
+
+pub(super) const FREEZING: Task = Task {
+    name: "insertion-frozen",
+    about: "the same simplices as a frozen complex",
+    extension: "raw",
+    inputs: INPUTS,
+    work: Work::Inside(|path, clock| {
+        let mesh = Mesh::read_raw(path)?;
+        let complex = clock.time(mesh.lists.len(), || FrozenComplex::from_facets(&mesh.lists))?;
         Ok(format!("simplices {}", complex.len()))
     }),
 };
@@ -45,6 +57,20 @@ pub(super) const LINKS: Task = Task {
         let (complex, vertices) = prepare(path)?;
         let count = clock.time(complex.len(), || -> Result<usize, Error> {
             vertices.iter().map(|vertex| complex.link(vertex.clone()).map(|link| link.len())).sum()
+        })?;
+        Ok(format!("vertices {} simplices {count}", vertices.len()))
+    }),
+};
+
+pub(super) const LINK_SIMPLICES: Task = Task {
+    name: "link-simplices",
+    about: "the simplices of the links of 2000 vertices, listed one after the other, the complex ready",
+    extension: "raw",
+    inputs: INPUTS,
+    work: Work::Inside(|path, clock| {
+        let (complex, vertices) = prepare(path)?;
+        let count = clock.time(complex.len(), || -> Result<usize, Error> {
+            vertices.iter().map(|vertex| complex.link_simplices(vertex.clone()).map(|link| link.len())).sum()
         })?;
         Ok(format!("vertices {} simplices {count}", vertices.len()))
     }),
