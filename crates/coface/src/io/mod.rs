@@ -13,8 +13,6 @@ pub mod json;
 mod limits;
 mod lists;
 pub mod medit;
-#[cfg(test)]
-mod mesh_tests;
 mod model;
 pub mod msh;
 pub mod obj;

@@ -1,1 +1,32 @@
 //! The report on a model: everything that `coface info` says, as data.
+//!
+//! # Words
+//! * A [`Producer`] is a model with the faces of its cells identified; it makes the chain complex.
+//! * The **top cells** are those of the highest degree: the faces of a surface, the cells of a volume. A **ridge** is a
+//!   cell one degree below: an edge of a surface, a face of a volume.
+//! * A [`Report`] is what [`Report::of`] finds out about a model. A [`Problem`] is one sort of fault in it, with all its
+//!   places; a [`Witness`] shows why a model is no manifold.
+
+mod cells;
+mod chains;
+mod examination;
+mod facts;
+mod halfedges;
+mod json;
+mod labels;
+mod measures;
+mod pair;
+mod polygons;
+mod problem;
+mod producer;
+mod simplices;
+mod simplicial;
+
+pub use facts::{Answer, BoundaryPart, Kind, Report, Skin, Witness};
+pub use json::{groups_to_json, integer_to_json};
+pub use pair::Pair;
+pub use problem::{Problem, ProblemKind};
+pub use producer::Producer;
+pub use simplices::{model_of_simplices, simplicial_complex};
+
+use labels::Labels;

@@ -1,0 +1,27 @@
+//! The report on a surface given by permutations of its halfedges.
+
+use super::facts::{Answer, Kind, Report};
+use crate::surface::{HalfedgeMesh, SurfaceType};
+use crate::topology::homology;
+
+/// The report on a mesh: any pair of permutations is a closed oriented surface, so only its numbers are open.
+pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
+    let complex = mesh.chain_complex();
+    let surface = (mesh.component_count() == 1).then(|| SurfaceType::orientable(mesh.genus(), 0));
+    let is_empty = mesh.halfedge_count() == 0;
+    Report {
+        kind: Kind::Surface,
+        f_vector: if is_empty { Vec::new() } else { mesh.f_vector().to_vec() },
+        shapes: if is_empty { Vec::new() } else { vec![("polygon", mesh.f_vector()[2])] },
+        components: mesh.component_count(),
+        euler_characteristic: mesh.euler_characteristic(),
+        manifold: Answer::Yes,
+        boundary_loops: Some(Vec::new()),
+        orientable: Some(true),
+        coherently_oriented: Some(true),
+        surface_type: surface,
+        name: surface.map(|surface| surface.to_string()),
+        homology: homology(&complex).groups().to_vec(),
+        ..Report::of_nothing()
+    }
+}

@@ -1,0 +1,135 @@
+//! What makes the chain complex of a model.
+
+use super::Labels;
+use crate::Error;
+use crate::algebra::RaggedArray;
+use crate::cellular::CellMesh;
+use crate::chains::ChainComplex;
+use crate::geometry::Positions;
+use crate::io::{Model, Structure};
+use crate::simplicial::FrozenComplex;
+use crate::surface::{HalfedgeMesh, PolygonMesh};
+use crate::{CellId, EdgeId, FaceId};
+
+/// The cells of a model with their faces identified: what its chain complex is made from.
+///
+/// Cells of each degree are numbered; [`Self::cell_vertices`] names them by vertices of the file.
+///
+/// # Examples
+/// ```
+/// use coface::algebra::RaggedArray;
+/// use coface::io::{Model, Structure};
+/// use coface::report::Producer;
+/// # fn main() -> Result<(), coface::Error> {
+/// let facets = RaggedArray::from_lists([[0, 1, 7], [1, 7, 9]]);
+/// let producer = Producer::of(Model::from_structure(Structure::Facets(facets)))?;
+/// assert_eq!(producer.chain_complex()?.f_vector(), [4, 5, 2]);
+/// assert_eq!(producer.cell_vertices(2, 1), [1, 7, 9]);
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct Producer {
+    pub(super) cells: Cells,
+    pub(super) labels: Labels,
+    pub(super) positions: Positions,
+}
+
+/// The structures that models become.
+#[derive(Debug)]
+pub(super) enum Cells {
+    /// Polygons, edges and vertices.
+    Polygons(PolygonMesh),
+    /// 3-cells, faces, edges and vertices.
+    Solids(Box<CellMesh>),
+    /// Simplices of any dimension.
+    Simplices(FrozenComplex),
+    /// Halfedges.
+    Halfedges(HalfedgeMesh),
+    /// Boundary matrices.
+    Chains(ChainComplex),
+}
+
+impl Producer {
+    /// Identifies the cells of a model.
+    ///
+    /// # Errors
+    /// Those of the structure that fits the model: [`crate::ErrorKind::InvalidInput`] naming a cell that is none,
+    /// [`crate::ErrorKind::TooLarge`] for what its numbers do not hold.
+    pub fn of(model: Model) -> Result<Self, Error> {
+        let Model { vertex_count, positions, polygons, shapes, cells, lines, structure, .. } = model;
+        let (cells, labels) = match structure {
+            Some(Structure::Facets(facets)) => of_facets(facets)?,
+            Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),
+            Some(Structure::Halfedges { next, twin }) => {
+                (Cells::Halfedges(HalfedgeMesh::from_permutations(next, twin)?), Labels::default())
+            }
+            None if !cells.is_empty() => {
+                let mesh = CellMesh::new(vertex_count, shapes, cells, &polygons, &segments(&lines))?;
+                (Cells::Solids(Box::new(mesh)), Labels::default())
+            }
+            None => {
+                let mesh = PolygonMesh::new(vertex_count, polygons, &segments(&lines))?;
+                (Cells::Polygons(mesh), Labels::default())
+            }
+        };
+        Ok(Self { cells, labels, positions })
+    }
+
+    /// The chain complex of the cells, in the order of their numbers.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        Ok(match &self.cells {
+            Cells::Polygons(mesh) => mesh.chain_complex(),
+            Cells::Solids(mesh) => mesh.chain_complex(),
+            Cells::Simplices(complex) => complex.chain_complex()?,
+            Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Chains(complex) => complex.clone(),
+        })
+    }
+
+    /// The vertices of a cell, by their numbers in the file, in an order that has the orientation of the cell: an edge
+    /// from its start to its end, a polygon around. The cells of a chain complex have no vertices, and those of halfedge
+    /// permutations may have one vertex several times: they are named by their own numbers.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn cell_vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+        let skeleton = match &self.cells {
+            Cells::Polygons(mesh) => mesh,
+            Cells::Solids(mesh) if degree == 3 => return mesh.cell(CellId::new(cell)).to_vec(),
+            Cells::Solids(mesh) => mesh.skeleton(),
+            Cells::Simplices(complex) => return complex.numbers(degree, cell).to_vec(),
+            Cells::Halfedges(_) | Cells::Chains(_) => return vec![cell as u32],
+        };
+        self.labels.of_all(match degree {
+            0 => vec![cell as u32],
+            1 => skeleton.edge(EdgeId::new(cell)).map(|end| end.to_u32()).to_vec(),
+            _ => skeleton.face(FaceId::new(cell)).to_vec(),
+        })
+    }
+}
+
+/// The segments of polylines.
+fn segments(lines: &RaggedArray) -> Vec<[u32; 2]> {
+    lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect()
+}
+
+/// Up to dimension 2 a polygon mesh, whose questions have more answers.
+fn of_facets(mut facets: RaggedArray) -> Result<(Cells, Labels), Error> {
+    if facets.iter().any(|facet| facet.len() > 3) {
+        return Ok((Cells::Simplices(FrozenComplex::from_facets(&facets)?), Labels::default()));
+    }
+    let (labels, vertex_count) = Labels::compact(&mut facets);
+    let mut triangles = RaggedArray::new();
+    let mut edges = Vec::new();
+    for facet in facets.iter() {
+        match *facet {
+            [a, b] => edges.push([a, b]),
+            [_, _, _] => triangles.push(facet),
+            _ => {}
+        }
+    }
+    Ok((Cells::Polygons(PolygonMesh::new(vertex_count, triangles, &edges)?), labels))
+}
