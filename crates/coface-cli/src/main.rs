@@ -1,2 +1,40 @@
-//! The `coface` program.
-fn main() {}
+//! The `coface` program: exact topology of meshes and cell complexes from the command line.
+//!
+//! A verb is a file in `commands/`. It reads its input by [`input`], asks the library, and prints by [`output`]; what
+//! goes wrong comes back as a [`failure::Failure`] and is said here, once.
+
+mod arguments;
+mod commands;
+mod failure;
+mod input;
+mod output;
+mod progress;
+mod simplices;
+mod text;
+
+use arguments::Arguments;
+use clap::Parser;
+use failure::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match start_threads(&arguments).and_then(|()| commands::run(&arguments)) {
+        Ok(()) => ExitCode::SUCCESS,
+        // The reader of our output went away: it has what it wanted.
+        Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.say();
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Rayon's pool with the number of threads asked for; without the option rayon takes one a core.
+fn start_threads(arguments: &Arguments) -> Result<(), Failure> {
+    let Some(count) = arguments.common.threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(usize::from(count))
+        .build_global()
+        .map_err(|error| Failure::new(format!("cannot start {count} threads: {error}")))
+}

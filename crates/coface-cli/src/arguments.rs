@@ -1,0 +1,76 @@
+//! The command line: verbs and the options they share.
+
+use crate::commands;
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Args, Parser, Subcommand};
+use coface::io::Format;
+use std::path::PathBuf;
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::Green.on_default().bold())
+    .usage(AnsiColor::Green.on_default().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+/// Exact topology of meshes and cell complexes.
+///
+/// coface reads surfaces, volume meshes, facet lists and chain complexes, says what they are and what is wrong with
+/// them, and answers topological questions exactly, over the integers.
+#[derive(Parser)]
+#[command(name = "coface", version, styles = STYLES, max_term_width = 100, after_help = AFTER_HELP)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+const AFTER_HELP: &str = "\
+Vertices are numbered from 0 in the order of the file, whatever the format does.
+Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage.
+
+  coface info bunny.ply              what is it, and what is wrong with it?
+  coface homology torus.off --json   integral homology for a program
+  coface link mesh.obj --simplices 17
+  coface convert scan.ply -o scan.off";
+
+/// Options that every verb takes.
+#[derive(Args)]
+pub(crate) struct Common {
+    /// Print exactly one JSON object on standard output
+    #[arg(long, global = true, help_heading = "Common options")]
+    pub(crate) json: bool,
+    /// No progress and no remarks on standard error; errors are still said
+    #[arg(long, short, global = true, help_heading = "Common options")]
+    pub(crate) quiet: bool,
+    /// Use N threads [default: one a core]; results never depend on it
+    #[arg(long, value_name = "N", global = true, help_heading = "Common options",
+          value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Write the result to this file; its extension is the format
+    #[arg(short, long, value_name = "OUT", global = true, help_heading = "Common options")]
+    pub(crate) output: Option<PathBuf>,
+    /// Read the input as this format, instead of finding out: off, obj, ply, stl, ...
+    #[arg(long, value_name = "F", global = true, help_heading = "Common options", value_parser = format_of_name)]
+    pub(crate) format: Option<Format>,
+}
+
+/// The format of this name or extension.
+pub(crate) fn format_of_name(name: &str) -> Result<Format, String> {
+    Format::from_name(name).map_err(|error| error.to_string())
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Verb {
+    Info(commands::info::Info),
+    Homology(commands::homology::Homology),
+    Star(commands::star::Star),
+    Closure(commands::closure::Closure),
+    Link(commands::link::Link),
+    Boundary(commands::boundary::Boundary),
+    Interior(commands::interior::Interior),
+    Skeleton(commands::skeleton::Skeleton),
+    Convert(commands::convert::Convert),
+    Completions(commands::completions::Completions),
+    Man(commands::man::Man),
+}

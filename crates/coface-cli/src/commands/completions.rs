@@ -1,0 +1,25 @@
+//! `coface completions`: completions for a shell.
+
+use crate::arguments::Arguments;
+use crate::failure::Failure;
+use crate::output::print_bytes;
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+
+/// Print completions for a shell.
+///
+/// For instance: coface completions bash > ~/.local/share/bash-completion/completions/coface
+#[derive(Args)]
+pub(crate) struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+impl Completions {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        // Made in memory first: the generator takes a failure to write for a fault of its own.
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Arguments::command(), "coface", &mut script);
+        print_bytes(|out| out.write_all(&script))
+    }
+}

@@ -1,0 +1,76 @@
+//! `coface convert`: from one format to another.
+
+use crate::arguments::{Common, format_of_name};
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{print_bytes, print_json};
+use crate::progress::Progress;
+use clap::Args;
+use coface::Error;
+use coface::io::{self, Format, Model};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// Convert a model to another format.
+///
+/// The file named by -o is written in the format of its extension, unless --to says another; without -o the model goes to
+/// standard output in the format of --to. What the new format cannot hold is an error, never dropped in silence.
+#[derive(Args)]
+pub(crate) struct Convert {
+    /// The model; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json
+    #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
+    to: Option<Format>,
+}
+
+impl Convert {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let target = common.output.as_deref();
+        let Some(format) = self.to.or_else(|| target.and_then(Format::from_path)) else {
+            return Err(Failure::new(match target {
+                Some(path) => {
+                    format!("{}: the extension is no format known here; say it with --to", path.display())
+                }
+                None => "no format to write: give -o OUT, or --to FORMAT for standard output".to_owned(),
+            }));
+        };
+        if target.is_none() && common.json {
+            return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
+        }
+        let progress = Progress::start(common.quiet);
+        let loaded = input::read(&self.input, common.format, &progress)?;
+        let Some(path) = target else {
+            progress.stage("writing");
+            // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
+            let mut bytes = Vec::new();
+            io::write(&loaded.model, &mut bytes, format)?;
+            drop(progress);
+            return print_bytes(|out| out.write_all(&bytes));
+        };
+        progress.stage(format!("writing {}", path.display()));
+        io::write_path(&loaded.model, path, Some(format)).map_err(|error: Error| error)?;
+        drop(progress);
+        if common.json {
+            return print_json(&json!({
+                "file": loaded.name,
+                "format": loaded.format.name(),
+                "output": path.display().to_string(),
+                "output_format": format.name(),
+                "counts": counts(&loaded.model),
+            }));
+        }
+        Ok(())
+    }
+}
+
+/// What was written.
+fn counts(model: &Model) -> Value {
+    json!({
+        "vertices": model.vertex_count(),
+        "lines": model.lines().len(),
+        "polygons": model.polygons().len(),
+        "cells": model.cells().len(),
+    })
+}

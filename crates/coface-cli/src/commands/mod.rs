@@ -1,0 +1,34 @@
+//! The verbs, one a file.
+
+pub(crate) mod boundary;
+pub(crate) mod closure;
+pub(crate) mod completions;
+pub(crate) mod convert;
+pub(crate) mod homology;
+pub(crate) mod info;
+pub(crate) mod interior;
+pub(crate) mod link;
+pub(crate) mod man;
+pub(crate) mod skeleton;
+pub(crate) mod star;
+
+use crate::arguments::{Arguments, Verb};
+use crate::failure::Failure;
+
+/// Runs the verb of the command line.
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let common = &arguments.common;
+    match &arguments.verb {
+        Verb::Info(verb) => verb.run(common),
+        Verb::Homology(verb) => verb.run(common),
+        Verb::Star(verb) => verb.run(common),
+        Verb::Closure(verb) => verb.run(common),
+        Verb::Link(verb) => verb.run(common),
+        Verb::Boundary(verb) => verb.run(common),
+        Verb::Interior(verb) => verb.run(common),
+        Verb::Skeleton(verb) => verb.run(common),
+        Verb::Convert(verb) => verb.run(common),
+        Verb::Completions(verb) => verb.run(),
+        Verb::Man(verb) => verb.run(common),
+    }
+}

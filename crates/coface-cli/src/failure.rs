@@ -1,0 +1,43 @@
+//! What ends a run without its result.
+
+use coface::Error;
+use std::io::Write;
+
+/// Why a verb did not do its work.
+pub(crate) enum Failure {
+    /// One message for the user, with place, fault and cure.
+    Message(String),
+    /// Every message has been said already; the exit status is all that is left.
+    Said,
+    /// The reader of standard output went away.
+    ClosedPipe,
+}
+
+impl Failure {
+    pub(crate) fn new(message: impl Into<String>) -> Self {
+        Self::Message(message.into())
+    }
+
+    /// A failure to write to the thing of this name.
+    pub(crate) fn writing(name: &str, error: &std::io::Error) -> Self {
+        if error.kind() == std::io::ErrorKind::BrokenPipe {
+            return Self::ClosedPipe;
+        }
+        Self::Message(format!("{name}: cannot write: {error}"))
+    }
+
+    /// Prints `error: ...` on standard error.
+    pub(crate) fn say(&self) {
+        if let Self::Message(message) = self {
+            let style = anstyle::AnsiColor::Red.on_default().bold();
+            // A closed standard error leaves nobody to tell.
+            let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {message}");
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Message(error.to_string())
+    }
+}

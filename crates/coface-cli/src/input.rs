@@ -1,0 +1,40 @@
+//! Reading what the command line names.
+
+use crate::failure::Failure;
+use crate::progress::Progress;
+use coface::io::{self, Format, Model};
+use std::path::Path;
+
+/// A model with where it came from.
+pub(crate) struct Loaded {
+    pub(crate) name: String,
+    pub(crate) format: Format,
+    pub(crate) model: Model,
+}
+
+/// The name of an input for people.
+pub(crate) fn name(path: &Path) -> String {
+    if is_standard_input(path) { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Reads a file, or standard input for `-`, in this format or in the one that its name and content tell.
+pub(crate) fn read(path: &Path, format: Option<Format>, progress: &Progress) -> Result<Loaded, Failure> {
+    let name = name(path);
+    progress.stage(format!("reading {name}"));
+    let model = if is_standard_input(path) {
+        let stdin = std::io::stdin().lock();
+        let model = match format {
+            Some(format) => io::read(stdin, format),
+            None => io::read_unknown(stdin),
+        };
+        model.map_err(|error| error.in_file(name.clone()))?
+    } else {
+        io::read_path(path, format)?
+    };
+    let format = model.format().unwrap_or(Format::Json);
+    Ok(Loaded { name, format, model })
+}

@@ -1,0 +1,41 @@
+//! Where results go: standard output, or a file that appears whole or not at all.
+
+use crate::failure::Failure;
+use coface::io::replace_file;
+use serde_json::Value;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+/// Prints one JSON object on standard output, with a line end.
+pub(crate) fn print_json(value: &Value) -> Result<(), Failure> {
+    print_bytes(|out| {
+        serde_json::to_writer(&mut *out, value)?;
+        out.write_all(b"\n")
+    })
+}
+
+/// Prints text on standard output; its colors are taken away when that is no terminal.
+pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
+    let mut out = BufWriter::new(anstream::stdout().lock());
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| failed(&error))
+}
+
+/// Lets `write` write raw bytes to standard output.
+pub(crate) fn print_bytes(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| failed(&error))
+}
+
+fn failed(error: &io::Error) -> Failure {
+    Failure::writing("standard output", error)
+}
+
+/// Writes these bytes to a file.
+pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    Ok(replace_file(path, |out| Ok(out.write_all(bytes)?))?)
+}
+
+/// Writes one JSON object to a file, with a line end.
+pub(crate) fn write_json(path: &Path, value: &Value) -> Result<(), Failure> {
+    write_file(path, format!("{value}\n").as_bytes())
+}

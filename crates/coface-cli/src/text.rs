@@ -1,0 +1,535 @@
+//! The report for people: aligned, at 80 columns, with a gloss for each word a newcomer may not know.
+
+use anstyle::{AnsiColor, Style};
+use coface::report::{Answer, Kind, Problem, ProblemKind, Report};
+use coface::simplicial::SimplexSet;
+use coface::topology::{AbelianGroup, Coefficients};
+use std::fmt::Write;
+
+const WIDTH: usize = 80;
+/// Where values start.
+const INDENT: usize = 20;
+
+const TITLE: Style = Style::new().bold();
+const GOOD: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default();
+const ODD: Style = AnsiColor::Yellow.on_default();
+const GLOSS: Style = Style::new().dimmed();
+const PLAIN: Style = Style::new();
+
+/// How many places of a problem are listed when not all are asked for.
+pub(crate) const FEW: usize = 5;
+
+/// The report on the file of this name and format. Of each list the first `limit` items are shown.
+pub(crate) fn report(name: &str, format: &str, report: &Report, limit: usize) -> String {
+    let mut page = Page::default();
+    page.title(name, format);
+    page.paragraph(2, PLAIN, &summary(report));
+    page.blank();
+    cells(&mut page, report);
+    shape(&mut page, report);
+    boundary(&mut page, report, limit);
+    orientation(&mut page, report);
+    homology(&mut page, "homology over Z", report.homology(), "H_");
+    measures(&mut page, report);
+    problems(&mut page, report, limit);
+    page.text
+}
+
+/// A list of groups for people, with a title.
+pub(crate) fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: Coefficients) -> String {
+    let ring = match ring {
+        Coefficients::Modulo(n) => format!("(Z/{n})"),
+        ring => ring.to_string(),
+    };
+    let mut page = Page::default();
+    page.heading(title);
+    for (degree, group) in groups.iter().enumerate() {
+        page.paragraph(4, PLAIN, &format!("{symbol}{degree} = {}", group_over(group, &ring)));
+    }
+    if groups.is_empty() {
+        page.paragraph(4, PLAIN, "nothing: the complex is empty");
+    }
+    page.text
+}
+
+/// A group as text, with its free part over this ring.
+fn group_over(group: &AbelianGroup, ring: &str) -> String {
+    let torsion = AbelianGroup::new(0, group.torsion().to_vec());
+    let free = match group.betti() {
+        0 => return torsion.to_string(),
+        1 => ring.trim_matches(['(', ')']).to_owned(),
+        rank => format!("{ring}^{rank}"),
+    };
+    if torsion.is_trivial() { free } else { format!("{free} + {torsion}") }
+}
+
+/// Text being laid out.
+#[derive(Default)]
+struct Page {
+    text: String,
+}
+
+impl Page {
+    fn title(&mut self, name: &str, format: &str) {
+        let _ = writeln!(self.text, "{TITLE}{name}{TITLE:#}  {GLOSS}{format}{GLOSS:#}");
+    }
+
+    fn heading(&mut self, words: &str) {
+        let _ = writeln!(self.text, "  {TITLE}{words}{TITLE:#}");
+    }
+
+    fn blank(&mut self) {
+        self.text.push('\n');
+    }
+
+    /// Words broken into lines that start at column `indent`.
+    fn paragraph(&mut self, indent: usize, style: Style, words: &str) {
+        for line in wrapped(words, WIDTH - indent) {
+            let _ = writeln!(self.text, "{:indent$}{style}{line}{style:#}", "");
+        }
+    }
+
+    /// One fact: what it is called, what it is, what that means.
+    fn fact(&mut self, label: &str, style: Style, value: &str, gloss: &str) {
+        let _ = write!(self.text, "  {label:<width$}", width = INDENT - 2);
+        let mut lines = wrapped(value, WIDTH - INDENT).into_iter();
+        let mut last = lines.next().unwrap_or_default();
+        for line in lines {
+            let _ = write!(self.text, "{style}{last}{style:#}\n{:INDENT$}", "");
+            last = line;
+        }
+        let _ = write!(self.text, "{style}{last}{style:#}");
+        if !gloss.is_empty() {
+            let column = INDENT + last.chars().count() + 2;
+            let rest = gloss.chars().count();
+            if column + rest <= WIDTH {
+                let _ = write!(self.text, "  {GLOSS}{gloss}{GLOSS:#}");
+            } else {
+                for line in wrapped(gloss, WIDTH - INDENT) {
+                    let _ = write!(self.text, "\n{:INDENT$}{GLOSS}{line}{GLOSS:#}", "");
+                }
+            }
+        }
+        self.text.push('\n');
+    }
+}
+
+/// The words in lines of at most `width` characters; a longer word has a line of its own.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let mut length = 0;
+    for word in words.split(' ').filter(|word| !word.is_empty()) {
+        let added = word.chars().count();
+        match lines.last_mut() {
+            Some(line) if length + 1 + added <= width => {
+                line.push(' ');
+                line.push_str(word);
+                length += 1 + added;
+            }
+            _ => {
+                lines.push(word.to_owned());
+                length = added;
+            }
+        }
+    }
+    lines
+}
+
+/// `1 edge`, `1,204 edges`.
+pub(crate) fn count(number: usize, singular: &str) -> String {
+    format!("{} {}", grouped(number), if number == 1 { singular.to_owned() } else { plural(singular) })
+}
+
+fn plural(singular: &str) -> String {
+    match singular {
+        "vertex" => "vertices".to_owned(),
+        "tetrahedron" => "tetrahedra".to_owned(),
+        "hexahedron" => "hexahedra".to_owned(),
+        "simplex" => "simplices".to_owned(),
+        word => match word.split_once(" of ") {
+            Some((head, rest)) => format!("{} of {rest}", plural(head)),
+            None => format!("{word}s"),
+        },
+    }
+}
+
+/// Digits in groups of three.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// What the model is, in one sentence.
+fn summary(report: &Report) -> String {
+    let Some(dimension) = report.dimension() else {
+        return "The empty complex: no vertex, no cell.".to_owned();
+    };
+    if let Some(surface) = report.surface_type() {
+        let name = surface.to_string();
+        let article = if name.starts_with(['a', 'o']) { "An" } else { "A" };
+        return format!("{article} {name}.");
+    }
+    let thing = match (report.kind(), dimension) {
+        (_, 0) => "points".to_owned(),
+        (Kind::Planar, _) => "a drawing in the plane".to_owned(),
+        (Kind::Volume, _) => "a volume mesh".to_owned(),
+        (_, 1) => "a graph".to_owned(),
+        (Kind::Surface, _) => "a polygon mesh".to_owned(),
+        (_, dimension) => format!("a complex of dimension {dimension}"),
+    };
+    let mut sentence = format!("{}{}, {}", thing[..1].to_uppercase(), &thing[1..], connectedness(report));
+    if report.is_closed() == Some(false) {
+        sentence.push_str(", with boundary");
+    }
+    match (report.manifold(), dimension, report.name()) {
+        (Answer::Yes, 2, Some(name)) => {
+            let _ = write!(sentence, ": {name}");
+        }
+        (Answer::Yes, 2, None) => sentence.push_str(": a surface"),
+        (Answer::Yes, dimension, _) if dimension > 0 => {
+            let _ = write!(sentence, ": a {dimension}-manifold");
+        }
+        (Answer::No, ..) => sentence.push_str("; not a manifold"),
+        _ => {}
+    }
+    sentence.push('.');
+    sentence
+}
+
+fn connectedness(report: &Report) -> String {
+    match report.components() {
+        1 => "connected".to_owned(),
+        many => format!("in {} pieces", grouped(many)),
+    }
+}
+
+/// The name of a cell of this degree.
+fn cell_name(report: &Report, degree: usize) -> String {
+    match (degree, report.kind()) {
+        (0, _) => "vertex".to_owned(),
+        (1, _) => "edge".to_owned(),
+        (2, Kind::Complex) => "triangle".to_owned(),
+        (3, Kind::Complex) => "tetrahedron".to_owned(),
+        (2, _) => "face".to_owned(),
+        (3, _) => "cell".to_owned(),
+        (degree, _) => format!("cell of dimension {degree}"),
+    }
+}
+
+fn cells(page: &mut Page, report: &Report) {
+    let counts: Vec<String> = report
+        .f_vector()
+        .iter()
+        .enumerate()
+        .map(|(degree, &number)| count(number, &cell_name(report, degree)))
+        .collect();
+    let shapes: Vec<String> = report.shapes().iter().map(|&(name, number)| count(number, name)).collect();
+    let gloss = if report.kind() == Kind::Complex || shapes.is_empty() {
+        String::new()
+    } else {
+        format!("as {}", shapes.join(", "))
+    };
+    page.fact("cells", PLAIN, &if counts.is_empty() { "none".to_owned() } else { counts.join(", ") }, &gloss);
+    let Some(dimension) = report.dimension() else { return };
+    let gloss = match report.is_pure() {
+        Some(true) => format!("pure: every cell lies in one of dimension {dimension}"),
+        Some(false) => format!("not pure: some cells lie in none of dimension {dimension}"),
+        None => String::new(),
+    };
+    page.fact("dimension", PLAIN, &dimension.to_string(), &gloss);
+    let gloss = if report.components() == 1 { "connected" } else { "pieces that do not touch" };
+    page.fact("components", PLAIN, &grouped(report.components()), gloss);
+    let formula: String =
+        "VEFC".chars().take(dimension + 1).map(String::from).collect::<Vec<_>>().join(" - ");
+    let formula = match dimension {
+        0 => "V".to_owned(),
+        1..=3 => alternating(&formula),
+        _ => "alternating sum of the numbers of cells".to_owned(),
+    };
+    page.fact("Euler char.", PLAIN, &report.euler_characteristic().to_string(), &formula);
+}
+
+/// `V - E - F - C` with signs that alternate.
+fn alternating(formula: &str) -> String {
+    let mut minus = false;
+    formula
+        .split(" - ")
+        .enumerate()
+        .map(|(i, letter)| {
+            let sign = match (i, minus) {
+                (0, _) => "",
+                (_, true) => " - ",
+                (_, false) => " + ",
+            };
+            minus = !minus;
+            format!("{sign}{letter}")
+        })
+        .collect()
+}
+
+fn shape(page: &mut Page, report: &Report) {
+    let Some(dimension) = report.dimension() else { return };
+    match report.manifold() {
+        Answer::Yes => {
+            let gloss = match dimension {
+                0 => "points",
+                1 => "every vertex lies in one or two edges",
+                2 => "around every vertex the faces form one fan or ring",
+                3 => "around every vertex the cells form a ball or half ball",
+                _ => "every neighborhood is a ball or half ball",
+            };
+            page.fact("manifold", GOOD, "yes", gloss);
+        }
+        Answer::No => {
+            let gloss = report.witness().map_or("", |witness| witness.message());
+            page.fact("manifold", BAD, "no", gloss);
+        }
+        Answer::Unknown => {
+            let gloss = report.witness().map_or("not decided in this dimension", |witness| witness.message());
+            page.fact("manifold", ODD, "unknown", gloss);
+        }
+    }
+}
+
+fn boundary(page: &mut Page, report: &Report, limit: usize) {
+    if let Some(skin) = report.skin() {
+        let name = skin.name().map_or_else(
+            || if skin.is_manifold() { "a surface".to_owned() } else { "not a surface".to_owned() },
+            |name| name.to_owned(),
+        );
+        let gloss = format!("{name}; a boundary face lies in one cell only");
+        page.fact("boundary", PLAIN, &count(skin.face_count(), "face"), &gloss);
+        return;
+    }
+    let Some(loops) = report.boundary_loops() else {
+        match report.is_closed() {
+            Some(true) if report.dimension() > Some(0) => page.fact("boundary", PLAIN, "none", "closed"),
+            Some(false) => page.fact("boundary", PLAIN, "yes", "some facets lie in one top cell only"),
+            _ => {}
+        }
+        return;
+    };
+    if loops.is_empty() {
+        page.fact("boundary", PLAIN, "none", "closed: every edge lies in two or more faces");
+        return;
+    }
+    page.fact("boundary", PLAIN, &count(loops.len(), "loop"), "of edges that lie in one face only");
+    for (i, part) in loops.iter().enumerate().take(limit) {
+        let first: Vec<String> = part.vertices().iter().take(6).map(|vertex| format!("v{vertex}")).collect();
+        let more = if part.vertices().len() > first.len() { " .." } else { "" };
+        let several = if part.is_simple() { "" } else { " (several loops that touch)" };
+        page.fact(
+            "",
+            PLAIN,
+            &format!("loop {}: {}{several}", i + 1, count(part.edge_count(), "edge")),
+            &format!("{}{more}", first.join(" ")),
+        );
+    }
+    more_of(page, INDENT, loops.len(), limit, "loop");
+}
+
+/// `and 12 more loops (--all lists them)`.
+fn more_of(page: &mut Page, indent: usize, number: usize, limit: usize, name: &str) {
+    if number > limit {
+        let rest = number - limit;
+        let noun = if rest == 1 { name.to_owned() } else { plural(name) };
+        page.paragraph(indent, GLOSS, &format!("and {} more {noun} (--all lists them)", grouped(rest)));
+    }
+}
+
+fn orientation(page: &mut Page, report: &Report) {
+    match (report.is_orientable(), report.is_coherently_oriented()) {
+        (Some(true), Some(true)) => {
+            page.fact("orientable", GOOD, "yes", "and coherently oriented: neighbors agree");
+        }
+        (Some(true), Some(false)) => {
+            page.fact("orientable", ODD, "yes", "but not coherently oriented: some neighbors disagree");
+        }
+        (Some(true), None) => page.fact("orientable", GOOD, "yes", "an orientation can be chosen all over"),
+        (Some(false), _) => {
+            page.fact("orientable", ODD, "no", "along some closed path the orientation comes back reversed");
+        }
+        (None, _) => {}
+    }
+    if let Some(surface) = report.surface_type() {
+        let gloss = match surface.is_orientable() {
+            true => "number of handles",
+            false => "number of cross-caps",
+        };
+        page.fact("genus", PLAIN, &surface.genus().to_string(), gloss);
+    }
+}
+
+fn homology(page: &mut Page, title: &str, groups: &[AbelianGroup], symbol: &str) {
+    for (degree, group) in groups.iter().enumerate() {
+        let label = if degree == 0 { title } else { "" };
+        page.fact(label, PLAIN, &format!("{symbol}{degree} = {group}"), &homology_gloss(degree, group));
+    }
+}
+
+/// What a homology group counts.
+fn homology_gloss(degree: usize, group: &AbelianGroup) -> String {
+    let things = match degree {
+        0 => "component",
+        1 => "independent loop",
+        2 => "enclosed cavity",
+        _ => "independent cycle",
+    };
+    let free = match (group.betti(), degree) {
+        (0, _) => String::new(),
+        (number, 2) if number != 1 => format!("{} enclosed cavities", grouped(number)),
+        (number, _) => count(number, things),
+    };
+    let torsion = match group.torsion() {
+        [] => String::new(),
+        [order] => format!("a cycle that bounds only {order} times over"),
+        orders => format!("{} cycles that bound only several times over", orders.len()),
+    };
+    match (free.is_empty(), torsion.is_empty()) {
+        (false, false) => format!("{free}; {torsion}"),
+        _ => free + &torsion,
+    }
+}
+
+fn measures(page: &mut Page, report: &Report) {
+    if let Some(area) = report.area() {
+        page.fact("area", PLAIN, &number(area), "");
+    }
+    if let Some(volume) = report.signed_volume() {
+        let gloss = match (report.kind(), volume < 0.0) {
+            (Kind::Volume, _) => "sum of the signed volumes of the cells",
+            (_, false) => "positive: the faces look outward",
+            (_, true) => "negative: the faces look inward",
+        };
+        page.fact("signed volume", PLAIN, &number(volume), gloss);
+    }
+}
+
+/// Six significant digits.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e7).contains(&size) {
+        let digits = (5 - size.log10().floor() as i32).clamp(0, 9) as usize;
+        let text = format!("{value:.digits$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+fn problems(page: &mut Page, report: &Report, limit: usize) {
+    let said: Vec<&str> = report.problems().iter().map(Problem::message).collect();
+    let remarks: Vec<&String> =
+        report.warnings().iter().filter(|warning| !said.contains(&warning.as_str())).collect();
+    page.blank();
+    if said.is_empty() && remarks.is_empty() {
+        page.paragraph(2, GOOD, "No problems found.");
+        return;
+    }
+    page.heading("problems");
+    for problem in report.problems() {
+        let style = match problem.kind() {
+            ProblemKind::NonManifoldRidge | ProblemKind::NonManifoldEdge | ProblemKind::NonManifoldVertex => {
+                BAD
+            }
+            _ => ODD,
+        };
+        bullet(page, style, problem.message());
+        places(page, problem, limit);
+    }
+    for remark in remarks {
+        bullet(page, ODD, remark);
+    }
+}
+
+fn bullet(page: &mut Page, style: Style, words: &str) {
+    for (i, line) in wrapped(words, WIDTH - 4).into_iter().enumerate() {
+        let mark = if i == 0 { "*" } else { " " };
+        let _ = writeln!(page.text, "  {style}{mark}{style:#} {line}");
+    }
+}
+
+/// The first places of a problem: the cells by their vertices, and the top cells that meet there.
+fn places(page: &mut Page, problem: &Problem, limit: usize) {
+    let (cells, tops) = (problem.cells(), problem.tops());
+    let letter = if problem.top_name() == "cell" { 'c' } else { 'f' };
+    let name = |i: usize| {
+        let vertices: Vec<String> = cells.list(i).iter().map(|vertex| format!("v{vertex}")).collect();
+        match vertices.len() {
+            1 => vertices.concat(),
+            _ => format!("{{{}}}", vertices.join(" ")),
+        }
+    };
+    let meeting = |i: usize| -> Vec<String> {
+        if i < tops.len() {
+            tops.list(i).iter().map(|top| format!("{letter}{top}")).collect()
+        } else {
+            Vec::new()
+        }
+    };
+    let shown = cells.len().min(limit);
+    if (0..shown).all(|i| meeting(i).is_empty()) {
+        // Short names run on in lines: isolated vertices.
+        let names: Vec<String> = (0..cells.len().min(limit.saturating_mul(3))).map(name).collect();
+        page.paragraph(6, PLAIN, &names.join(" "));
+        more_of(page, 6, cells.len(), names.len(), "place");
+        return;
+    }
+    for i in 0..shown {
+        let meeting = meeting(i);
+        let first: Vec<String> = meeting.iter().take(8).cloned().collect();
+        let more = if meeting.len() > first.len() { " .." } else { "" };
+        page.paragraph(6, PLAIN, &format!("{} in {}{more}", name(i), first.join(" ")));
+    }
+    more_of(page, 6, cells.len(), limit, "place");
+}
+
+/// How many simplices of a set are printed.
+const MANY: usize = 200;
+
+/// A set of simplices for people.
+pub(crate) fn simplices(what: &str, set: &SimplexSet) -> String {
+    let mut page = Page::default();
+    let counts: Vec<String> = set
+        .f_vector()
+        .iter()
+        .enumerate()
+        .filter(|&(_, &number)| number > 0)
+        .map(|(degree, &number)| match degree {
+            0 => count(number, "vertex"),
+            1 => count(number, "edge"),
+            2 => count(number, "triangle"),
+            3 => count(number, "tetrahedron"),
+            degree => count(number, &format!("simplex of dimension {degree}")),
+        })
+        .collect();
+    page.title(
+        what,
+        if set.is_complex() { "a complex" } else { "a set, not a complex: some faces are missing" },
+    );
+    page.paragraph(2, PLAIN, &if counts.is_empty() { "empty".to_owned() } else { counts.join(", ") });
+    let names: Vec<String> = set
+        .iter()
+        .take(MANY)
+        .map(|simplex| {
+            let vertices: Vec<String> = simplex.numbers().iter().map(ToString::to_string).collect();
+            // The spaces inside a simplex do not break a line.
+            format!("{{{}}}", vertices.join("\u{a0}"))
+        })
+        .collect();
+    page.paragraph(4, PLAIN, &names.join(" "));
+    if set.len() > MANY {
+        page.paragraph(4, GLOSS, &format!("and {} more (--json lists all)", grouped(set.len() - MANY)));
+    }
+    page.text.replace('\u{a0}', " ")
+}
