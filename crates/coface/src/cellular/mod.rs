@@ -8,14 +8,17 @@
 //!   the sum of its sides as seen from outside.
 //! * [`VolumeVerdict`], [`VolumeOrientation`]: exact answers with the cells that prove a no.
 //! * [`BoundarySurface`]: the faces of exactly one cell.
+//! * [`cell_volumes`]: what cells with positions measure.
 
 mod boundary;
 mod cell_mesh;
 mod face_identification;
 mod manifold;
+mod measure;
 mod shape;
 
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
 pub use manifold::{VolumeDefect, VolumeVerdict};
+pub use measure::{CellVolumes, cell_volumes};
 pub use shape::CellShape;
