@@ -327,4 +327,32 @@ mod table {
             }
         }
     }
+
+    /// Complexes of a library, with its facts: facet lists of manifolds and pseudomanifolds.
+    #[test]
+    fn facet_lists_of_others_agree() {
+        let Some(folder) = std::env::var_os("COFACE_DATA") else {
+            println!("skipped: COFACE_DATA names no folder");
+            return;
+        };
+        let path = std::path::Path::new(&folder).join("complexes/facet_lists.json");
+        let records: serde_json::Value =
+            serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+        for record in records.as_array().unwrap() {
+            let name = record["name"].as_str().unwrap();
+            let facets: Vec<Vec<u32>> = serde_json::from_value(record["facets"].clone()).unwrap();
+            let complex = SimplicialComplex::from_facets(&facets).unwrap();
+            let f_vector: Vec<usize> = serde_json::from_value(record["f_vector"].clone()).unwrap();
+            assert_eq!(complex.f_vector(), f_vector, "{name}");
+            assert_eq!(complex.purity().is_pure(), record["pure"].as_bool().unwrap(), "{name}");
+            let found = complex.orientability().unwrap().to_bool();
+            assert_eq!(found, record["orientable"].as_bool(), "{name}");
+            // The pseudomanifolds of the list are no manifolds, all others are.
+            let is_manifold = !name.starts_with("PM");
+            let verdict = complex.manifold_verdict().unwrap();
+            assert_eq!(verdict.to_bool(), Some(is_manifold), "{name}: {verdict:?}");
+            let boundary = complex.boundary_complex(&complex).unwrap();
+            assert_eq!(boundary.is_empty(), record["closed"].as_bool().unwrap(), "{name}");
+        }
+    }
 }

@@ -662,3 +662,168 @@ fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::known_spaces;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[derive(Clone, Copy, PartialEq, Eq)]
+    enum Kind {
+        Sphere,
+        Ball,
+        Neither,
+    }
+
+    /// The definition word for word, up to dimension 2: what a link is.
+    fn kind(link: &SimplicialComplex, dimension: usize) -> Kind {
+        if dimension == 0 {
+            return match link.f_vector().as_slice() {
+                [2] => Kind::Sphere,
+                [1] => Kind::Ball,
+                _ => Kind::Neither,
+            };
+        }
+        if !is_manifold(link, dimension) || link.components().len() != 1 {
+            return Kind::Neither;
+        }
+        let closed = vertex_kinds(link, dimension).all(|k| k == Kind::Sphere);
+        match (closed, dimension, link.euler_characteristic()) {
+            (true, 1, _) | (true, 2, 2) => Kind::Sphere,
+            (false, 1, _) | (false, 2, 1) => Kind::Ball,
+            _ => Kind::Neither,
+        }
+    }
+
+    fn vertex_kinds(complex: &SimplicialComplex, dimension: usize) -> impl Iterator<Item = Kind> {
+        complex.vertices().map(move |v| kind(&complex.link(Simplex::vertex(v)).unwrap(), dimension - 1))
+    }
+
+    fn is_manifold(complex: &SimplicialComplex, dimension: usize) -> bool {
+        complex.facets().iter().all(|facet| facet.dimension() == dimension)
+            && (dimension == 0 || vertex_kinds(complex, dimension).all(|k| k != Kind::Neither))
+    }
+
+    /// Some facets of a closed manifold, and sometimes a foreign one.
+    fn part_of(whole: &SimplicialComplex) -> impl Strategy<Value = SimplicialComplex> + use<> {
+        let facets = whole.facets();
+        let (size, width) = (facets.len(), facets[0].vertex_count());
+        let foreign = prop::option::weighted(0.2, prop::collection::btree_set(0u32..8, 1..=width));
+        (prop::collection::vec(prop::bool::weighted(0.7), size), foreign).prop_map(
+            move |(chosen, foreign)| {
+                let kept = facets.iter().zip(chosen).filter(|(_, c)| *c).map(|(f, _)| f.numbers().to_vec());
+                SimplicialComplex::from_facets(kept.chain(foreign.map(|f| f.into_iter().collect()))).unwrap()
+            },
+        )
+    }
+
+    fn any_part() -> impl Strategy<Value = SimplicialComplex> {
+        let wholes = [
+            known_spaces::circle(6),
+            known_spaces::cross_polytope_boundary(2),
+            known_spaces::cyclic_torus(2),
+            known_spaces::projective_plane(),
+            known_spaces::simplex_boundary(3),
+            known_spaces::cross_polytope_boundary(3),
+            known_spaces::projective_plane().and_then(|plane| Ok(plane.suspension()?.0)),
+        ];
+        prop::strategy::Union::new(wholes.map(|whole| part_of(&whole.unwrap()).boxed()))
+    }
+
+    proptest! {
+        #[test]
+        fn the_verdict_is_the_definition_up_to_dimension_3(complex in any_part()) {
+            let expected = complex.dimension().is_none_or(|n| is_manifold(&complex, n));
+            let verdict = complex.manifold_verdict().unwrap();
+            prop_assert_eq!(verdict.to_bool(), Some(expected), "{:?}", verdict);
+            match verdict {
+                ManifoldVerdict::Yes(certificate) => {
+                    let boundary = complex.boundary_complex(&complex).unwrap();
+                    prop_assert_eq!(certificate.is_closed(), boundary.is_empty());
+                    if let Some(n) = boundary.dimension() {
+                        prop_assert_eq!(certificate.boundary_ridge_count, boundary.simplex_count(n));
+                        prop_assert!(boundary.boundary_complex(&boundary).unwrap().is_empty());
+                        prop_assert_eq!(boundary.manifold_verdict().unwrap().to_bool(), Some(true));
+                    }
+                }
+                ManifoldVerdict::No(witness) => check_witness(&complex, &witness),
+                ManifoldVerdict::Unknown(_) => prop_assert!(false),
+            }
+        }
+    }
+
+    /// The cells of a witness have the fault it names.
+    fn check_witness(complex: &SimplicialComplex, witness: &ManifoldWitness) {
+        let n = complex.dimension().unwrap();
+        let (first, rest) = witness.cells().split_first().unwrap();
+        let link = complex.link(first).unwrap();
+        assert!(rest.iter().all(|facet| first.is_face_of(facet) && facet.dimension() == n));
+        match witness.fault() {
+            LinkFault::NotPure => assert!(link.is_empty() && first.dimension() < n),
+            LinkFault::BranchingRidge => assert!(rest.len() == link.len() && rest.len() > 2),
+            LinkFault::LinkNotConnected => {
+                let parts = link.components();
+                assert!(parts.len() == rest.len() && rest.len() > 1);
+                for facet in rest {
+                    let own = facet.difference(first).unwrap().vertices().next().unwrap();
+                    assert_eq!(parts.iter().filter(|part| part.contains(&own)).count(), 1);
+                }
+            }
+            LinkFault::LinkNotASphere => {
+                assert!(is_manifold(&link, 2) && kind(&link, 2) == Kind::Neither && rest.is_empty());
+            }
+            fault => panic!("{fault:?} cannot be up to dimension 3"),
+        }
+        assert!(witness.count() > 0 && !witness.message().is_empty());
+    }
+
+    fn witness_of(complex: &SimplicialComplex) -> ManifoldWitness {
+        complex.manifold_verdict().unwrap().witness().unwrap().clone()
+    }
+
+    #[test]
+    fn witnesses_name_the_cells() {
+        let book = witness_of(&known_spaces::book(3).unwrap());
+        assert_eq!(book.message(), "{0, 1} lies in 3 simplices of dimension 2; a manifold allows two");
+        assert_eq!(book.cells()[1..], [[0, 1, 2], [0, 1, 3], [0, 1, 4]].map(Simplex::from));
+        let pinched = witness_of(&known_spaces::pinched_torus_grid(6, 6).unwrap());
+        assert_eq!(pinched.message(), "the link of {0} falls into 2 parts; that of a manifold is connected");
+        let torus = known_spaces::cyclic_torus(2).unwrap();
+        let cone = witness_of(&torus.cone().unwrap().0);
+        assert_eq!(
+            cone.message(),
+            "the link of {7} is a surface with no boundary and Euler characteristic 0; a sphere has 2"
+        );
+        let suspension = witness_of(&torus.suspension().unwrap().0);
+        assert_eq!((suspension.count(), suspension.fault().as_str()), (2, "link_not_a_sphere"));
+        let rp3 = known_spaces::real_projective_space(3).unwrap();
+        let bad = witness_of(&rp3.suspension().unwrap().0);
+        assert_eq!(bad.fault(), LinkFault::LinkHomology);
+        assert!(bad.message().contains("the Betti numbers 1 0 0 1, with torsion"), "{}", bad.message());
+    }
+
+    #[test]
+    fn certificates_say_what_was_seen() {
+        let verdict = |complex: SimplicialComplex| complex.manifold_verdict().unwrap();
+        let ManifoldVerdict::Yes(ball) = verdict(known_spaces::simplex(4).unwrap()) else { panic!("a ball") };
+        assert_eq!((ball.dimension, ball.boundary_ridge_count, ball.collapsed_link_count), (Some(4), 5, 5));
+        let ManifoldVerdict::Yes(empty) = verdict(SimplicialComplex::new()) else { panic!("empty") };
+        assert!(empty.is_closed() && empty.dimension.is_none());
+        let ManifoldVerdict::Yes(plane) = verdict(known_spaces::complex_projective_plane().unwrap()) else {
+            panic!("a 4-manifold")
+        };
+        assert!(plane.is_closed() && plane.collapsed_link_count == 9);
+    }
+
+    /// The homology sphere of Poincare is no sphere; nothing here may say it is.
+    #[test]
+    fn homology_spheres_stay_open() {
+        let poincare = known_spaces::glued_solid(known_spaces::Solid::Dodecahedron, 2).unwrap();
+        let chains = poincare.chain_complex().unwrap();
+        assert_eq!(homology_sizes(&chains), [(1, 0), (0, 0), (0, 0), (1, 0)]);
+        assert!(!is_seen_as_sphere(&chains));
+        let witness = witness_of(&poincare.suspension().unwrap().0);
+        assert_eq!(witness.fault(), LinkFault::LinkNotRecognized);
+    }
+}

@@ -8,9 +8,15 @@
 //!   It changes: simplices are inserted with their faces and erased with their cofaces.
 //! * The **star** of a simplex is the set of its **cofaces**, the simplices it is a face of; the **closed star** adds
 //!   their faces. The **adjacent vertices** of a vertex share an edge with it.
+//! * The **link** of a set S of simplices is the closure of its star minus the star of its closure
+//!   ([`SimplicialComplex::link`]); **bd** of a pure complex is [`SimplicialComplex::boundary_complex`], a set operator, not
+//!   the boundary of a chain. A [`SimplexSet`] is a set of simplices that need not be a complex.
+//! * A **combinatorial manifold** has spheres and balls as links; [`ManifoldVerdict`] is yes, no or unknown. Facets are
+//!   **oriented consistently** when neighbors induce opposite signs on the common ridge: [`orientability`].
 //! * A [`FrozenComplex`] is a complex at rest, in sorted flat arrays; boundary and incidence matrices are made from it.
 //!   Its cells are in lexicographic order, as are those of every chain complex made here.
 
+mod attached_disk;
 mod collapse;
 mod complex;
 mod components;

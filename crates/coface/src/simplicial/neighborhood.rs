@@ -183,7 +183,17 @@ impl SimplexSet {
     /// [`ErrorKind::NotAComplex`] naming a member and a face of it that is missing.
     pub fn to_complex(&self) -> Result<SimplicialComplex, Error> {
         self.require_complex()?;
-        SimplicialComplex::from_facets(self.maximal_simplices().iter())
+        self.spanned_complex()
+    }
+
+    /// The complex of all faces of all members. In low dimension the faces that many members have in common cost less than
+    /// the search for the members that would do.
+    pub(super) fn spanned_complex(&self) -> Result<SimplicialComplex, Error> {
+        if self.levels.len() <= 4 {
+            SimplicialComplex::from_facets(self.iter())
+        } else {
+            SimplicialComplex::from_facets(self.maximal_simplices().iter())
+        }
     }
 
     pub(super) fn require_complex(&self) -> Result<(), Error> {
@@ -352,7 +362,7 @@ impl SimplicialComplex {
     pub fn closure(&self, of: impl Into<SimplexSet>) -> Result<SimplicialComplex, Error> {
         let of = of.into();
         self.require_members(&of)?;
-        Self::from_facets(of.iter())
+        of.spanned_complex()
     }
 
     /// The link: what the neighborhood of S leaves when everything touching it is taken away.
@@ -381,7 +391,7 @@ impl SimplicialComplex {
     /// # Ok(()) }
     /// ```
     pub fn link(&self, of: impl Into<SimplexSet>) -> Result<SimplicialComplex, Error> {
-        Self::from_facets(self.link_simplices(of)?.maximal_simplices().iter())
+        self.link_simplices(of)?.spanned_complex()
     }
 
     /// The simplices of [`Self::link`] as a set: quicker to make than the complex.

@@ -4,7 +4,7 @@
 //! i of $[v_0 \dots v_k]$ induces on that face the orientation $(-1)^i [v_0 \dots \hat v_i \dots v_k]$. Two k-simplices
 //! with a common (k-1)-face **agree** when they induce opposite orientations on it: ijk agrees with jil, not with ijl.
 
-use super::{Simplex, SimplicialComplex};
+use super::SimplicialComplex;
 use crate::algebra::{Sign, SparseMatrix, UnionFind};
 use crate::chains::ChainComplex;
 use crate::{Error, VertexId};
@@ -467,7 +467,7 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::known_spaces;
+    use super::super::{Simplex, known_spaces};
     use super::*;
     use proptest::prelude::*;
 

@@ -117,7 +117,7 @@ impl SimplicialComplex {
     pub fn skeleton(&self, k: usize) -> Result<Self, Error> {
         let set: SimplexSet =
             (0..=k.min(self.dimension().unwrap_or(0))).flat_map(|i| self.simplices(i)).collect();
-        Self::from_facets(set.maximal_simplices().iter())
+        set.spanned_complex()
     }
 
     /// The subcomplex induced on some vertices: all simplices that have no others. Vertices that are not in the complex
@@ -146,7 +146,7 @@ impl SimplicialComplex {
             (!face.is_empty()).then(|| Simplex::from_sorted(&face))
         });
         let faces: SimplexSet = faces.collect();
-        Self::from_facets(faces.maximal_simplices().iter())
+        faces.spanned_complex()
     }
 }
 
