@@ -1,6 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::{Format, Model, format, json, medit, msh, obj, off, output, ply, stl};
+use super::{Format, Model, format, json, medit, msh, obj, off, output, ply, stl, vtk};
 use crate::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -116,8 +116,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Stl => stl::write(model, out, stl::Encoding::default()),
         Format::Medit => medit::write(model, out),
         Format::Msh => msh::write(model, out, msh::Version::default()),
+        Format::Vtk => vtk::write(model, out, vtk::Encoding::default()),
         Format::Json => json::write(model, out),
-        _ => Err(not_built(format)),
     }
 }
 
@@ -197,12 +197,8 @@ fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) 
         Format::Stl => stl::read(input)?,
         Format::Medit => medit::read(input)?,
         Format::Msh => msh::read(input)?,
+        Format::Vtk => vtk::read(input)?,
         Format::Json => json::read(input)?,
-        _ => return Err(not_built(format)),
     };
     Ok(model.with_format(format))
-}
-
-fn not_built(format: Format) -> Error {
-    Error::new(ErrorKind::UnsupportedFormat, format!("{} is not supported yet", format.title()))
 }

@@ -24,6 +24,7 @@ mod samples;
 mod scanner;
 pub mod stl;
 mod values;
+pub mod vtk;
 
 pub use doors::{read, read_path, read_unknown, write, write_path};
 pub use format::Format;

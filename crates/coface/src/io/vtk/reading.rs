@@ -1,0 +1,350 @@
+//! The header, and the kinds of data sets.
+
+use super::cell_types::{CellType, unread_name};
+use super::grids;
+use super::lists::{Lists, read_lists};
+use crate::io::Model;
+use crate::io::assembly::{Assembly, Kind};
+use crate::io::scanner::{Scanner, quoted};
+use crate::io::values::{Encoding, NumberType, Values};
+use crate::{Error, ErrorKind};
+use std::io::Read;
+
+/// Reads a legacy VTK file, text or binary, of any version.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] and [`ErrorKind::InvalidInput`] with the line (the byte in a binary file): a word or number out
+/// of place, an index outside the points, a cell that repeats a point, a file that was cut short;
+/// [`ErrorKind::UnsupportedFormat`] for types of cells that are not known here.
+///
+/// # Complexity
+/// Linear; memory is the model and one list of cells.
+///
+/// # References
+/// W. Schroeder, K. Martin, B. Lorensen, *The Visualization Toolkit* (2006), appendix "VTK file formats".
+///
+/// # Examples
+/// ```
+/// use coface::io::vtk;
+/// # fn main() -> Result<(), coface::Error> {
+/// let text = b"# vtk DataFile Version 3.0
+/// one square
+/// ASCII
+/// DATASET POLYDATA
+/// POINTS 4 float
+/// 0 0 0  1 0 0  1 1 0  0 1 0
+/// POLYGONS 1 5
+/// 4 0 1 2 3
+/// ";
+/// assert_eq!(vtk::read(&text[..])?.polygons().list(0), [0, 1, 2, 3]);
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    let mut reader = Reader {
+        values: Values::new(Scanner::new(input), Encoding::Ascii),
+        assembly: Assembly::new(3),
+        cells: None,
+        has_dataset: false,
+        has_offsets: false,
+        grid: grids::Grid::default(),
+    };
+    reader.read_header()?;
+    while let Some(keyword) = reader.next_keyword()? {
+        if !reader.read_section(&keyword)? {
+            break;
+        }
+    }
+    reader.finish()
+}
+
+pub(super) struct Reader<R> {
+    pub(super) values: Values<R>,
+    pub(super) assembly: Assembly,
+    /// The cells of an unstructured grid, before their types are known.
+    cells: Option<Lists>,
+    has_dataset: bool,
+    pub(super) has_offsets: bool,
+    pub(super) grid: grids::Grid,
+}
+
+impl<R: Read> Reader<R> {
+    fn read_header(&mut self) -> Result<(), Error> {
+        const MARK: &[u8] = b"# vtk DataFile";
+        let first = self.values.scanner.next_line()?.unwrap_or_default().to_vec();
+        if first.len() < MARK.len() || !first[..MARK.len()].eq_ignore_ascii_case(MARK) {
+            let message = format!("{} stands where \"# vtk DataFile Version\" should", quoted(&first));
+            return Err(self.values.error(message).with_cure("check that this is a legacy VTK file"));
+        }
+        // Since version 5 lists are offsets and connectivity.
+        let digits = first[MARK.len()..].iter().skip_while(|byte| !byte.is_ascii_digit());
+        let major: Vec<u8> = digits.copied().take_while(u8::is_ascii_digit).collect();
+        self.has_offsets = !matches!(major.as_slice(), [] | [b'0'..=b'4']);
+        self.values.scanner.next_line()?;
+        let encoding = self.values.scanner.expect_token("ASCII or BINARY")?.to_ascii_uppercase();
+        match encoding.as_slice() {
+            b"ASCII" => {}
+            b"BINARY" => {
+                self.values.scanner.next_line()?;
+                self.values.encoding = Encoding::BigEndian;
+            }
+            _ => {
+                let message = format!("{} stands where ASCII or BINARY should", quoted(&encoding));
+                return Err(self.values.error(message).with_cure("the title must be one line"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The next keyword, in capitals.
+    fn next_keyword(&mut self) -> Result<Option<Vec<u8>>, Error> {
+        Ok(self.values.scanner.next_token()?.map(<[u8]>::to_ascii_uppercase))
+    }
+
+    /// Reads what follows a keyword; false at the end of the mesh.
+    fn read_section(&mut self, keyword: &[u8]) -> Result<bool, Error> {
+        match keyword {
+            b"DATASET" => {
+                let dataset = self.values.scanner.expect_token("the kind of data set")?.to_ascii_uppercase();
+                match dataset.as_slice() {
+                    b"UNSTRUCTURED_GRID" | b"POLYDATA" => {}
+                    b"STRUCTURED_POINTS" => self.grid.kind = Some(grids::GridKind::Uniform),
+                    b"RECTILINEAR_GRID" => self.grid.kind = Some(grids::GridKind::Rectilinear),
+                    b"STRUCTURED_GRID" => self.grid.kind = Some(grids::GridKind::Curved),
+                    _ => {
+                        let message = format!("data sets of the kind {} hold no mesh", quoted(&dataset));
+                        let error = Error::new(ErrorKind::UnsupportedFormat, message);
+                        let cure = "save it as UNSTRUCTURED_GRID or POLYDATA";
+                        return Err(error.at_line(self.values.scanner.line_number()).with_cure(cure));
+                    }
+                }
+                self.has_dataset = true;
+            }
+            // What belongs to points and cells comes behind the mesh.
+            b"POINT_DATA" | b"CELL_DATA" => return Ok(false),
+            b"FIELD" => self.skip_field()?,
+            b"METADATA" => self.skip_metadata()?,
+            _ if !self.has_dataset => {
+                let message = format!("{} stands where DATASET should", quoted(keyword));
+                return Err(self.header_error(message, "give the kind of the data set after ASCII or BINARY"));
+            }
+            b"POINTS" => self.read_points()?,
+            b"CELLS" => {
+                self.cells = Some(read_lists(self, "CELLS")?);
+            }
+            b"CELL_TYPES" => self.read_types()?,
+            b"VERTICES" => self.read_polydata("VERTICES", CellType::Points)?,
+            b"LINES" => self.read_polydata("LINES", CellType::Polyline)?,
+            b"POLYGONS" => self.read_polydata("POLYGONS", CellType::Polygon)?,
+            b"TRIANGLE_STRIPS" => self.read_polydata("TRIANGLE_STRIPS", CellType::Strip)?,
+            b"DIMENSIONS" | b"ORIGIN" | b"SPACING" | b"ASPECT_RATIO" | b"X_COORDINATES"
+            | b"Y_COORDINATES" | b"Z_COORDINATES" => grids::read_line(self, keyword)?,
+            _ => {
+                let message = format!("{} is no keyword of a VTK file", quoted(keyword));
+                return Err(self.header_error(message, "check the count of the section before"));
+            }
+        }
+        Ok(true)
+    }
+
+    fn header_error(&self, message: String, cure: &str) -> Error {
+        self.values.error(message).with_cure(cure)
+    }
+
+    pub(super) fn read_points(&mut self) -> Result<(), Error> {
+        if self.assembly.vertex_count() > 0 {
+            return Err(self.header_error("the points are given twice".to_owned(), "keep one section POINTS"));
+        }
+        let count = self.values.scanner.expect_u64("the count of points")?;
+        let number = self.read_type()?;
+        self.values.end_line()?;
+        for _ in 0..count {
+            let mut point = [0.0; 3];
+            for coordinate in &mut point {
+                *coordinate = self.values.float(number, "a coordinate")?;
+            }
+            self.assembly.add_vertex(&point).map_err(|fault| self.values.located(fault))?;
+        }
+        Ok(())
+    }
+
+    /// The type of the numbers of an array.
+    pub(super) fn read_type(&mut self) -> Result<NumberType, Error> {
+        let name = self.values.scanner.expect_token("a type of numbers")?.to_ascii_lowercase();
+        number_type(&name).ok_or_else(|| {
+            let message = format!("{} is no type of numbers", quoted(&name));
+            self.header_error(message, "use float, double, int, vtktypeint64 or their like")
+        })
+    }
+
+    fn read_polydata(&mut self, keyword: &str, cell_type: CellType) -> Result<(), Error> {
+        let lists = read_lists(self, keyword)?;
+        for i in 0..lists.len() {
+            self.add_cell(cell_type, lists.list(i)).map_err(|fault| lists.place(i, fault))?;
+        }
+        Ok(())
+    }
+
+    fn read_types(&mut self) -> Result<(), Error> {
+        let count = self.values.scanner.expect_u64("the count of cell types")?;
+        // Without cells the section CELLS may be missing.
+        let Some(cells) = self.cells.take().or((count == 0).then(Lists::default)) else {
+            return Err(self.header_error("CELL_TYPES stand before CELLS".to_owned(), "put CELLS first"));
+        };
+        if count != cells.len() as u64 {
+            let message = format!("there are {count} cell types for {} cells", cells.len());
+            return Err(self.header_error(message, "give each cell one type"));
+        }
+        self.values.end_line()?;
+        for i in 0..cells.len() {
+            let number = self.values.integer(NumberType::Int32, "the type of a cell")?;
+            let Some(cell_type) = CellType::from_number(number) else {
+                let message = format!("cell {i} has type {number}: {} are not read", unread_name(number));
+                let fault = Error::new(ErrorKind::UnsupportedFormat, message);
+                return Err(self
+                    .values
+                    .located(fault.with_cure("split such cells into hexahedra or tetrahedra")));
+            };
+            self.add_cell(cell_type, cells.list(i)).map_err(|fault| cells.place(i, fault))?;
+        }
+        Ok(())
+    }
+
+    /// Adds what a cell of this type becomes.
+    fn add_cell(&mut self, cell_type: CellType, vertices: &[u32]) -> Result<(), Error> {
+        let count = vertices.len();
+        let has_too_few = |least: usize, what: &str| {
+            Error::invalid(format!("a {what} has {count} points; it needs {least}")).with_cure("remove it")
+        };
+        let number = |vertex: u32| u64::from(vertex);
+        match cell_type {
+            CellType::Empty => {}
+            CellType::Points => {
+                for vertex in vertices {
+                    self.assembly.add(Kind::Point, 1, &[*vertex], number)?;
+                }
+            }
+            CellType::Polyline if count < 2 => return Err(has_too_few(2, "polyline")),
+            CellType::Polyline => {
+                self.assembly.add(Kind::Line, count, vertices, number)?;
+            }
+            CellType::Strip if count < 3 => return Err(has_too_few(3, "triangle strip")),
+            CellType::Strip => {
+                for (i, triangle) in vertices.windows(3).enumerate() {
+                    let [a, b, c] = [triangle[i % 2], triangle[1 - i % 2], triangle[2]];
+                    self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
+                }
+            }
+            CellType::Polygon if count < 3 => return Err(has_too_few(3, "polygon")),
+            CellType::Polygon => {
+                self.assembly.add(Kind::Polygon, count, vertices, number)?;
+            }
+            CellType::QuadraticPolygon if count < 6 || count % 2 > 0 => {
+                return Err(has_too_few(6, "quadratic polygon (an even number of points)"));
+            }
+            CellType::QuadraticPolygon => {
+                self.assembly.add(Kind::Polygon, count / 2, vertices, number)?;
+            }
+            CellType::Fixed { vertex_count, .. } if count != vertex_count => {
+                return Err(Error::invalid(format!(
+                    "a cell has {count} points, but its type needs {vertex_count}"
+                ))
+                .with_cure("give it another type, or the points that are missing"));
+            }
+            CellType::Fixed { kind, corners, .. } => {
+                let mut ordered = [0; 27];
+                ordered[..count].copy_from_slice(vertices);
+                for (place, &corner) in ordered.iter_mut().zip(corners) {
+                    *place = vertices[corner];
+                }
+                self.assembly.add(kind, corners.len(), &ordered[..count], number)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Arrays that belong to the whole data set.
+    fn skip_field(&mut self) -> Result<(), Error> {
+        self.values.scanner.expect_token("the name of a field")?;
+        let count = self.values.scanner.expect_u64("the count of arrays")?;
+        for _ in 0..count {
+            let name = self.values.scanner.expect_token("the name of an array")?;
+            if name.eq_ignore_ascii_case(b"METADATA") {
+                self.skip_metadata()?;
+                self.values.scanner.expect_token("the name of an array")?;
+            }
+            let components = self.values.scanner.expect_u64("the count of components")?;
+            let tuples = self.values.scanner.expect_u64("the count of tuples")?;
+            let count = components.saturating_mul(tuples);
+            let name = self.values.scanner.expect_token("a type of numbers")?.to_ascii_lowercase();
+            self.values.end_line()?;
+            match (name.as_slice(), self.values.is_ascii()) {
+                (b"string", true) => {
+                    self.values.scanner.next_line()?;
+                    for _ in 0..count {
+                        if self.values.scanner.next_line()?.is_none() {
+                            return Err(self
+                                .header_error("the file ends inside a field".to_owned(), "write it again"));
+                        }
+                    }
+                }
+                (b"bit", false) => self.values.skip_bytes(count.div_ceil(8), "an array")?,
+                (b"bit", true) => self.values.skip(count, NumberType::Int8, "an array")?,
+                (name, _) => match number_type(name) {
+                    Some(number) => self.values.skip(count, number, "an array")?,
+                    None => {
+                        let message = format!("arrays of {} cannot be passed over", quoted(name));
+                        let fault = Error::new(ErrorKind::UnsupportedFormat, message);
+                        return Err(self
+                            .values
+                            .located(fault.with_cure("remove the FIELD before the points")));
+                    }
+                },
+            }
+        }
+        Ok(())
+    }
+
+    /// Lines up to an empty one.
+    fn skip_metadata(&mut self) -> Result<(), Error> {
+        self.values.scanner.next_line()?;
+        while let Some(line) = self.values.scanner.next_line()? {
+            if line.trim_ascii().is_empty() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(mut self) -> Result<Model, Error> {
+        let ended =
+            |message: &str| Err(Error::parse(message).with_cure("the file was cut short: write it again"));
+        if !self.has_dataset {
+            return ended("the file ends before DATASET");
+        }
+        if self.cells.is_some() {
+            return ended("the file ends before CELL_TYPES");
+        }
+        if self.grid.kind.is_some() {
+            grids::finish(&mut self)?;
+        }
+        self.assembly.finish()
+    }
+}
+
+/// The type of numbers of this name.
+fn number_type(name: &[u8]) -> Option<NumberType> {
+    Some(match name {
+        b"char" | b"signed_char" | b"vtktypeint8" => NumberType::Int8,
+        b"unsigned_char" | b"vtktypeuint8" => NumberType::UInt8,
+        b"short" | b"vtktypeint16" => NumberType::Int16,
+        b"unsigned_short" | b"vtktypeuint16" => NumberType::UInt16,
+        // Ids are written as 32-bit numbers whatever they are in memory.
+        b"int" | b"vtkidtype" | b"vtktypeint32" => NumberType::Int32,
+        b"unsigned_int" | b"vtktypeuint32" => NumberType::UInt32,
+        b"long" | b"long_long" | b"vtktypeint64" => NumberType::Int64,
+        b"unsigned_long" | b"unsigned_long_long" | b"vtktypeuint64" => NumberType::UInt64,
+        b"float" | b"vtktypefloat32" => NumberType::Float32,
+        b"double" | b"vtktypefloat64" => NumberType::Float64,
+        _ => return None,
+    })
+}

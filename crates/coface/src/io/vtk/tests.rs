@@ -1,0 +1,149 @@
+use super::{Encoding, read, write};
+use crate::cellular::CellShape;
+use crate::io::samples::{Limits, meshes};
+use proptest::prelude::*;
+
+const POINTS: &str = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n\
+    0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
+
+fn fault(text: &str) -> String {
+    read(text.as_bytes()).unwrap_err().to_string()
+}
+
+#[test]
+fn faults_are_placed() {
+    for (cells, message) in [
+        ("CELLS 1 5\n4 0 1 2 8\n", "line 15: a cell names point 8, but there are 8 points, numbered from 0"),
+        ("CELLS 1 5\n4 0 1 2 -1\n", "names point -1"),
+        ("CELLS 2 9\n4 0 1 2 3\n3 0 1 1\nCELL_TYPES 2\n10\n5\n", "line 16: a triangle repeats vertex 1"),
+        ("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n12\n", "line 15: a cell has 4 points, but its type needs 8"),
+        ("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n42\n", "line 17: cell 0 has type 42: polyhedra are not read"),
+        ("CELLS 1 4\n4 0 1 2 3\n", "line 15: a list of 4 numbers runs over the size of CELLS, 4"),
+        ("CELLS 1 6\n4 0 1 2 3\n", "the lists of CELLS have 5 numbers, not 6"),
+        ("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 2\n", "there are 2 cell types for 1 cells"),
+        ("CELLS 1 5\n4 0 1 2 3\n", "the file ends before CELL_TYPES"),
+        ("CELLS 99999999999 5\n4 0 1 2 3\n", "the file ends where the length of a list should be"),
+        ("CELL_TYPES 2\n10\n", "CELL_TYPES stand before CELLS"),
+        ("BANANAS 2\n", "line 14: \"BANANAS\" is no keyword"),
+        ("POINTS 1 float\n0 0 0\n", "the points are given twice"),
+        ("FIELD x 1\na 1 2 int\n1", "the file ends where an array should be"),
+        ("DIMENSIONS 1 1 1\n", "the data set is no grid"),
+    ] {
+        let text = fault(&format!("{POINTS}{cells}"));
+        assert!(text.contains(message), "{text}");
+    }
+    for (text, message) in [
+        ("# vtk DataFile Version 3.0\ntitle\nBINARYX\n", "line 3: \"BINARYX\" stands where ASCII"),
+        (
+            "# vtk DataFile Version 3.0\ntitle\nASCII\nPOINTS 0 float\n",
+            "\"POINTS\" stands where DATASET should",
+        ),
+        (
+            "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET TABLE\n",
+            "data sets of the kind \"TABLE\" hold no mesh",
+        ),
+        ("# vtk DataFile Version 3.0\ntitle\nASCII\n", "the file ends before DATASET"),
+        (
+            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 nan 0\n",
+            "line 6: a coordinate is NaN",
+        ),
+        (
+            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 floaty\n",
+            "is no type of numbers",
+        ),
+        (
+            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 100000 100000 100000\n",
+            "the limit is",
+        ),
+        (
+            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 1\nPOINTS 1 float\n0 0 0\n",
+            "do not fit the 1 points",
+        ),
+        ("hello\n", "\"hello\" stands where"),
+    ] {
+        let text = fault(text);
+        assert!(text.contains(message), "{text}");
+    }
+}
+
+#[test]
+fn every_type_of_cell_is_read() {
+    let cells = "CELLS 8 46\n8 0 1 2 3 4 5 6 7\n6 0 1 2 4 5 6\n4 0 1 2 3\n4 0 1 2 3\n4 0 1 3 2\n2 5 6\n6 0 3 2 1 5 7\n4 3 2 1 0\n";
+    let text = format!(
+        "{POINTS}METADATA\nINFORMATION 0\n\n{cells}CELL_TYPES 8\n11 13 8 6 7 2 22 4\nCELL_DATA 3\nSCALARS x int 1\n"
+    );
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!(model.shapes(), [CellShape::Hexahedron, CellShape::Wedge]);
+    assert_eq!(model.cells().list(0), [0, 1, 3, 2, 4, 5, 7, 6]);
+    assert_eq!(model.cells().list(1), [0, 2, 1, 4, 6, 5]);
+    let polygons: Vec<&[u32]> = model.polygons().iter().collect();
+    assert_eq!(polygons, [&[0, 1, 3, 2][..], &[0, 1, 2], &[2, 1, 3], &[0, 1, 3, 2], &[0, 3, 2]]);
+    assert_eq!(model.lines().list(0), [3, 2, 1, 0]);
+    assert_eq!(model.points().len(), 2);
+    assert!(model.warnings()[0].contains("1 elements of higher order"));
+}
+
+#[test]
+fn polygonal_data_and_offsets_are_read() {
+    let head = "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET POLYDATA\nFIELD FieldData 2\nTIME 1 1 double\n0.5\nNAMES 1 2 string\na b\nc\n\
+        POINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n";
+    let text = format!(
+        "{head}POLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY vtktypeint64\n0 1 2 0 1 3 2\n\
+         LINES 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n\
+         VERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n3\nPOINT_DATA 4\n"
+    );
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!(model.polygons().iter().collect::<Vec<_>>(), [&[0, 1, 2][..], &[0, 1, 3, 2]]);
+    assert_eq!((model.lines().len(), model.points().len()), (1, 1));
+    for (offsets, message) in [
+        ("0 4 3", "an offset of POLYGONS is 3"),
+        ("0 3 5", "do not end at the size"),
+        ("1 3 7", "an offset of POLYGONS is 1"),
+    ] {
+        let text = fault(&text.replace("0 3 7", offsets));
+        assert!(text.contains(message), "{text}");
+    }
+}
+
+#[test]
+fn grids_become_cells() {
+    let head = "# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET ";
+    let model = read(
+        format!("{head}STRUCTURED_POINTS\nDIMENSIONS 3 2 2\nORIGIN 1 0 0\nSPACING 0.5 1 2\nPOINT_DATA 12\n")
+            .as_bytes(),
+    )
+    .unwrap();
+    assert_eq!((model.vertex_count(), model.cells().len()), (12, 2));
+    assert_eq!(model.cells().list(1), [1, 2, 5, 4, 7, 8, 11, 10]);
+    assert_eq!(model.positions().as_flat()[33..], [2.0, 1.0, 2.0]);
+    let model = read(
+        format!("{head}RECTILINEAR_GRID\nDIMENSIONS 2 1 3\nX_COORDINATES 2 float\n0 5\nY_COORDINATES 1 float\n7\nZ_COORDINATES 3 float\n0 1 9\n")
+            .as_bytes(),
+    )
+    .unwrap();
+    assert_eq!(model.polygons().iter().collect::<Vec<_>>(), [&[0, 1, 3, 2][..], &[2, 3, 5, 4]]);
+    assert_eq!(model.positions().as_flat()[15..], [5.0, 7.0, 9.0]);
+    let model = read(
+        format!("{head}STRUCTURED_GRID\nDIMENSIONS 1 3 1\nPOINTS 3 float\n0 0 0 1 1 1 2 0 1\n").as_bytes(),
+    )
+    .unwrap();
+    assert_eq!(model.lines().iter().collect::<Vec<_>>(), [[0, 1], [1, 2]]);
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back(model in meshes(Limits {
+        dimension: 3, largest_polygon: 7, longest_line: 5, points: true, groups: false,
+    })) {
+        for encoding in [Encoding::Ascii, Encoding::Binary] {
+            let mut out = Vec::new();
+            write(&model, &mut out, encoding).unwrap();
+            prop_assert_eq!(&read(&out[..]).unwrap(), &model);
+            if encoding == Encoding::Binary {
+                for cut in [out.len() / 3, out.len() / 2] {
+                    prop_assert!(read(&out[..cut]).is_err());
+                }
+            }
+        }
+    }
+}
