@@ -74,6 +74,26 @@ impl Lists {
         }
     }
 
+    /// Appends lists of three, at most `most`, and gives their number.
+    pub(crate) fn push_triangles(&mut self, most: usize, triangles: impl Iterator<Item = [u32; 3]>) -> usize {
+        if self.ends.is_some() || (self.count > 0 && self.width != 3) {
+            return triangles.take(most).map(|triangle| self.push_triangle(triangle)).count();
+        }
+        let start = self.items.len();
+        self.items.resize(start + 3 * most, 0);
+        let mut pushed = 0;
+        for (room, triangle) in self.items[start..].chunks_exact_mut(3).zip(triangles) {
+            room.copy_from_slice(&triangle);
+            pushed += 1;
+        }
+        self.items.truncate(start + 3 * pushed);
+        if pushed > 0 {
+            self.width = 3;
+        }
+        self.count += pushed;
+        pushed
+    }
+
     /// Appends the lists of another.
     pub(crate) fn append(&mut self, other: &Self) -> Result<(), Error> {
         if self.items.len() + other.items.len() > u32::MAX as usize {
@@ -155,7 +175,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn lists_grown_in_pieces_are_the_lists(lists in proptest::collection::vec(proptest::collection::vec(0..9u32, 1..5), 0..12), cut in 0..12usize) {
+        fn lists_grown_in_pieces_are_the_lists(lists in proptest::collection::vec(proptest::collection::vec(0..9u32, 1..5), 0..12), cut in 0..12usize, triangles in proptest::collection::vec([0..9u32, 0..9, 0..9], 0..3)) {
             let cut = cut.min(lists.len());
             let mut whole = Lists::default();
             for piece in [&lists[..cut], &lists[cut..]] {
@@ -165,10 +185,21 @@ mod tests {
                     part.abandon();
                     part.push(list);
                 }
+                // Triangles in bulk are triangles one by one.
+                let mut bulk = Lists::default();
+                bulk.append(&part).unwrap();
+                for &triangle in &triangles {
+                    part.push(&triangle);
+                }
+                prop_assert_eq!(bulk.push_triangles(triangles.len(), triangles.iter().copied()), triangles.len());
+                prop_assert_eq!(bulk.push_triangles(2, [[1, 2, 3]].into_iter().filter(|_| false)), 0);
+                prop_assert_eq!((bulk.items, bulk.ends, bulk.count), (part.items.clone(), part.ends.clone(), part.count));
                 whole.append(&part).unwrap();
             }
-            prop_assert_eq!(whole.len(), lists.len());
-            prop_assert_eq!(whole.into_ragged().unwrap(), RaggedArray::from_lists(&lists));
+            let piece = |lists: &[Vec<u32>]| lists.iter().cloned().chain(triangles.iter().map(|t| t.to_vec())).collect::<Vec<_>>();
+            let expected = [piece(&lists[..cut]), piece(&lists[cut..])].concat();
+            prop_assert_eq!(whole.len(), expected.len());
+            prop_assert_eq!(whole.into_ragged().unwrap(), RaggedArray::from_lists(&expected));
         }
     }
 }

@@ -245,14 +245,13 @@ impl<R: Read> Reader<R> {
             let bytes = &bytes[..records * stride];
             let first = coordinates.len();
             match *fields.as_slice() {
-                [(x, Scalar::F32), (y, Scalar::F32), (z, Scalar::F32)] => {
-                    for record in bytes.chunks_exact(stride) {
-                        coordinates.extend([x, y, z].map(|at| Scalar::F32.decode(&record[at..], big)));
-                    }
-                }
-                [(x, Scalar::F64), (y, Scalar::F64), (z, Scalar::F64)] => {
-                    for record in bytes.chunks_exact(stride) {
-                        coordinates.extend([x, y, z].map(|at| Scalar::F64.decode(&record[at..], big)));
+                // Nothing but x, y and z of one type, the usual case, is one flat list.
+                [(0, Scalar::F32), (4, Scalar::F32), (8, Scalar::F32)] if stride == 12 => {
+                    let flat = bytes.chunks_exact(4).map(|x| [x[0], x[1], x[2], x[3]]);
+                    if big {
+                        coordinates.extend(flat.map(|x| f64::from(f32::from_be_bytes(x))));
+                    } else {
+                        coordinates.extend(flat.map(|x| f64::from(f32::from_le_bytes(x))));
                     }
                 }
                 _ => {
@@ -312,20 +311,16 @@ impl<R: Read> Reader<R> {
         }
         let bytes = self.scanner.available(LENGTH)?;
         let records = (bytes.len() / LENGTH).min(usize::try_from(limit).unwrap_or(usize::MAX));
-        let mut read = 0;
-        for record in bytes[..records * LENGTH].chunks_exact(LENGTH) {
+        let sound = bytes[..records * LENGTH].chunks_exact(LENGTH).map_while(|record| {
             let index = |at: usize| {
                 let bytes = [record[at], record[at + 1], record[at + 2], record[at + 3]];
                 if big { u32::from_be_bytes(bytes) } else { u32::from_le_bytes(bytes) }
             };
             let [a, b, c] = [index(1), index(5), index(9)];
             let sound = record[0] == 3 && u64::from(a.max(b).max(c)) < vertices && a != b && b != c && c != a;
-            if !sound {
-                break;
-            }
-            found.polygons.push_triangle([a, b, c]);
-            read += 1;
-        }
+            sound.then_some([a, b, c])
+        });
+        let read = found.polygons.push_triangles(records, sound);
         self.scanner.consume(read * LENGTH);
         Ok(read as u64)
     }
