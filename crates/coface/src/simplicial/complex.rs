@@ -455,6 +455,30 @@ impl SimplicialComplex {
         Self::from_facets(facets.iter())
     }
 
+    /// The link of one simplex s: the simplices t disjoint from s such that t and s together are a simplex. It equals
+    /// the closure of the star of s minus the star of the closure; that of a maximal simplex is empty.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if `simplex` is not in the complex.
+    ///
+    /// # Complexity
+    /// Linear in the number of simplices that end in the last vertex of `simplex`, and in $m \log v$ for m simplices and
+    /// v vertices in the link.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::simplicial::{Simplex, SimplicialComplex};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let complex = SimplicialComplex::from_facets([[0, 1, 2], [1, 2, 3]])?;
+    /// let around = complex.link_of(&Simplex::from([2]))?;
+    /// assert_eq!(around, SimplicialComplex::from_facets([[0, 1], [1, 3]])?);
+    /// # Ok(()) }
+    /// ```
+    pub fn link_of(&self, simplex: &Simplex) -> Result<Self, Error> {
+        self.require(simplex)?;
+        Ok(Self { tree: self.tree.link(simplex.numbers()) })
+    }
+
     /// The maximal simplices (those that are no face of another) in lexicographic order.
     ///
     /// # Complexity
@@ -672,6 +696,13 @@ mod tests {
                     prop_assert_eq!(error.kind(), ErrorKind::NotInComplex);
                     prop_assert!(!model.contains(&of));
                 }
+            }
+            for simplex in complex.iter() {
+                let own: BTreeSet<u32> = simplex.numbers().iter().copied().collect();
+                let apart = model.iter().filter(|other| {
+                    own.is_disjoint(other) && model.contains(&own.union(other).copied().collect::<BTreeSet<u32>>())
+                });
+                assert_same(&complex.link_of(&simplex).unwrap(), &apart.cloned().collect());
             }
             for vertex in complex.vertices() {
                 let adjacent = complex.adjacent_vertices(vertex).unwrap();

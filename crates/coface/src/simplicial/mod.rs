@@ -33,6 +33,7 @@ mod simplex;
 mod subcomplex;
 mod tree;
 mod tree_bulk;
+mod tree_link;
 mod tree_walk;
 
 pub use complex::SimplicialComplex;

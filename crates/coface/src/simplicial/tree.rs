@@ -372,17 +372,7 @@ impl Tree {
     pub(super) fn erase(&mut self, vertices: &[u32]) -> bool {
         let Some((&last, _)) = vertices.split_last() else { return false };
         let (Some(_), Some(ring)) = (self.find(vertices), self.find_child(ROOT, last)) else { return false };
-        let mut tops = Vec::new();
-        let mut at = ring;
-        loop {
-            if self.contains_path(at, vertices) {
-                tops.push(at);
-            }
-            at = self.nodes[at as usize].next;
-            if at == ring {
-                break;
-            }
-        }
+        let tops: Vec<u32> = self.ring(ring).filter(|&at| self.contains_path(at, vertices)).collect();
         let mut path = Vec::new();
         for top in tops {
             self.path_to(top, &mut path);
@@ -409,16 +399,18 @@ impl Tree {
         self.erased_count += 1;
     }
 
+    /// The nodes of a ring, its node of depth 0 first.
+    pub(super) fn ring(&self, ring: u32) -> impl Iterator<Item = u32> + '_ {
+        std::iter::successors(Some(ring), move |&at| {
+            let next = self.nodes[at as usize].next;
+            (next != ring).then_some(next)
+        })
+    }
+
     /// The smaller ends of the edges that end in the vertex of `ring`, in no order.
     pub(super) fn edges_to(&self, ring: u32) -> impl Iterator<Item = u32> + '_ {
-        let mut at = self.nodes[ring as usize].next;
-        std::iter::from_fn(move || {
-            let node = (at != ring).then(|| self.nodes[at as usize])?;
-            at = node.next;
-            Some(node)
-        })
-        .filter_map(|node| {
-            let parent = self.nodes[node.parent as usize];
+        self.ring(ring).skip(1).filter_map(|at| {
+            let parent = self.nodes[self.nodes[at as usize].parent as usize];
             (parent.parent == ROOT).then_some(parent.vertex)
         })
     }
