@@ -5,8 +5,10 @@
 
 use coface::io::{Model, obj, off, ply, stl};
 use coface::{Error, ErrorKind, VertexId};
+use proptest::prelude::*;
 use std::fs::File;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 fn data() -> Option<PathBuf> {
     let folder = std::env::var_os("COFACE_DATA").map(PathBuf::from);
@@ -81,4 +83,51 @@ fn a_ply_header_without_elements_is_an_empty_model() {
     let Some(data) = data() else { return };
     let model = read(&data.join("tricky/ply_empty_header.ply")).unwrap().unwrap();
     assert_eq!(model, Model::default());
+}
+
+/// The bytes of the smaller real files of these formats.
+fn real_files() -> &'static [Vec<u8>] {
+    static FILES: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
+    FILES.get_or_init(|| {
+        let Some(data) = data() else { return Vec::new() };
+        let folders = ["surfaces", "tricky"].iter().map(|folder| data.join(folder));
+        let entries = folders.flat_map(|folder| std::fs::read_dir(folder).expect("the folder is there"));
+        let mut paths: Vec<PathBuf> =
+            entries.map(|entry| entry.expect("the entry is readable").path()).collect();
+        paths.sort();
+        let files = paths.iter().map(|path| std::fs::read(path).expect("the file is readable"));
+        files.filter(|bytes| bytes.len() < 200_000).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    /// Bytes changed, inserted, cut out and cut off at the end: an error or a sound model no larger than its file.
+    #[test]
+    fn broken_real_files_are_survived(
+        file in any::<prop::sample::Index>(),
+        edits in proptest::collection::vec((0..4u8, any::<prop::sample::Index>(), any::<u8>()), 1..8),
+    ) {
+        let files = real_files();
+        if files.is_empty() {
+            return Ok(());
+        }
+        let mut bytes = file.get(files).clone();
+        for (kind, place, byte) in edits {
+            let at = place.index(bytes.len() + 1);
+            match kind {
+                0 => bytes.insert(at, byte),
+                1 if at < bytes.len() => bytes[at] ^= byte,
+                2 if at < bytes.len() => drop(bytes.drain(at..bytes.len().min(at + usize::from(byte)))),
+                3 if byte < 64 => bytes.truncate(at),
+                _ => {}
+            }
+        }
+        let input = &bytes[..];
+        for model in [off::read(input), obj::read(input), ply::read(input), stl::read(input)].into_iter().flatten() {
+            prop_assert!(model.check().is_ok());
+            prop_assert!(model.vertex_count() <= input.len() && model.polygons().item_count() <= 3 * input.len());
+        }
+    }
 }
