@@ -44,10 +44,7 @@ pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model
         let mut file = open(path)?;
         let (start, whole) = start_of(&mut file)?;
         let format = match format {
-            Some(format) => {
-                format::check_hopeless(&start, whole)?;
-                format
-            }
+            Some(format) => format,
             None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
         };
         read_started(&start, whole, &mut file, format)
@@ -70,7 +67,6 @@ pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model
 /// ```
 pub fn read(mut input: impl Read, format: Format) -> Result<Model, Error> {
     let (start, whole) = start_of(&mut input)?;
-    format::check_hopeless(&start, whole)?;
     read_started(&start, whole, &mut input, format)
 }
 
@@ -187,6 +183,7 @@ fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
 
 /// Reads on from the start that was looked at.
 fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) -> Result<Model, Error> {
+    format::check_told(format, start, whole)?;
     let rest = rest.take(if whole { 0 } else { u64::MAX });
     let mut input = format::without_mark(start).chain(rest);
     let input: &mut dyn Read = &mut input;

@@ -230,6 +230,26 @@ pub(super) fn decide(start: &[u8], whole: bool, by_name: Option<Format>) -> Resu
     })
 }
 
+/// Refuses content that a reader, told the format, would take for a model of nothing.
+///
+/// # Errors
+/// An OBJ without a single known keyword; a binary STL of no triangles that goes on; those of [`check_hopeless`].
+pub(super) fn check_told(format: Format, start: &[u8], whole: bool) -> Result<(), Error> {
+    check_hopeless(start, whole)?;
+    let text = is_text(start);
+    if format == Format::Obj && obj_likeness(start) == Likeness::No {
+        let kind = if text { "text of another kind" } else { "binary data" };
+        return Err(Error::new(ErrorKind::UnsupportedFormat, format!("this is {kind}, not OBJ"))
+            .with_cure("check that the file is the one meant, or say what it is with --format"));
+    }
+    if format == Format::Stl && !text && start.len() > 84 && start[80..84] == [0; 4] {
+        return Err(Error::parse("the file promises 0 triangles, but goes on behind them")
+            .at_byte(80)
+            .with_cure("it is damaged or no STL: write it again"));
+    }
+    Ok(())
+}
+
 /// Refuses content that is nothing in any format.
 pub(super) fn check_hopeless(start: &[u8], whole: bool) -> Result<(), Error> {
     if whole && start.iter().all(u8::is_ascii_whitespace) {
