@@ -127,3 +127,35 @@ fn starts(count: usize) -> impl Iterator<Item = usize> {
     let tried = count.min(STARTS);
     (0..tried).map(move |i| i * count / tried)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{SimplicialComplex, known_spaces};
+    use super::*;
+
+    fn chains(complex: Result<SimplicialComplex, crate::Error>) -> ChainComplex {
+        complex.unwrap().chain_complex().unwrap()
+    }
+
+    #[test]
+    fn balls_collapse_and_spheres_do_without_a_facet() {
+        for n in 1..6 {
+            assert!(is_seen_as_ball(&chains(known_spaces::simplex(n))));
+            let sphere = chains(known_spaces::cross_polytope_boundary(n));
+            assert!(is_seen_as_sphere(&sphere));
+            // A closed manifold has no free face.
+            assert!(!is_seen_as_ball(&sphere));
+        }
+    }
+
+    /// The dunce hat is contractible, but has no free edge; the others are no spheres.
+    #[test]
+    fn what_does_not_collapse() {
+        assert!(!is_seen_as_ball(&chains(known_spaces::dunce_hat())));
+        assert!(!is_seen_as_ball(&chains(known_spaces::triangle_strip(6))));
+        assert!(!is_seen_as_sphere(&chains(known_spaces::cyclic_torus(3))));
+        assert!(!is_seen_as_sphere(&chains(known_spaces::lens_space(3, 1))));
+        assert!(!is_seen_as_ball(&ChainComplex::of_points(2)));
+        assert!(!is_seen_as_ball(&ChainComplex::of_points(0)));
+    }
+}
