@@ -20,6 +20,7 @@ pub(crate) fn run() -> ExitCode {
     let mut docs = cargo(&["doc", "--quiet", "--workspace", "--no-deps"]);
     check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
     tests(&mut tally);
+    guide(&mut tally);
     readme(&mut tally);
     skips(&mut tally);
     println!("\n{:.0} s in all", begin.elapsed().as_secs_f64());
@@ -39,6 +40,20 @@ fn check(tally: &mut Tally, name: &str, command: &mut Command) {
     };
     tally.count(has_passed);
     println!("== {name}: {} in {:.0} s", verdict(has_passed), begin.elapsed().as_secs_f64());
+}
+
+/// The pages of the guide: each example checks its own answers.
+fn guide(tally: &mut Tally) {
+    let folder = root().join("crates/coface/examples");
+    let mut pages: Vec<String> = std::fs::read_dir(&folder)
+        .into_iter()
+        .flatten()
+        .filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_str()?.to_owned()))
+        .collect();
+    pages.sort();
+    for page in pages {
+        check(tally, &page, &mut cargo(&["run", "--quiet", "--package", "coface", "--example", &page]));
+    }
 }
 
 /// Unit tests, property tests, tests of the floors and of the command line, doc tests; all are run even when some fail.
