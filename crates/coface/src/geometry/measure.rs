@@ -79,7 +79,7 @@ impl<'a> Scaled<'a> {
     }
 
     /// The first three coordinates of a vertex minus those of an origin.
-    pub(crate) fn from_origin(&self, vertex: u32, origin: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn relative(&self, vertex: u32, origin: [f64; 3]) -> [f64; 3] {
         let point = self.positions.point(VertexId::from_u32(vertex));
         [0, 1, 2].map(|axis| point[axis] * self.factor - origin[axis])
     }
@@ -92,7 +92,7 @@ impl<'a> Scaled<'a> {
             let origin = [0, 1, 2].map(|axis| self.coordinate(first, axis));
             let mut sum = [0.0; 3];
             for pair in rest.windows(2) {
-                let product = cross(self.from_origin(pair[0], origin), self.from_origin(pair[1], origin));
+                let product = cross(self.relative(pair[0], origin), self.relative(pair[1], origin));
                 (0..3).for_each(|axis| sum[axis] += product[axis]);
             }
             return dot(sum, sum).sqrt() / 2.0;
@@ -117,7 +117,7 @@ impl<'a> Scaled<'a> {
     /// counterclockwise seen from the side away from the apex. A polygon of four or more vertices is a fan around the mean
     /// of its vertices, so that the same polygon has the same cone whatever vertex it starts at.
     pub(crate) fn cone(&self, polygon: impl ExactSizeIterator<Item = u32> + Clone, origin: [f64; 3]) -> f64 {
-        let point = |vertex| self.from_origin(vertex, origin);
+        let point = |vertex| self.relative(vertex, origin);
         let count = polygon.len();
         let mut vertices = polygon.clone();
         let (Some(a), Some(b), Some(c)) = (vertices.next(), vertices.next(), vertices.next()) else {
@@ -136,7 +136,7 @@ impl<'a> Scaled<'a> {
 
     /// The scaled coordinates of a vertex, as an origin.
     pub(crate) fn origin_at(&self, vertex: u32) -> [f64; 3] {
-        self.from_origin(vertex, [0.0; 3])
+        self.relative(vertex, [0.0; 3])
     }
 }
 
