@@ -16,7 +16,7 @@ const POWERS: [f64; 23] = [
 
 /// Whether a byte separates words within a line.
 pub(crate) fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b'\r' | b'\x0c' | b'\x0b')
+    matches!(byte, b' ' | b'\t' | b'\r' | b'\x0c')
 }
 
 /// The position of the first byte from `at` on that is no blank.

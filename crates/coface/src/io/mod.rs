@@ -13,6 +13,8 @@ pub mod json;
 mod limits;
 mod lists;
 pub mod medit;
+#[cfg(test)]
+mod mesh_tests;
 mod model;
 pub mod msh;
 pub mod obj;

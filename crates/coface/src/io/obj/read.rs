@@ -322,7 +322,7 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
 
 /// Whether a word could be the keyword of a statement that is read over.
 fn is_keyword(word: &[u8]) -> bool {
-    word[0].is_ascii_alphabetic()
+    word.first().is_some_and(u8::is_ascii_alphabetic)
         && word.iter().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-'))
 }
 

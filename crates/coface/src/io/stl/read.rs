@@ -125,6 +125,11 @@ fn read_binary<R: Read>(mut input: Scanner<R>) -> Result<Soup, Error> {
         check_count(soup.corners.len())?;
     }
     if !input.available(1)?.is_empty() {
+        if count == 0 {
+            return Err(Error::parse("the header promises no triangle, but the file goes on")
+                .at_byte(HEADER as u64)
+                .with_cure("correct the count at byte 80, or tell the format if this is no STL file"));
+        }
         soup.warnings.push(format!("the file goes on behind its {count} triangles; that is left out"));
     }
     Ok(soup)
