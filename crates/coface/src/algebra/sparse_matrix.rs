@@ -498,3 +498,77 @@ impl PartialEq<SparseMatrix> for WideMatrix {
         other == self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn entries_at_one_place_are_added(
+            places in prop::collection::vec((0usize..4, 0usize..5, -2i64..=2), 0..30),
+        ) {
+            let mut sums = [[0i64; 5]; 4];
+            for &(i, j, entry) in &places {
+                sums[i][j] += entry;
+            }
+            let matrix = SparseMatrix::from_entries(4, 5, places.iter().copied()).unwrap();
+            let mut columns = vec![Vec::new(); 5];
+            for &(i, j, entry) in &places {
+                columns[j].push((i as u32, Integer::from(entry)));
+            }
+            let wide = WideMatrix::from_integer_columns(4, columns).unwrap();
+            let transpose = matrix.transpose();
+            for (i, row) in sums.iter().enumerate() {
+                for (j, &sum) in row.iter().enumerate() {
+                    prop_assert_eq!(i64::from(matrix.entry(i, j)), sum);
+                    prop_assert_eq!(transpose.entry(j, i), matrix.entry(i, j));
+                }
+            }
+            prop_assert_eq!(matrix.entry_count(), sums.iter().flatten().filter(|&&sum| sum != 0).count());
+            prop_assert_eq!(transpose.transpose(), matrix.clone());
+            prop_assert_eq!(&wide, &matrix);
+            prop_assert_eq!(wide.to_narrow().unwrap(), matrix);
+        }
+    }
+
+    #[test]
+    fn parts_are_checked() {
+        let kind = |row_count, starts: &[u32], rows: &[u32], entries: &[i32]| {
+            let parts = (starts.to_vec(), rows.to_vec(), entries.to_vec());
+            SparseMatrix::from_parts(row_count, parts.0, parts.1, parts.2).map_err(|error| error.kind()).err()
+        };
+        assert_eq!(kind(2, &[0, 1, 2], &[0, 1], &[1, -1]), None);
+        assert_eq!(kind(0, &[0], &[], &[]), None);
+        for (starts, rows, entries) in [
+            (&[][..], &[][..], &[][..]),
+            (&[1, 1], &[0], &[1]),
+            (&[0, 2, 1], &[0], &[1]),
+            (&[0, 1], &[0], &[1, 1]),
+            (&[0, 1], &[2], &[1]),
+            (&[0, 2], &[1, 0], &[1, 1]),
+            (&[0, 2], &[1, 1], &[1, 1]),
+            (&[0, 1], &[0], &[0]),
+            (&[0, 1], &[0], &[i32::MIN]),
+        ] {
+            assert_eq!(
+                kind(2, starts, rows, entries),
+                Some(ErrorKind::Shape),
+                "{starts:?} {rows:?} {entries:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn entries_beyond_32_bits_are_named() {
+        let error = SparseMatrix::from_entries(1, 1, [(0, 0, 1 << 40)]).unwrap_err();
+        assert_eq!(error.message(), "the entry at row 0, column 0 is 1099511627776; the limit is 32 bits");
+        let wide =
+            WideMatrix::from_integer_columns(3, [vec![], vec![(2, Integer::from(1i64 << 31))]]).unwrap();
+        let error = wide.to_narrow().unwrap_err();
+        assert_eq!(error.message(), "the entry at row 2, column 1 is 2147483648; the limit is 32 bits");
+        assert!(SparseMatrix::from_entries(1, 1, [(1, 0, 1)]).is_err());
+        assert!(WideMatrix::from_integer_columns(1, [vec![(1, Integer::ONE)]]).is_err());
+    }
+}
