@@ -527,7 +527,7 @@ mod tests {
                 }
             }
             prop_assert_eq!(matrix.entry_count(), sums.iter().flatten().filter(|&&sum| sum != 0).count());
-            prop_assert_eq!(transpose.transpose(), matrix.clone());
+            prop_assert_eq!(&transpose.transpose(), &matrix);
             prop_assert_eq!(&wide, &matrix);
             prop_assert_eq!(wide.to_narrow().unwrap(), matrix);
         }
