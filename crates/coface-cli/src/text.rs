@@ -33,7 +33,7 @@ pub(crate) fn report(name: &str, format: &str, report: &Report, limit: usize) ->
     homology(&mut page, "homology over Z", report.homology(), "H_");
     measures(&mut page, report);
     problems(&mut page, report, limit);
-    page.text
+    page.finished()
 }
 
 /// A list of groups for people, with a title.
@@ -71,6 +71,10 @@ struct Page {
 }
 
 impl Page {
+    fn finished(self) -> String {
+        self.text.replace(NO_BREAK, " ")
+    }
+
     fn title(&mut self, name: &str, format: &str) {
         let _ = writeln!(self.text, "{TITLE}{name}{TITLE:#}  {GLOSS}{format}{GLOSS:#}");
     }
@@ -166,6 +170,9 @@ fn grouped(number: usize) -> String {
     }
     text
 }
+
+/// A space at which no line is broken, while a page is laid out.
+const NO_BREAK: &str = "\u{a0}";
 
 /// What the model is, in one sentence.
 fn summary(report: &Report) -> String {
@@ -325,7 +332,7 @@ fn boundary(page: &mut Page, report: &Report, limit: usize) {
     for (i, part) in loops.iter().enumerate().take(limit) {
         let first: Vec<String> = part.vertices().iter().take(6).map(|vertex| format!("v{vertex}")).collect();
         let more = if part.vertices().len() > first.len() { " .." } else { "" };
-        let several = if part.is_simple() { "" } else { " (several loops that touch)" };
+        let several = if part.is_simple() { "" } else { " (not a simple loop)" };
         page.fact(
             "",
             PLAIN,
@@ -467,7 +474,8 @@ fn places(page: &mut Page, problem: &Problem, limit: usize) {
         let vertices: Vec<String> = cells.list(i).iter().map(|vertex| format!("v{vertex}")).collect();
         match vertices.len() {
             1 => vertices.concat(),
-            _ => format!("{{{}}}", vertices.join(" ")),
+            // The spaces inside a cell do not break a line.
+            _ => format!("{{{}}}", vertices.join(NO_BREAK)),
         }
     };
     let meeting = |i: usize| -> Vec<String> {
@@ -523,13 +531,12 @@ pub(crate) fn simplices(what: &str, set: &SimplexSet) -> String {
         .take(MANY)
         .map(|simplex| {
             let vertices: Vec<String> = simplex.numbers().iter().map(ToString::to_string).collect();
-            // The spaces inside a simplex do not break a line.
-            format!("{{{}}}", vertices.join("\u{a0}"))
+            format!("{{{}}}", vertices.join(NO_BREAK))
         })
         .collect();
     page.paragraph(4, PLAIN, &names.join(" "));
     if set.len() > MANY {
         page.paragraph(4, GLOSS, &format!("and {} more (--json lists all)", grouped(set.len() - MANY)));
     }
-    page.text.replace('\u{a0}', " ")
+    page.finished()
 }
