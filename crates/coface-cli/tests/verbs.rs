@@ -306,7 +306,7 @@ fn a_set_of_simplices_can_be_written() {
 fn convert_there_and_back() {
     let (folder, input) = file("square.off", SQUARE);
     let mut from = input;
-    for extension in ["obj", "ply", "mesh", "msh", "off"] {
+    for extension in ["obj", "ply", "mesh", "msh", "vtk", "off"] {
         let to = folder.path().join(format!("copy.{extension}"));
         let run = coface(&["convert", argument(&from), "-o", argument(&to)]);
         assert_eq!((run.status, run.stdout.as_str()), (0, ""), "{extension}: {}", run.stderr);

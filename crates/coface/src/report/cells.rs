@@ -1,11 +1,10 @@
 //! The report on tetrahedra, hexahedra, wedges and pyramids.
 
 use super::facts::{Answer, Kind, Report, Skin, Witness};
-use super::measures::Ruler;
 use super::polygons::{VertexDegrees, counted, isolated_vertices};
 use super::{Problem, ProblemKind};
 use crate::algebra::RaggedArray;
-use crate::cellular::{CellMesh, CellShape, VolumeDefect, VolumeOrientation, VolumeVerdict};
+use crate::cellular::{CellMesh, CellShape, VolumeDefect, VolumeOrientation, VolumeVerdict, cell_volumes};
 use crate::geometry::Positions;
 use crate::topology::homology;
 use crate::{CellId, EdgeId, FaceId};
@@ -23,8 +22,15 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions) -> Report {
     if !isolated.is_empty() {
         problems.push(isolated_vertices(&isolated));
     }
-    let signed_volume =
-        (positions.dimension() == 3).then(|| Ruler::new(positions).cell_volume(mesh.shapes(), mesh.cells()));
+    let volumes = cell_volumes(positions, mesh.shapes(), mesh.cells());
+    let inverted = volumes.map_or(0, |volumes| volumes.negative_count());
+    let warnings = match inverted {
+        0 => Vec::new(),
+        _ => vec![format!(
+            "{inverted} of {} cells have a negative volume: their vertices are listed inside out",
+            mesh.cell_count()
+        )],
+    };
     let boundary = mesh.boundary_surface();
     let survey = boundary.mesh().survey();
     let skin = Skin {
@@ -48,8 +54,9 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions) -> Report {
         orientable: orientation.is_orientable(),
         coherently_oriented: orientation.is_coherent(),
         skin: (skin.face_count > 0).then_some(skin),
-        signed_volume,
+        signed_volume: volumes.map(|volumes| volumes.signed()),
         problems,
+        warnings,
         ..Report::of_nothing()
     };
     report.homology = homology(&mesh.into_chain_complex()).groups().to_vec();

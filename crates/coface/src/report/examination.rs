@@ -46,6 +46,7 @@ impl Report {
             report.problems.retain(|problem| problem.kind() != super::ProblemKind::OrientationConflict);
         }
         warnings.extend(report.problems.iter().map(|problem| problem.message().to_owned()));
+        warnings.append(&mut report.warnings);
         report.warnings = warnings;
         Ok(report)
     }
@@ -69,5 +70,122 @@ fn is_planar(model: &Model) -> bool {
         2 => true,
         3 => model.positions.as_flat().iter().skip(2).step_by(3).all(|&z| z == 0.0),
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::RaggedArray;
+    use crate::cellular::CellShape;
+    use crate::geometry::Positions;
+    use crate::report::{Answer, Problem, ProblemKind};
+    use crate::simplicial::FrozenComplex;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    /// Up to 14 facets of one to five of nine vertices, with gaps in their numbers.
+    fn facet_lists() -> impl Strategy<Value = Vec<Vec<u32>>> {
+        let facet = prop::collection::btree_set(0_u32..9, 1..6);
+        prop::collection::vec(facet.prop_map(|facet| facet.into_iter().map(|v| v * v + 1).collect()), 0..14)
+    }
+
+    fn report_of(facets: &[Vec<u32>]) -> Report {
+        Report::of(Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets)))).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn reports_agree_with_sets_and_with_homology(facets in facet_lists()) {
+            let mut simplices: BTreeSet<Vec<u32>> = BTreeSet::new();
+            for facet in &facets {
+                for chosen in 1..1_usize << facet.len() {
+                    simplices.insert((0..facet.len()).filter(|i| chosen >> i & 1 == 1).map(|i| facet[i]).collect());
+                }
+            }
+            let report = report_of(&facets);
+            let count = |k: usize| simplices.iter().filter(|simplex| simplex.len() == k + 1).count();
+            let counts: Vec<usize> = (0..5).map(count).take_while(|&count| count > 0).collect();
+            prop_assert_eq!(report.f_vector(), &counts[..]);
+            let betti: Vec<i64> = report.homology().iter().map(|group| group.betti() as i64).collect();
+            prop_assert_eq!(betti.len(), counts.len());
+            let alternating = betti.iter().enumerate().map(|(k, b)| if k % 2 == 0 { *b } else { -b }).sum::<i64>();
+            prop_assert_eq!(report.euler_characteristic(), alternating);
+            prop_assert_eq!(report.components() as i64, betti.first().copied().unwrap_or(0));
+            let is_face = |a: &Vec<u32>, b: &Vec<u32>| a.len() < b.len() && a.iter().all(|v| b.contains(v));
+            let maximal = simplices.iter().filter(|a| !simplices.iter().any(|b| is_face(a, b)));
+            let sizes: BTreeSet<usize> = maximal.map(Vec::len).collect();
+            prop_assert_eq!(report.is_pure(), Some(sizes.len() <= 1));
+            if report.manifold() != Answer::Unknown {
+                prop_assert_eq!(report.manifold() == Answer::No, report.witness().is_some());
+            }
+        }
+
+        /// A triangle list goes one way through polygon meshes and another through simplices.
+        #[test]
+        fn two_ways_through_the_house_agree(
+            facets in prop::collection::vec(prop::collection::btree_set(0_u32..7, 3..4), 1..16)
+        ) {
+            let facets: Vec<Vec<u32>> = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
+            let polygons = report_of(&facets);
+            let complex = FrozenComplex::from_facets(&RaggedArray::from_lists(&facets)).unwrap();
+            let simplices = simplicial::report(&complex).unwrap();
+            prop_assert_eq!(polygons.f_vector(), simplices.f_vector());
+            prop_assert_eq!(polygons.components(), simplices.components());
+            prop_assert_eq!(polygons.manifold(), simplices.manifold());
+            prop_assert_eq!(polygons.is_closed(), simplices.is_closed());
+            prop_assert_eq!(polygons.is_orientable(), simplices.is_orientable());
+            prop_assert_eq!(polygons.homology(), simplices.homology());
+        }
+    }
+
+    #[test]
+    fn curves_points_and_nothing_are_ordinary() {
+        let empty = report_of(&[]);
+        assert_eq!((empty.dimension(), empty.components(), empty.homology().len()), (None, 0, 0));
+        let points = report_of(&[vec![3], vec![8]]);
+        assert_eq!(
+            (points.f_vector(), points.manifold(), points.homology()[0].betti()),
+            (&[2][..], Answer::Yes, 2)
+        );
+        let rim = report_of(&[vec![0, 1], vec![1, 2], vec![0, 2], vec![7]]);
+        assert_eq!((rim.manifold(), rim.is_closed(), rim.is_pure()), (Answer::Yes, Some(true), Some(false)));
+        let star = report_of(&[vec![0, 1], vec![0, 2], vec![0, 30]]);
+        assert_eq!((star.manifold(), star.is_closed()), (Answer::No, Some(false)));
+        assert_eq!(star.witness().unwrap().cells(), [[0]]);
+    }
+
+    #[test]
+    fn faults_are_named_by_the_numbers_of_the_file() {
+        let report =
+            report_of(&[vec![10, 20, 30], vec![10, 20, 40], vec![10, 20, 50], vec![10, 20, 30], vec![60]]);
+        let kinds: Vec<ProblemKind> = report.problems().iter().map(Problem::kind).collect();
+        let expected = [
+            ProblemKind::NonManifoldRidge,
+            ProblemKind::NonManifoldVertex,
+            ProblemKind::DuplicateCell,
+            ProblemKind::IsolatedVertex,
+        ];
+        assert_eq!(kinds, expected);
+        assert_eq!(report.problems()[0].cells().list(0), [10, 20]);
+        assert_eq!(report.problems()[2].tops().list(0), [0, 3]);
+        assert_eq!(report.problems()[3].cells().list(0), [60]);
+        assert_eq!(report.warnings().len(), 4);
+    }
+
+    #[test]
+    fn drawings_are_planar_and_cells_know_their_inside() {
+        let lines = RaggedArray::from_lists([[0, 1], [1, 2]]);
+        let positions = Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1.]).unwrap();
+        let drawing = Model { vertex_count: 3, positions, lines, ..Model::default() };
+        assert_eq!(Report::of(drawing).unwrap().kind(), Kind::Planar);
+        let positions =
+            Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 6.]).unwrap();
+        let cells = RaggedArray::from_lists([[1, 0, 2, 3]]);
+        let inverted = Model::from_cells(positions, vec![CellShape::Tetrahedron], cells).unwrap();
+        let report = Report::of(inverted).unwrap();
+        assert_eq!((report.kind(), report.signed_volume()), (Kind::Volume, Some(-1.0)));
+        assert!(report.warnings()[0].contains("negative volume"), "{:?}", report.warnings());
+        assert_eq!(report.skin().unwrap().name(), Some("sphere"));
     }
 }

@@ -14,7 +14,6 @@ mod facts;
 mod halfedges;
 mod json;
 mod labels;
-mod measures;
 mod pair;
 mod polygons;
 mod problem;

@@ -1,10 +1,9 @@
 //! The report on polygons, edges and vertices.
 
 use super::facts::{Answer, BoundaryPart, Kind, Report, Witness};
-use super::measures::Ruler;
 use super::{Labels, Problem, ProblemKind};
 use crate::algebra::RaggedArray;
-use crate::geometry::Positions;
+use crate::geometry::{Positions, enclosed_volume, polygon_area};
 use crate::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, SurfaceSurvey};
 use crate::topology::homology;
 use crate::{EdgeId, FaceId, VertexId};
@@ -106,14 +105,9 @@ fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels) -> Repor
     let mut problems = Vec::new();
     non_manifold(mesh, &survey, labels, &mut problems);
     orientation_problems(mesh, orientation, labels, &mut problems);
-    let (mut area, mut signed_volume) = (None, None);
-    if positions.dimension() >= 2 {
-        let ruler = Ruler::new(positions);
-        area = Some(ruler.area(mesh.polygons()));
-        if positions.dimension() == 3 && is_cycle(mesh, &survey) {
-            signed_volume = Some(ruler.enclosed_volume(mesh.polygons()));
-        }
-    }
+    let area = polygon_area(positions, mesh.polygons());
+    let signed_volume =
+        if is_cycle(mesh, &survey) { enclosed_volume(positions, mesh.polygons()) } else { None };
     let boundary_loops = survey.boundary_loops().iter().map(|part| BoundaryPart {
         vertices: part.vertices().iter().map(|&vertex| labels.of(vertex.to_u32())).collect(),
         edge_count: part.edges().len(),
