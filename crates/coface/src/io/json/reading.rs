@@ -11,7 +11,7 @@ use std::io::{BufReader, Read};
 /// Names that an error lists at most.
 const LISTED_NAMES: usize = 60;
 
-/// Reads the structure that a JSON file describes: see [the forms](self).
+/// Reads the structure that a JSON file describes: see [the forms](crate::io::json).
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] for what is no JSON or none of the forms; [`ErrorKind::InvalidInput`] naming the facet,

@@ -66,9 +66,9 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         marked: Vec::new(),
     };
     if encoding == Encoding::Ascii {
-        reader.read_text()?
+        reader.read_text()?;
     } else {
-        reader.read_binary()?
+        reader.read_binary()?;
     }
     reader.finish()
 }

@@ -75,9 +75,9 @@ fn binary(version: i32, big: bool) -> Vec<u8> {
         |bytes: &mut Vec<u8>, x: i32| if version == 4 { int64(bytes, x.into()) } else { int32(bytes, x) };
     let float = |bytes: &mut Vec<u8>, x: f32| {
         if version == 1 {
-            int32(bytes, x.to_bits() as i32)
+            int32(bytes, x.to_bits() as i32);
         } else {
-            int64(bytes, f64::from(x).to_bits() as i64)
+            int64(bytes, f64::from(x).to_bits() as i64);
         }
     };
     let section = |bytes: &mut Vec<u8>, code: i32, write: &dyn Fn(&mut Vec<u8>)| {
@@ -86,10 +86,10 @@ fn binary(version: i32, big: bool) -> Vec<u8> {
         write(&mut body);
         let next = bytes.len() + if version > 2 { 8 } else { 4 } + body.len();
         if version > 2 {
-            int64(bytes, next as i64)
+            int64(bytes, next as i64);
         } else {
-            int32(bytes, next as i32)
-        };
+            int32(bytes, next as i32);
+        }
         bytes.extend(body);
     };
     int32(&mut bytes, 1);

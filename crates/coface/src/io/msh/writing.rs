@@ -342,7 +342,7 @@ impl<'a> Elements<'a> {
         let gathered = self.for_each(|Element { dimension, number, set, .. }| {
             match runs.last_mut() {
                 Some(run) if (run.dimension, run.number, run.set) == (dimension, number, set) => {
-                    run.count += 1
+                    run.count += 1;
                 }
                 _ => runs.push(Run { dimension, number, set, count: 1 }),
             }

@@ -238,7 +238,7 @@ impl<R: Read> Reader<R> {
             CellType::Polygon => {
                 self.assembly.add(Kind::Polygon, count, vertices, number)?;
             }
-            CellType::QuadraticPolygon if count < 6 || count % 2 > 0 => {
+            CellType::QuadraticPolygon if count < 6 || !count.is_multiple_of(2) => {
                 return Err(has_too_few(6, "quadratic polygon (an even number of points)"));
             }
             CellType::QuadraticPolygon => {
