@@ -1,5 +1,7 @@
 //! What cannot be served: one clear message, exit status 1, nothing on standard output, no file left behind.
 
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
 mod program;
 
 use program::{argument, coface, coface_reading};

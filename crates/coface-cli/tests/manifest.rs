@@ -3,6 +3,9 @@
 //! The folder named by the environment variable `COFACE_DATA` holds `MANIFEST.json`, one record a file, and the files.
 //! Without the variable there is nothing to compare with, and the tests say so.
 
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(clippy::print_stdout, reason = "a skipped test says so")]
+
 mod program;
 
 use program::{argument, coface};
@@ -307,7 +310,7 @@ fn tricky_files_are_read_or_refused_as_expected() {
             }
             "tricky/invalidvertex.stl" => assert!(run.fails_with(1).contains(":89:"), "{}", run.stderr),
             "tricky/unparseable.stl" => {
-                assert!(run.fails_with(1).contains("unparseable.stl:"), "{}", run.stderr)
+                assert!(run.fails_with(1).contains("unparseable.stl:"), "{}", run.stderr);
             }
             "tricky/ply_empty_header.ply" => {
                 let report = run.json();

@@ -1,5 +1,7 @@
 //! Every verb, on small models that are made here and on the model shipped in `data/`.
 
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
 mod program;
 
 use program::{argument, coface, coface_reading};

@@ -22,6 +22,6 @@ pub(crate) struct Interior {
 impl Interior {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         Request { verb: "interior", input: &self.input, simplices: self.simplices.as_ref() }
-            .serve(common, |complex, set| Ok(complex.interior(&complex.closure(set)?)?))
+            .serve(common, |complex, set| complex.interior(&complex.closure(set)?))
     }
 }

@@ -22,6 +22,6 @@ pub(crate) struct Star {
 impl Star {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         Request { verb: "star", input: &self.input, simplices: Some(&self.simplices) }
-            .serve(common, |complex, set| Ok(complex.star(set)?))
+            .serve(common, |complex, set| complex.star(set))
     }
 }

@@ -26,17 +26,17 @@ pub(crate) fn coface_reading(arguments: &[&str], input: &[u8]) -> Run {
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .unwrap();
-    let mut stdin = child.stdin.take().unwrap();
+        .expect("the program starts");
+    let mut stdin = child.stdin.take().expect("standard input is a pipe");
     let input = input.to_vec();
     // The program may end before it has read everything.
     let writer = std::thread::spawn(move || drop(stdin.write_all(&input)));
-    let output = child.wait_with_output().unwrap();
-    writer.join().unwrap();
+    let output = child.wait_with_output().expect("the program ends");
+    writer.join().expect("writing does not panic");
     Run {
         status: output.status.code().expect("no signal ended the program"),
-        stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
+        stdout: String::from_utf8(output.stdout).expect("output is text"),
+        stderr: String::from_utf8(output.stderr).expect("messages are text"),
     }
 }
 
@@ -45,7 +45,7 @@ impl Run {
     #[track_caller]
     pub(crate) fn json(&self) -> Value {
         assert_eq!(self.status, 0, "{}", self.stderr);
-        let value: Value = serde_json::from_str(&self.stdout).unwrap();
+        let value: Value = serde_json::from_str(&self.stdout).expect("output is JSON");
         assert!(value.is_object(), "{value}");
         value
     }
@@ -68,5 +68,5 @@ impl Run {
 
 /// The path as an argument.
 pub(crate) fn argument(path: &Path) -> &str {
-    path.to_str().unwrap()
+    path.to_str().expect("paths of tests are text")
 }
