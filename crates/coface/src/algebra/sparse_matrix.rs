@@ -114,6 +114,25 @@ impl SparseMatrix {
         Self::checked(row_count, column_starts, rows, entries)
     }
 
+    /// The matrix with parts that a producer has just made right: only the counts are looked at, and in debug builds
+    /// everything that [`Self::from_parts`] checks.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 32 bits.
+    pub(crate) fn from_trusted_parts(
+        row_count: usize,
+        column_starts: Vec<u32>,
+        rows: Vec<u32>,
+        entries: Vec<i32>,
+    ) -> Result<Self, Error> {
+        if cfg!(debug_assertions) {
+            return Self::from_parts(row_count, column_starts, rows, entries);
+        }
+        fits(column_starts.len(), "columns")?;
+        fits(rows.len(), "entries")?;
+        Ok(Self { row_count: fits(row_count, "rows")?, column_starts, rows, entries })
+    }
+
     /// The matrix with these (row, column, entry) triples; entries at one place are added.
     ///
     /// # Errors

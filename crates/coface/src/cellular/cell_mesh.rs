@@ -291,7 +291,8 @@ fn cell_boundaries(
         }
     }
     let starts = (0..=cell_count).map(|cell| sides.start(cell) as u32).collect();
-    SparseMatrix::from_parts(face_count, starts, rows, entries).expect("a cell has each of its faces once")
+    SparseMatrix::from_trusted_parts(face_count, starts, rows, entries)
+        .expect("a cell has each of its faces once")
 }
 
 /// The pairs (first, later) of cells of one shape with the same faces, by the later cell.

@@ -455,26 +455,9 @@ impl SimplicialComplex {
         Self::from_facets(facets.iter())
     }
 
-    /// The link of one simplex s: the simplices t disjoint from s such that t and s together are a simplex. It equals
-    /// the closure of the star of s minus the star of the closure; that of a maximal simplex is empty.
-    ///
-    /// # Errors
-    /// [`ErrorKind::NotInComplex`] if `simplex` is not in the complex.
-    ///
-    /// # Complexity
-    /// Linear in the number of simplices that end in the last vertex of `simplex`, and in $m \log v$ for m simplices and
-    /// v vertices in the link.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface::simplicial::{Simplex, SimplicialComplex};
-    /// # fn main() -> Result<(), coface::Error> {
-    /// let complex = SimplicialComplex::from_facets([[0, 1, 2], [1, 2, 3]])?;
-    /// let around = complex.link_of(&Simplex::from([2]))?;
-    /// assert_eq!(around, SimplicialComplex::from_facets([[0, 1], [1, 3]])?);
-    /// # Ok(()) }
-    /// ```
-    pub fn link_of(&self, simplex: &Simplex) -> Result<Self, Error> {
+    /// The link of one simplex, cut out of the tree in time linear in the simplices that end in its last vertex, and in
+    /// $m \log v$ for m simplices and v vertices in the link: what [`Self::link`] does for a set of one.
+    pub(super) fn link_of(&self, simplex: &Simplex) -> Result<Self, Error> {
         self.require(simplex)?;
         Ok(Self { tree: self.tree.link(simplex.numbers()) })
     }

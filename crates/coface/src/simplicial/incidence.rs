@@ -180,7 +180,7 @@ impl FrozenComplex {
         // Beyond 32 bits the starts are of no use, and the matrix refuses so many rows.
         let column_starts = (0..=count).map(|j| (j * (k + 1)) as u32).collect();
         let signs: Vec<i32> = (0..=k).rev().map(|i| if i % 2 == 0 { 1 } else { -1 }).collect();
-        SparseMatrix::from_parts(self.simplex_count(k - 1), column_starts, rows, signs.repeat(count))
+        SparseMatrix::from_trusted_parts(self.simplex_count(k - 1), column_starts, rows, signs.repeat(count))
     }
 }
 

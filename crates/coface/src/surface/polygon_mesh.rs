@@ -321,7 +321,8 @@ fn edge_boundaries(vertex_count: usize, ends: Vec<u32>) -> SparseMatrix {
     entries
         .par_chunks_mut(1 << 14)
         .for_each(|block| block.iter_mut().step_by(2).for_each(|entry| *entry = -1));
-    SparseMatrix::from_parts(vertex_count, starts, ends, entries).expect("edges join two vertices in order")
+    SparseMatrix::from_trusted_parts(vertex_count, starts, ends, entries)
+        .expect("edges join two vertices in order")
 }
 
 /// `corner_edges` becomes the rows of the matrix: the sides of each face are sorted in place.
@@ -360,7 +361,8 @@ fn face_boundaries(edge_count: usize, polygons: &RaggedArray, corner_edges: Vec<
             sort_sides(polygon, &mut rows[sides.clone()], &mut entries[sides], &mut pairs);
         }
     }
-    SparseMatrix::from_parts(edge_count, starts, rows, entries).expect("a face has each of its edges once")
+    SparseMatrix::from_trusted_parts(edge_count, starts, rows, entries)
+        .expect("a face has each of its edges once")
 }
 
 /// Sorts the edges of one face and writes their signs beside them.
