@@ -214,7 +214,8 @@ fn files_that_are_no_models_get_one_message() {
             assert_helpful(&error, &format!("{format:?} as told"));
         }
     }
-    fs::write(path("garbage"), (0..5000u32).map(|i| (i * i >> 7) as u8 ^ 0x5a).collect::<Vec<u8>>()).unwrap();
+    fs::write(path("garbage"), (0..5000u32).map(|i| ((i * i) >> 7) as u8 ^ 0x5a).collect::<Vec<u8>>())
+        .unwrap();
     let (kind, text) = fault(&path("garbage"));
     assert_eq!(kind, ErrorKind::UnsupportedFormat);
     assert!(text.contains("--format"), "{text}");

@@ -62,7 +62,9 @@ impl fmt::Display for Coefficients {
 /// Whether `n` is prime, by trial division up to the square root.
 fn is_prime(n: u64) -> bool {
     n >= 2
-        && (2..).take_while(|&d: &u64| d.checked_mul(d).is_some_and(|square| square <= n)).all(|d| n % d != 0)
+        && (2..)
+            .take_while(|&d: &u64| d.checked_mul(d).is_some_and(|square| square <= n))
+            .all(|d| !n.is_multiple_of(d))
 }
 
 #[cfg(test)]
