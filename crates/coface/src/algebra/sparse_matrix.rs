@@ -421,39 +421,49 @@ impl SparseMatrix {
         Ok((0..block_count)
             .into_par_iter()
             .filter_map(|block| {
-                let mut sums: Vec<(u32, i128)> = Vec::new();
+                let mut sums = Vec::new();
                 let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
                 columns.into_iter().find(|&j| !self.combination_is_zero(other.column(j), &mut sums))
             })
             .min())
     }
 
-    /// Whether the combination of columns of `self` that `coefficients` describes is zero. Boundaries of cells are
-    /// short, so a short list of sums beats a table of all rows; long ones are sorted.
-    fn combination_is_zero(&self, coefficients: Column<'_>, sums: &mut Vec<(u32, i128)>) -> bool {
+    /// Whether the combination of columns of `self` that `coefficients` describes is zero. In a boundary of a boundary
+    /// terms cancel soon, so the list of sums that are not zero stays short; where it grows long, or a sum leaves 64
+    /// bits, all terms are sorted instead.
+    fn combination_is_zero(&self, coefficients: Column<'_>, sums: &mut Vec<(u32, i64)>) -> bool {
         sums.clear();
-        let mut term_count = 0;
-        for (k, _) in coefficients.iter() {
-            term_count += self.column(k).rows.len();
-        }
-        if term_count <= 32 {
-            for (k, coefficient) in coefficients.iter() {
-                for (row, entry) in self.column(k).iter() {
-                    let product = i128::from(coefficient) * i128::from(entry);
-                    match sums.iter_mut().find(|(r, _)| *r as usize == row) {
-                        Some((_, sum)) => *sum += product,
-                        None => sums.push((row as u32, product)),
+        for (k, coefficient) in coefficients.iter() {
+            for (row, entry) in self.column(k).iter() {
+                let product = i64::from(coefficient) * i64::from(entry);
+                let Some(at) = sums.iter().position(|&(r, _)| r as usize == row) else {
+                    if sums.len() == 32 {
+                        return self.sorted_combination_is_zero(coefficients);
                     }
+                    sums.push((row as u32, product));
+                    continue;
+                };
+                match sums[at].1.checked_add(product) {
+                    Some(0) => {
+                        sums.swap_remove(at);
+                    }
+                    Some(sum) => sums[at].1 = sum,
+                    None => return self.sorted_combination_is_zero(coefficients),
                 }
             }
-            return sums.iter().all(|&(_, sum)| sum == 0);
         }
-        for (k, coefficient) in coefficients.iter() {
-            let column = self.column(k);
-            sums.extend(column.iter().map(|(r, e)| (r as u32, i128::from(coefficient) * i128::from(e))));
-        }
-        sums.sort_unstable_by_key(|&(row, _)| row);
-        sums.chunk_by(|a, b| a.0 == b.0)
+        sums.is_empty()
+    }
+
+    fn sorted_combination_is_zero(&self, coefficients: Column<'_>) -> bool {
+        let product = |coefficient: i32, entry: i32| i128::from(coefficient) * i128::from(entry);
+        let mut terms: Vec<(usize, i128)> = coefficients
+            .iter()
+            .flat_map(|(k, x)| self.column(k).iter().map(move |(row, entry)| (row, product(x, entry))))
+            .collect();
+        terms.sort_unstable_by_key(|&(row, _)| row);
+        terms
+            .chunk_by(|a, b| a.0 == b.0)
             .all(|group| group.iter().map(|&(_, product)| product).sum::<i128>() == 0)
     }
 }

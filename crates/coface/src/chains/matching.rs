@@ -231,20 +231,24 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
             cofaces.mixed ^= cell;
         }
     }
+    // Nearly always all entries are units, and then no incidence has to be looked up.
+    let has_units_only = matrix.entries().iter().all(|entry| entry.unsigned_abs() == 1);
     // First in, first out: breadth-first collapses have short gradient paths.
     let mut free: Vec<u32> =
         (0..matrix.row_count() as u32).filter(|&face| cofaces[face as usize].count == 1).collect();
     let mut at = 0;
     let mut gone = Remaining { words: vec![0; remaining.words.len()], count: remaining.count };
     let mut faces = Remaining::all(matrix.row_count());
-    let mut pairs = Vec::new();
+    let mut pairs = Vec::with_capacity(matrix.row_count().min(matrix.column_count()));
     let mut candidates = remaining.iter();
     loop {
         let cell = if let Some(&face) = free.get(at) {
             at += 1;
             let Cofaces { count, mixed: cell } = cofaces[face as usize];
             // Another face may have taken the cell away; an incidence of 2 or more cannot cancel over the integers.
-            if count != 1 || matrix.entry(face as usize, cell as usize).unsigned_abs() != 1 {
+            if count != 1
+                || !(has_units_only || matrix.entry(face as usize, cell as usize).unsigned_abs() == 1)
+            {
                 continue;
             }
             pairs.push(MatchedPair { face, cell });

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Integer, SparseMatrix, WideMatrix};
 use crate::chains::{AcyclicMatching, ChainComplex, MatchedPair};
+use rayon::prelude::*;
 
 /// The Morse complex of a chain complex: one cell for each critical cell, with the integral homology of the whole.
 ///
@@ -45,13 +46,14 @@ impl<'a> MorseComplex<'a> {
     pub fn new(complex: &'a ChainComplex) -> Self {
         let matching = AcyclicMatching::new(complex);
         let boundaries = (1..complex.degree_count())
+            .into_par_iter()
             .map(|degree| {
                 let cells = matching.critical_cells(degree);
                 if cells.is_empty() || matching.has_zero_boundary(degree) {
                     return vec![Vec::new(); cells.len()];
                 }
                 let mut flow = Flow::new(complex, &matching, degree);
-                cells.iter().map(|&cell| flow.boundary(&[(cell, Integer::ONE)], &mut |_, _| {})).collect()
+                cells.iter().map(|&cell| flow.boundary(&[(cell, Integer::ONE)], None)).collect()
             })
             .collect();
         Self { complex, matching, boundaries }
@@ -95,8 +97,7 @@ impl<'a> MorseComplex<'a> {
         let chain: Vec<(u32, Integer)> = chain.iter().map(|(i, x)| (cells[*i as usize], x.clone())).collect();
         let mut image = chain.clone();
         if degree > 0 {
-            Flow::new(self.complex, &self.matching, degree)
-                .boundary(&chain, &mut |cell, coefficient| image.push((cell, coefficient)));
+            Flow::new(self.complex, &self.matching, degree).boundary(&chain, Some(&mut image));
         }
         image.sort_unstable_by_key(|&(cell, _)| cell);
         image
@@ -172,29 +173,31 @@ impl<'a> Flow<'a> {
     }
 
     /// Grows a chain until its boundary has no matched face. Gives that boundary on the numbers of the critical faces,
-    /// and tells `added` each cell that was added with its coefficient.
+    /// and appends to `grown` each cell that was added with its coefficient.
     fn boundary(
         &mut self,
         chain: &[(u32, Integer)],
-        added: &mut dyn FnMut(u32, Integer),
+        grown: Option<&mut Vec<(u32, Integer)>>,
     ) -> Vec<(u32, Integer)> {
         let mut values = std::mem::take(&mut self.values);
         let mut waiting = std::mem::take(&mut self.waiting);
         waiting.from = 0;
-        // What has been added must not be told before it is known that 64 bits suffice.
-        let mut log = Vec::new();
-        let result =
-            self.eliminate(chain, &mut values, &mut waiting, &mut |cell, x: i64| log.push((cell, x)));
-        if let Some(boundary) = result {
+        let mut added = grown.is_some().then(Vec::new);
+        if let Some(boundary) = self.eliminate(chain, &mut values, &mut waiting, &mut added) {
             (self.values, self.waiting) = (values, waiting);
-            log.into_iter().for_each(|(cell, x)| added(cell, Integer::from(x)));
+            append(grown, added);
             return boundary;
         }
+        // A coefficient left 64 bits: once more with big integers.
         values.fill(0);
         (self.values, self.waiting) = (values, SlotQueue::new(self.pairs.len()));
+        let mut added = grown.is_some().then(Vec::new);
         let mut wide = vec![Integer::ZERO; self.slot_count];
-        self.eliminate(chain, &mut wide, &mut SlotQueue::new(self.pairs.len()), added)
-            .expect("big integers hold every coefficient")
+        let boundary = self
+            .eliminate(chain, &mut wide, &mut SlotQueue::new(self.pairs.len()), &mut added)
+            .expect("big integers hold every coefficient");
+        append(grown, added);
+        boundary
     }
 
     fn eliminate<N: Number>(
@@ -202,7 +205,7 @@ impl<'a> Flow<'a> {
         chain: &[(u32, Integer)],
         values: &mut [N],
         waiting: &mut SlotQueue,
-        added: &mut dyn FnMut(u32, N),
+        added: &mut Option<Vec<(u32, N)>>,
     ) -> Option<Vec<(u32, Integer)>> {
         let mut reached = Vec::new();
         for (cell, coefficient) in chain {
@@ -218,7 +221,9 @@ impl<'a> Flow<'a> {
             let minus_incidence = -self.matrix.entry(face as usize, cell as usize);
             let coefficient = N::default().plus_product(value, minus_incidence)?;
             self.add(cell, &coefficient, values, waiting, &mut reached)?;
-            added(cell, coefficient);
+            if let Some(added) = added {
+                added.push((cell, coefficient));
+            }
         }
         reached.sort_unstable();
         reached.dedup();
@@ -257,6 +262,12 @@ impl<'a> Flow<'a> {
             *value = value.plus_product(coefficient, incidence)?;
         }
         Some(())
+    }
+}
+
+fn append<N: Number>(grown: Option<&mut Vec<(u32, Integer)>>, added: Option<Vec<(u32, N)>>) {
+    if let (Some(grown), Some(added)) = (grown, added) {
+        grown.extend(added.into_iter().map(|(cell, x)| (cell, x.to_integer())));
     }
 }
 
