@@ -1,7 +1,7 @@
 //! The truth test: what the program says about real files, against facts that other tools measured.
 //!
 //! The folder named by the environment variable `COFACE_DATA` holds `MANIFEST.json`, one record a file, and the files.
-//! Without the variable there is nothing to compare with, and the tests say so.
+//! Without the variable only the models shipped in `data/` are looked at, and the other tests say that they skip.
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a skipped test says so")]
@@ -10,7 +10,7 @@ mod program;
 
 use program::{argument, coface};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The data folder and its records, if there is one.
 fn manifest() -> Option<(PathBuf, Vec<Value>)> {
@@ -330,4 +330,31 @@ fn tricky_files_are_read_or_refused_as_expected() {
         }
     }
     assert_eq!(seen, 6, "every tricky file is in the table");
+}
+
+/// Counted by an independent script; Betti numbers by persistent cohomology over three fields.
+#[test]
+fn shipped_models_have_their_known_facts() {
+    let table = [
+        ("spot.obj", "obj", json!([2930, 8784, 5856]), json!([1, 0, 1]), "yes", json!("sphere")),
+        ("fan3.obj", "obj", json!([5, 7, 3]), json!([1, 0, 0]), "no", Value::Null),
+        ("moebius.obj", "obj", json!([280, 504, 224]), json!([1, 1, 0]), "yes", json!("Moebius band")),
+        ("platonic_shelf.obj", "obj", json!([50, 90, 50]), json!([5, 0, 5]), "yes", json!("5 spheres")),
+        ("fandisk_quads.off", "off", json!([766, 1528, 764]), json!([1, 0, 1]), "yes", json!("sphere")),
+        ("box.msh", "msh", json!([358, 1774, 2522, 1105]), json!([1, 0, 0, 0]), "yes", Value::Null),
+        ("beam_h5t12.mesh", "mesh", json!([32, 76, 67, 17]), json!([1, 0, 5, 0]), "no", Value::Null),
+        ("cylinder.vtk", "vtk", json!([354, 1921, 2916, 1348]), json!([1, 0, 0, 0]), "yes", Value::Null),
+    ];
+    for (file, format, f_vector, betti, manifold, name) in table {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(file);
+        let report = coface(&["info", "--json", argument(&path)]).json();
+        assert_eq!(report["format"], format, "{file}");
+        assert_eq!(report["f_vector"], f_vector, "{file}");
+        assert_eq!(report["manifold"]["verdict"], manifold, "{file}");
+        assert_eq!(report["name"], name, "{file}");
+        let groups = report["homology"].as_array().unwrap();
+        let found: Vec<Value> = groups.iter().map(|group| group["betti"].clone()).collect();
+        assert_eq!(Value::from(found), betti, "{file}");
+        assert!(groups.iter().all(|group| group["torsion"] == json!([])), "{file}");
+    }
 }

@@ -1,4 +1,19 @@
 //! Exact computational topology of cell complexes.
+//!
+//! A file becomes a [`io::Model`]; a producer makes a [`chains::ChainComplex`] of it; a question is put to the chain
+//! complex. Producers do not know the questions, questions do not know the producers.
+//!
+//! # The map
+//! * [`algebra`] and [`geometry`] are the ground: integers that widen, sparse integer matrices, Smith normal form,
+//!   union-find; positions, areas and volumes.
+//! * [`chains`] is the centre: chain complexes, chains and cochains, and their reduction by acyclic matching.
+//! * [`simplicial`], [`surface`] and [`cellular`] are the producers: simplicial complexes of any dimension, polygon meshes
+//!   and halfedge permutations, meshes of tetrahedra, hexahedra, wedges and pyramids. They also give verdicts with
+//!   witnesses: what is a manifold, what can be oriented, where the boundary runs.
+//! * [`topology`] asks: homology, cohomology, generators.
+//! * [`io`] reads and writes files; [`report`] puts everything that is known about a model together.
+//!
+//! Answers are exact; an [`Error`] names the place, the fault and the cure. The guide is in the folder `examples`.
 
 pub mod algebra;
 pub mod cellular;
@@ -14,3 +29,8 @@ pub mod topology;
 
 pub use error::{Error, ErrorKind};
 pub use ids::{CellId, EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

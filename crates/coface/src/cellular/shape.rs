@@ -1,6 +1,7 @@
 //! The shapes of three-dimensional cells that files hold.
 
-/// The shape of a 3-cell, with the vertex order that legacy VTK, Gmsh and MEDIT share.
+/// The shape of a 3-cell, with the vertex order of Gmsh and MEDIT, and of legacy VTK but for its wedge, whose bottom
+/// triangle VTK lists the other way around.
 ///
 /// Tetrahedron: 0 1 2 is a face, 3 the apex. Hexahedron: 0 1 2 3 the bottom quadrangle, 4 5 6 7 above it. Wedge: 0 1 2
 /// the bottom triangle, 3 4 5 above it. Pyramid: 0 1 2 3 the base, 4 the apex. In a right-handed frame a cell is
