@@ -1,8 +1,8 @@
 //! Signed boundary matrices of a mesh of cells.
 
-use super::homology::chain_complex;
 use super::{Task, Work};
 use crate::inputs::Mesh;
+use coface::report::Producer;
 
 pub(super) const TASK: Task = Task {
     name: "boundary-matrices",
@@ -11,8 +11,9 @@ pub(super) const TASK: Task = Task {
     inputs: &["grid3_26", "grid3_35", "grid3_44", "grid3_55"],
     work: Work::Inside(|path, clock| {
         let model = Mesh::read_raw(path)?.into_model()?;
-        let (complex, products) = clock.time(model.cells().len() + model.polygons().len(), || {
-            let complex = chain_complex(&model)?;
+        let size = model.cells().len() + model.polygons().len();
+        let (complex, products) = clock.time(size, || {
+            let complex = Producer::of(model)?.into_chain_complex()?;
             let products: Result<Vec<_>, _> = complex
                 .boundary_matrices()
                 .windows(2)

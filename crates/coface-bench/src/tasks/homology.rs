@@ -3,10 +3,7 @@
 use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::cellular::CellMesh;
-use coface::chains::ChainComplex;
-use coface::io::Model;
-use coface::surface::PolygonMesh;
+use coface::report::Producer;
 use coface::topology::{Homology, homology};
 use std::path::Path;
 
@@ -26,7 +23,7 @@ pub(super) const REDUCTION: Task = Task {
     extension: "raw",
     inputs: SOLIDS,
     work: Work::Inside(|path, clock| {
-        let complex = chain_complex(&Mesh::read_raw(path)?.into_model()?)?;
+        let complex = Producer::of(Mesh::read_raw(path)?.into_model()?)?.into_chain_complex()?;
         Ok(to_text(&clock.time(complex.f_vector().iter().sum(), || homology(&complex))))
     }),
 };
@@ -34,18 +31,12 @@ pub(super) const REDUCTION: Task = Task {
 fn from_model(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let model = Mesh::read_raw(path)?.into_model()?;
     let size = model.polygons().len() + model.cells().len();
-    let groups = clock.time(size, || chain_complex(&model).map(|complex| homology(&complex)))?;
+    // As the program does it: the model is given away, and its arrays go into the complex.
+    let (groups, _complex) = clock.time(size, || {
+        let complex = Producer::of(model)?.into_chain_complex()?;
+        Ok::<_, Error>((homology(&complex), complex))
+    })?;
     Ok(to_text(&groups))
-}
-
-/// The chain complex of a model of polygons or of cells.
-pub(super) fn chain_complex(model: &Model) -> Result<ChainComplex, Error> {
-    let (count, polygons) = (model.vertex_count(), model.polygons());
-    if model.cells().is_empty() {
-        return Ok(PolygonMesh::new(count, polygons.clone(), &[])?.into_chain_complex());
-    }
-    let mesh = CellMesh::new(count, model.shapes().to_vec(), model.cells().clone(), polygons, &[])?;
-    Ok(mesh.into_chain_complex())
 }
 
 /// The Betti numbers, and the torsion where there is some.

@@ -70,11 +70,9 @@ impl AcyclicMatching {
         let mut remaining = Remaining::all(complex.cell_count(degree_count.saturating_sub(1)));
         for degree in (1..degree_count).rev() {
             let matrix = complex.boundary_matrix(degree).expect("each degree below the count has its matrix");
-            let (below, level) = if degree == 1 && is_graph(matrix, &remaining) {
-                span(matrix, &remaining, &mut critical[1])
-            } else {
-                collapse(matrix, &remaining, &mut critical[degree])
-            };
+            let forest = if degree == 1 { span(matrix, &remaining, &mut critical[1]) } else { None };
+            let (below, level) =
+                forest.unwrap_or_else(|| collapse(matrix, &remaining, &mut critical[degree]));
             pairs.push(level);
             remaining = below;
         }
@@ -113,7 +111,7 @@ impl AcyclicMatching {
     }
 }
 
-/// The cells of one degree that are not matched from above: a set as bits.
+/// A set of cells of one degree as bits: those that are not matched from above.
 struct Remaining {
     words: Vec<u64>,
     count: usize,
@@ -122,6 +120,18 @@ struct Remaining {
 impl Remaining {
     fn all(count: usize) -> Self {
         Self { words: vec![u64::MAX; count.div_ceil(64)], count }
+    }
+
+    fn none(count: usize) -> Self {
+        Self { words: vec![0; count.div_ceil(64)], count }
+    }
+
+    fn contains(&self, cell: u32) -> bool {
+        self.words[cell as usize / 64] & (1 << (cell % 64)) != 0
+    }
+
+    fn insert(&mut self, cell: u32) {
+        self.words[cell as usize / 64] |= 1 << (cell % 64);
     }
 
     fn remove(&mut self, cell: u32) {
@@ -144,31 +154,36 @@ impl Remaining {
     }
 }
 
-/// Whether each remaining column is that of an edge of a graph: empty, or one 1 and one -1.
-fn is_graph(matrix: &SparseMatrix, remaining: &Remaining) -> bool {
-    remaining.iter().all(|edge| matches!(matrix.column(edge as usize).entries(), [] | [-1, 1] | [1, -1]))
-}
-
 /// Takes a spanning forest of the graph of the remaining edges. Gives the vertices that stay: the first of each tree.
-fn span(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -> (Remaining, Pairs) {
+/// `None` if they are not the edges of a graph, where each column is empty or one 1 and one -1.
+fn span(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -> Option<(Remaining, Pairs)> {
     let mut trees = UnionFind::new(matrix.row_count());
     let mut forest = Vec::with_capacity(matrix.row_count());
     for edge in remaining.iter() {
-        match *matrix.column(edge as usize).rows() {
-            [a, b] if trees.unite(a, b) => forest.push(edge),
-            _ => critical.push(edge),
+        let column = matrix.column(edge as usize);
+        match (column.rows(), column.entries()) {
+            (&[a, b], [-1, 1] | [1, -1]) if trees.unite(a, b) => forest.push(edge),
+            (_, [] | [-1, 1] | [1, -1]) => critical.push(edge),
+            _ => {
+                critical.clear();
+                return None;
+            }
         }
     }
-    let mut rooted = vec![false; matrix.row_count()];
-    let mut roots = Remaining::all(matrix.row_count());
-    for vertex in 0..matrix.row_count() as u32 {
-        let root = &mut rooted[trees.find(vertex) as usize];
-        if *root {
-            roots.remove(vertex);
+    let mut is_rooted = vec![false; matrix.row_count()];
+    let mut roots = Remaining::none(matrix.row_count());
+    let mut missing = trees.class_count();
+    let mut vertices = 0..matrix.row_count() as u32;
+    while missing > 0
+        && let Some(vertex) = vertices.next()
+    {
+        let is_rooted = &mut is_rooted[trees.find(vertex) as usize];
+        if !std::mem::replace(is_rooted, true) {
+            roots.insert(vertex);
+            missing -= 1;
         }
-        *root = true;
     }
-    (roots, Pairs::Forest(forest, OnceLock::new()))
+    Some((roots, Pairs::Forest(forest, OnceLock::new())))
 }
 
 /// Roots a forest at the given vertices and pairs each other vertex with the edge towards its root, leaves first.
@@ -237,7 +252,7 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
     let mut free: Vec<u32> =
         (0..matrix.row_count() as u32).filter(|&face| cofaces[face as usize].count == 1).collect();
     let mut at = 0;
-    let mut gone = Remaining { words: vec![0; remaining.words.len()], count: remaining.count };
+    let mut gone = Remaining::none(remaining.count);
     let mut faces = Remaining::all(matrix.row_count());
     let mut pairs = Vec::with_capacity(matrix.row_count().min(matrix.column_count()));
     let mut candidates = remaining.iter();
@@ -257,15 +272,13 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
         } else {
             free.clear();
             at = 0;
-            let Some(cell) =
-                candidates.find(|&cell| gone.words[cell as usize / 64] & (1 << (cell % 64)) == 0)
-            else {
+            let Some(cell) = candidates.find(|&cell| !gone.contains(cell)) else {
                 break;
             };
             critical.push(cell);
             cell
         };
-        gone.words[cell as usize / 64] |= 1 << (cell % 64);
+        gone.insert(cell);
         for &face in matrix.column(cell as usize).rows() {
             let cofaces = &mut cofaces[face as usize];
             cofaces.count -= 1;

@@ -89,6 +89,20 @@ impl Producer {
         })
     }
 
+    /// The chain complex, made out of the arrays of the producer; saves memory and time where no cell has to be named.
+    ///
+    /// # Errors
+    /// Those of [`Self::chain_complex`].
+    pub fn into_chain_complex(self) -> Result<ChainComplex, Error> {
+        Ok(match self.cells {
+            Cells::Polygons(mesh) => mesh.into_chain_complex(),
+            Cells::Solids(mesh) => mesh.into_chain_complex(),
+            Cells::Simplices(complex) => complex.chain_complex()?,
+            Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Chains(complex) => complex,
+        })
+    }
+
     /// The vertices of a cell, by their numbers in the file, in an order that has the orientation of the cell: an edge
     /// from its start to its end, a polygon around. The cells of a chain complex have no vertices, and those of halfedge
     /// permutations may have one vertex several times: they are named by their own numbers.
