@@ -220,11 +220,13 @@ fn connectedness(report: &Report) -> String {
 
 /// The name of a cell of this degree.
 fn cell_name(report: &Report, degree: usize) -> String {
-    match (degree, report.kind()) {
+    // The cells of a chain complex, of which it is not known whether it is pure, have no shape.
+    let is_simplicial = report.kind() == Kind::Complex && report.is_pure().is_some();
+    match (degree, is_simplicial) {
         (0, _) => "vertex".to_owned(),
         (1, _) => "edge".to_owned(),
-        (2, Kind::Complex) => "triangle".to_owned(),
-        (3, Kind::Complex) => "tetrahedron".to_owned(),
+        (2, true) => "triangle".to_owned(),
+        (3, true) => "tetrahedron".to_owned(),
         (2, _) => "face".to_owned(),
         (3, _) => "cell".to_owned(),
         (degree, _) => format!("cell of dimension {degree}"),
@@ -300,7 +302,11 @@ fn shape(page: &mut Page, report: &Report) {
             page.fact("manifold", BAD, "no", gloss);
         }
         Answer::Unknown => {
-            let gloss = report.witness().map_or("not decided in this dimension", |witness| witness.message());
+            let gloss = match report.witness() {
+                Some(witness) => witness.message(),
+                None if report.is_pure().is_none() => "boundary matrices alone do not tell",
+                None => "not decided in this dimension",
+            };
             page.fact("manifold", ODD, "unknown", gloss);
         }
     }
