@@ -26,6 +26,13 @@ pub(crate) fn print_bytes(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
     write(&mut out).and_then(|()| out.flush()).map_err(|error| failed(&error))
 }
 
+/// Says something worth knowing on standard error; the caller sees to `--quiet`.
+pub(crate) fn remark(text: &str) {
+    let style = anstyle::AnsiColor::Yellow.on_default().bold();
+    // A closed standard error leaves nobody to tell.
+    let _ = writeln!(anstream::stderr(), "{style}remark:{style:#} {text}");
+}
+
 fn failed(error: &io::Error) -> Failure {
     Failure::writing("standard output", error)
 }

@@ -348,3 +348,19 @@ fn help_lists_the_verbs_that_exist() {
     }
     assert!(coface(&["--version"]).stdout.starts_with("coface "));
 }
+
+#[test]
+fn convert_says_which_groups_it_leaves_out() {
+    let (folder, path) = file("named.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng left\nf 1 2 3\n");
+    let remarks = |name: &str| {
+        let target = folder.path().join(name);
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_coface"))
+            .args(["convert", argument(&path), "-o", argument(&target)])
+            .output()
+            .unwrap();
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).unwrap()
+    };
+    assert_eq!(remarks("named.off"), "remark: OFF does not keep groups: 1 left out\n");
+    assert_eq!(remarks("again.obj"), "");
+}

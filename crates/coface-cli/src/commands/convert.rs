@@ -3,7 +3,7 @@
 use crate::arguments::{Common, format_of_name};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_bytes, print_json};
+use crate::output::{print_bytes, print_json, remark};
 use crate::progress::Progress;
 use clap::Args;
 use coface::Error;
@@ -47,11 +47,13 @@ impl Convert {
             let mut bytes = Vec::new();
             io::write(&loaded.model, &mut bytes, format)?;
             drop(progress);
+            remark_on_groups(&loaded.model, format, common);
             return print_bytes(|out| out.write_all(&bytes));
         };
         progress.stage(format!("writing {}", path.display()));
         io::write_path(&loaded.model, path, Some(format)).map_err(|error: Error| error)?;
         drop(progress);
+        remark_on_groups(&loaded.model, format, common);
         if common.json {
             return print_json(&json!({
                 "file": loaded.name,
@@ -62,6 +64,14 @@ impl Convert {
             }));
         }
         Ok(())
+    }
+}
+
+/// Says that the format has no room for the groups of the model, where that is so.
+fn remark_on_groups(model: &Model, format: Format, common: &Common) {
+    let count = model.groups().len();
+    if count > 0 && !format.keeps_groups() && !common.quiet {
+        remark(&format!("{} does not keep groups: {count} left out", format.title()));
     }
 }
 

@@ -117,6 +117,17 @@ impl Format {
         })
     }
 
+    /// Whether [`crate::io::write`] writes the named groups of a model in this format; the others leave them out.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert!(Format::Obj.keeps_groups() && !Format::Off.keeps_groups());
+    /// ```
+    pub const fn keeps_groups(self) -> bool {
+        matches!(self, Self::Obj | Self::Medit | Self::Msh)
+    }
+
     /// The format that the extension of a path tells.
     ///
     /// # Examples
