@@ -7,6 +7,7 @@
 //!   entries are 32 bits wide; a [`WideMatrix`] has integers of any size, and arithmetic gives an [`IntegerMatrix`],
 //!   which is whichever of the two suffices.
 //! * The [`SmithForm`] of a matrix is diagonal with each entry dividing the next; [`SmithTransforms`] make it.
+//! * A [`SymmetricForm`] or [`SkewForm`] is a bilinear form on a lattice, with the invariants that its basis does not change.
 //! * A [`Permutation`] moves i to `image(i)`; `p.then(&q)` does p first.
 //! * A [`RaggedArray`] is a list of lists in one flat array: polygons, facets, orbits.
 //! * A [`UnionFind`] keeps a partition of `0..n`; [`ParityUnionFind`] also keeps a sign between members.
@@ -22,8 +23,10 @@ mod product;
 mod ragged;
 mod rational;
 mod residue;
+mod skew_form;
 mod smith;
 mod sparse_matrix;
+mod symmetric_form;
 mod union_find;
 
 pub use entry::Entry;
@@ -33,8 +36,10 @@ pub use permutation::Permutation;
 pub use ragged::RaggedArray;
 pub use rational::Rational;
 pub use residue::Residue;
+pub use skew_form::SkewForm;
 pub use smith::{SmithForm, SmithTransforms, invariant_factors, smith_form, smith_form_with_transforms};
 pub use sparse_matrix::{Column, SparseMatrix, WideMatrix};
+pub use symmetric_form::{Definiteness, Inertia, Parity, SymmetricForm};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
 
 use std::fmt;
