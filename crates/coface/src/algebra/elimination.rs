@@ -1,11 +1,9 @@
 //! Elimination of a sparse integer matrix down to a diagonal, over the integers or modulo one integer.
 
-use super::{Entry, Integer, SparseMatrix};
+use super::sparse_vector::{combination, entry_of};
+use super::{Entry, Integer, SparseMatrix, SparseVector};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-/// A row or column vector: rising positions, no zero.
-pub(super) type SparseVector = Vec<(u32, Integer)>;
 
 /// A pivot that stands alone in its row and column.
 #[derive(Clone, Debug)]
@@ -365,11 +363,6 @@ impl Elimination {
     }
 }
 
-/// The entry at a position.
-fn entry_of(vector: &[(u32, Integer)], position: u32) -> Option<&Integer> {
-    vector.binary_search_by_key(&position, |&(at, _)| at).ok().map(|at| &vector[at].1)
-}
-
 /// Adds `factor` times vector `source` to vector `target` of the list.
 pub(super) fn add_multiple_of(vectors: &mut [SparseVector], target: u32, factor: &Integer, source: u32) {
     if factor.is_zero() {
@@ -379,35 +372,4 @@ pub(super) fn add_multiple_of(vectors: &mut [SparseVector], target: u32, factor:
     let old = std::mem::take(&mut vectors[target as usize]);
     vectors[target as usize] = combination(&Integer::ONE, &old, factor, &added);
     vectors[source as usize] = added;
-}
-
-/// $x a + y b$ of two vectors.
-pub(super) fn combination(
-    x: &Integer,
-    a: &[(u32, Integer)],
-    y: &Integer,
-    b: &[(u32, Integer)],
-) -> SparseVector {
-    let mut sum = SparseVector::with_capacity(a.len() + b.len());
-    let (mut i, mut j) = (0, 0);
-    while i < a.len() || j < b.len() {
-        let at = match (a.get(i), b.get(j)) {
-            (Some(left), Some(right)) => left.0.min(right.0),
-            (Some(one), None) | (None, Some(one)) => one.0,
-            (None, None) => break,
-        };
-        let mut value = Integer::ZERO;
-        if let Some((_, entry)) = a.get(i).filter(|&&(position, _)| position == at) {
-            value += &(x * entry);
-            i += 1;
-        }
-        if let Some((_, entry)) = b.get(j).filter(|&&(position, _)| position == at) {
-            value += &(y * entry);
-            j += 1;
-        }
-        if !value.is_zero() {
-            sum.push((at, value));
-        }
-    }
-    sum
 }

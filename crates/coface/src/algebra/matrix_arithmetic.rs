@@ -1,6 +1,6 @@
 //! Sums, multiples, slices and permutations of sparse matrices.
 
-use super::elimination::combination;
+use super::sparse_vector::combination;
 use super::{Entry, Integer, IntegerMatrix, Permutation, SparseMatrix, WideMatrix};
 use crate::{Error, ErrorKind};
 

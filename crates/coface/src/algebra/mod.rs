@@ -26,6 +26,7 @@ mod residue;
 mod skew_form;
 mod smith;
 mod sparse_matrix;
+mod sparse_vector;
 mod symmetric_form;
 mod union_find;
 
@@ -39,6 +40,8 @@ pub use residue::Residue;
 pub use skew_form::SkewForm;
 pub use smith::{SmithForm, SmithTransforms, invariant_factors, smith_form, smith_form_with_transforms};
 pub use sparse_matrix::{Column, SparseMatrix, WideMatrix};
+pub use sparse_vector::SparseVector;
+pub(crate) use sparse_vector::{combination, inner_product, linear_combination};
 pub use symmetric_form::{Definiteness, Inertia, Parity, SymmetricForm};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
 

@@ -1,7 +1,6 @@
 //! Rank and a determinant of an integer matrix from its residues modulo many primes.
 
-use super::Integer;
-use super::elimination::SparseVector;
+use super::{Integer, SparseVector};
 use rayon::prelude::*;
 
 /// The rank of a matrix, and a non-zero minor of that size, positive.

@@ -1,8 +1,9 @@
 //! The Smith normal form of a sparse integer matrix.
 
-use super::elimination::{Elimination, Pivot, SparseVector, Transforms, combination};
+use super::elimination::{Elimination, Pivot, Transforms};
 use super::modular::rank_and_minor;
-use super::{Entry, Integer, SparseMatrix, WideMatrix};
+use super::sparse_vector::combination;
+use super::{Entry, Integer, SparseMatrix, SparseVector, WideMatrix};
 
 /// The Smith normal form of an integer matrix: a diagonal of positive integers, each dividing the next, then zeros.
 ///

@@ -14,8 +14,10 @@ mod cochain;
 mod coefficient;
 mod combination;
 mod complex;
+mod flow;
 mod matching;
 mod morse;
+mod reduction;
 mod subcomplex;
 
 pub use chain::Chain;
@@ -24,6 +26,7 @@ pub use coefficient::Coefficient;
 pub use complex::ChainComplex;
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
+pub use reduction::Reduction;
 
 #[cfg(test)]
 pub(crate) use complex::tests::random_complexes;
