@@ -16,6 +16,7 @@ mod face_identification;
 mod manifold;
 mod measure;
 mod shape;
+mod two_skeleton;
 
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;

@@ -19,6 +19,7 @@ mod matching;
 mod morse;
 mod reduction;
 mod subcomplex;
+mod two_skeleton;
 
 pub use chain::Chain;
 pub use cochain::Cochain;
@@ -27,6 +28,7 @@ pub use complex::ChainComplex;
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
 pub use reduction::Reduction;
+pub use two_skeleton::TwoSkeleton;
 
 #[cfg(test)]
 pub(crate) use complex::tests::random_complexes;

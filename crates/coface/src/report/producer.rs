@@ -4,7 +4,7 @@ use super::Labels;
 use crate::Error;
 use crate::algebra::RaggedArray;
 use crate::cellular::CellMesh;
-use crate::chains::ChainComplex;
+use crate::chains::{ChainComplex, TwoSkeleton};
 use crate::geometry::Positions;
 use crate::io::{Model, Structure};
 use crate::simplicial::FrozenComplex;
@@ -100,6 +100,26 @@ impl Producer {
             Cells::Simplices(complex) => complex.chain_complex()?,
             Cells::Halfedges(mesh) => mesh.chain_complex(),
             Cells::Chains(complex) => complex,
+        })
+    }
+
+    /// The vertices, edges and faces with the paths around the faces, numbered as in [`Self::chain_complex`].
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] for a bare chain complex, which does not say how its faces are attached;
+    /// [`crate::ErrorKind::TooLarge`] beyond 32 bits.
+    pub fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
+        Ok(match &self.cells {
+            Cells::Polygons(mesh) => mesh.two_skeleton(),
+            Cells::Solids(mesh) => mesh.two_skeleton(),
+            Cells::Simplices(complex) => complex.two_skeleton()?,
+            Cells::Halfedges(mesh) => mesh.two_skeleton(),
+            Cells::Chains(_) => {
+                return Err(Error::invalid(
+                    "boundary matrices do not say in which order faces run along their edges, so loops have no words",
+                )
+                .with_cure("give the complex as facets, polygons, cells or halfedges"));
+            }
         })
     }
 

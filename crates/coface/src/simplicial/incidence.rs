@@ -130,7 +130,7 @@ impl FrozenComplex {
     ///
     /// A simplex is the child, by its last vertex w, of the face p without w. Its other facets are the children by w of
     /// the facets of p, and the children of p and of each facet of p are sorted by w, so they are found side by side.
-    fn facet_rows(&self, k: usize, below: &[u32]) -> Vec<u32> {
+    pub(super) fn facet_rows(&self, k: usize, below: &[u32]) -> Vec<u32> {
         let starts = self.child_starts(k - 1);
         let mut rows = vec![0; self.simplex_count(k) * (k + 1)];
         let mut pieces = Vec::new();

@@ -35,6 +35,7 @@ mod tree;
 mod tree_bulk;
 mod tree_link;
 mod tree_walk;
+mod two_skeleton;
 
 pub use complex::SimplicialComplex;
 pub use construction::{Composite, VertexPairs};

@@ -22,6 +22,7 @@ pub(crate) mod manifold;
 mod orientation;
 mod polygon_mesh;
 pub(crate) mod range_sort;
+mod two_skeleton;
 
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};

@@ -1,0 +1,118 @@
+//! The faces of meshes with the paths around them.
+
+use super::{HalfedgeMesh, PolygonMesh};
+use crate::algebra::{RaggedArray, Sign};
+use crate::chains::TwoSkeleton;
+use crate::{EdgeId, FaceId, HalfedgeId};
+
+impl PolygonMesh {
+    /// The vertices, edges and faces with their rims, numbered as in [`Self::chain_complex`].
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// // The edges are 01, 03, 12, 23; the square runs against 03.
+    /// assert_eq!(square.two_skeleton().faces().list(0), [0, 4, 6, 3]);
+    /// # Ok(()) }
+    /// ```
+    pub fn two_skeleton(&self) -> TwoSkeleton {
+        let mut rims = self.polygons().clone();
+        let mut steps = Vec::with_capacity(rims.item_count());
+        for face in 0..self.face_count() {
+            steps.extend(self.face_edges(FaceId::new(face)).map(|(edge, sign)| packed(edge, sign)));
+        }
+        rims.items_mut().copy_from_slice(&steps);
+        TwoSkeleton::new(self.vertex_count(), self.edge_ends().to_vec(), rims)
+            .expect("the sides of a polygon are a closed path")
+    }
+}
+
+impl HalfedgeMesh {
+    /// The vertices, edges and faces with their rims, numbered as in [`Self::chain_complex`]. A rim starts with the
+    /// smallest halfedge of its face.
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// # Examples
+    /// The square torus: along the first edge, the second, and back along both.
+    /// ```
+    /// use coface::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.two_skeleton().faces().list(0), [0, 2, 1, 3]);
+    /// # Ok(()) }
+    /// ```
+    pub fn two_skeleton(&self) -> TwoSkeleton {
+        let [vertex_count, edge_count, _] = self.f_vector();
+        let halfedges = || (0..self.halfedge_count()).map(HalfedgeId::new);
+        let mut ends = Vec::with_capacity(2 * edge_count);
+        for h in halfedges().filter(|&h| h < self.twin(h)) {
+            ends.extend([self.source(h).to_u32(), self.target(h).to_u32()]);
+        }
+        let mut rims = RaggedArray::new();
+        let mut rim = Vec::new();
+        // Faces are numbered by their smallest halfedges, so each is new when its number comes up.
+        for first in halfedges() {
+            if self.face(first).index() < rims.len() {
+                continue;
+            }
+            rim.clear();
+            let mut h = first;
+            loop {
+                let sign = if h < self.twin(h) { Sign::Plus } else { Sign::Minus };
+                rim.push(packed(self.edge(h), sign));
+                h = self.next(h);
+                if h == first {
+                    break;
+                }
+            }
+            rims.push(&rim);
+        }
+        TwoSkeleton::new(vertex_count, ends, rims).expect("the halfedges of a face are a closed path")
+    }
+}
+
+fn packed(edge: EdgeId, sign: Sign) -> u32 {
+    2 * edge.to_u32() + u32::from(sign == Sign::Minus)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn halfedges_keep_their_chain_complex(next in Just((0u32..16).collect::<Vec<_>>()).prop_shuffle()) {
+            let mesh = HalfedgeMesh::from_next(next).unwrap();
+            prop_assert_eq!(mesh.two_skeleton().chain_complex().unwrap(), mesh.chain_complex());
+        }
+
+        #[test]
+        fn polygons_keep_their_chain_complex(
+            polygons in prop::collection::vec(
+                (Just((0u32..8).collect::<Vec<_>>()).prop_shuffle(), 3usize..6), 1..8),
+        ) {
+            let polygons = RaggedArray::from_lists(polygons.iter().map(|(cycle, n)| &cycle[..*n]));
+            let mesh = PolygonMesh::new(9, polygons, &[[0, 8]]).unwrap();
+            prop_assert_eq!(mesh.two_skeleton().chain_complex().unwrap(), mesh.chain_complex());
+        }
+    }
+
+    #[test]
+    fn meshes_without_faces_have_a_skeleton() {
+        let mesh = PolygonMesh::new(3, RaggedArray::new(), &[[0, 1]]).unwrap();
+        assert_eq!(mesh.two_skeleton().f_vector(), [3, 1, 0]);
+        assert_eq!(HalfedgeMesh::from_next(vec![]).unwrap().two_skeleton().f_vector(), [0, 0, 0]);
+        // A loop between two monogons, and a segment in a digon.
+        assert_eq!(HalfedgeMesh::from_next(vec![0, 1]).unwrap().two_skeleton().faces().items(), [0, 1]);
+        assert_eq!(HalfedgeMesh::from_next(vec![1, 0]).unwrap().two_skeleton().faces().items(), [0, 1]);
+    }
+}
