@@ -15,12 +15,15 @@
 //!   **oriented consistently** when neighbors induce opposite signs on the common ridge: [`orientability`].
 //! * A [`FrozenComplex`] is a complex at rest, in sorted flat arrays; boundary and incidence matrices are made from it.
 //!   Its cells are in lexicographic order, as are those of every chain complex made here.
+//! * A [`DeltaComplex`] has simplices with ordered vertices, told by their faces: faces of one simplex may coincide.
 
 mod attached_disk;
 mod collapse;
 mod complex;
 mod components;
 mod construction;
+mod delta;
+mod delta_subdivision;
 mod frozen;
 mod glued_solid;
 mod incidence;
@@ -39,6 +42,8 @@ mod two_skeleton;
 
 pub use complex::SimplicialComplex;
 pub use construction::{Composite, VertexPairs};
+pub use delta::DeltaComplex;
+pub use delta_subdivision::{Carrier, Subdivision};
 pub use frozen::FrozenComplex;
 pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitness};
 pub use neighborhood::SimplexSet;
