@@ -64,6 +64,7 @@ pub(crate) fn format_of_name(name: &str) -> Result<Format, String> {
 pub(crate) enum Verb {
     Info(commands::info::Info),
     Homology(commands::homology::Homology),
+    Persistence(commands::persistence::Persistence),
     Star(commands::star::Star),
     Closure(commands::closure::Closure),
     Link(commands::link::Link),

@@ -6,6 +6,7 @@
 mod arguments;
 mod commands;
 mod failure;
+mod filtration;
 mod input;
 mod output;
 mod progress;

@@ -9,6 +9,7 @@ pub(crate) mod info;
 pub(crate) mod interior;
 pub(crate) mod link;
 pub(crate) mod man;
+pub(crate) mod persistence;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 
@@ -21,6 +22,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.verb {
         Verb::Info(verb) => verb.run(common),
         Verb::Homology(verb) => verb.run(common),
+        Verb::Persistence(verb) => verb.run(common),
         Verb::Star(verb) => verb.run(common),
         Verb::Closure(verb) => verb.run(common),
         Verb::Link(verb) => verb.run(common),

@@ -7,6 +7,7 @@
 mod assembly;
 mod blocks;
 mod decimal;
+mod diagram;
 mod doors;
 mod format;
 pub mod json;
@@ -28,6 +29,7 @@ pub mod stl;
 mod values;
 pub mod vtk;
 
+pub use diagram::{DiagramFormat, write_diagram};
 pub use doors::{read, read_path, read_unknown, write, write_path};
 pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};

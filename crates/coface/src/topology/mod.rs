@@ -6,14 +6,17 @@
 //! * [`homology`] answers over Z; [`homology_with`] and [`cohomology`] over Z, Q or Z/n, by the universal coefficient
 //!   theorem.
 //! * [`generators`] gives cycles on the original cells, one for each cyclic summand.
-//! * All answers go through the acyclic matching of [`crate::chains::MorseComplex`], then Smith normal form.
+//! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
+//! * All answers about one complex go through the acyclic matching of [`crate::chains::MorseComplex`], then Smith normal form.
 
 mod coefficients;
 mod generators;
 mod group;
 mod homology;
+mod persistence;
 
 pub use coefficients::Coefficients;
 pub use generators::{Generator, generators};
 pub use group::AbelianGroup;
 pub use homology::{Homology, cohomology, homology, homology_with};
+pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};

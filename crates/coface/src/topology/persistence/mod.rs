@@ -1,0 +1,22 @@
+//! Persistent homology: which classes of a growing complex are born when, and when they die.
+//!
+//! # Words and conventions
+//! * A [`Filtration`] gives each cell the value at which it **enters**. A face enters no later than its cofaces, so the
+//!   cells that have entered by a value are a subcomplex. Values rise, or, for an upper star, fall.
+//! * Over a field each class is **born** when one cell enters and **dies** when another one does, a degree higher, or
+//!   never: then it is **essential**. A [`PersistencePair`] names both cells and both values, a
+//!   [`PersistenceDiagram`] holds all pairs. The number of essential classes of a degree is its Betti number.
+//! * The **persistence** of a pair is the distance between birth and death. Pairs of persistence zero, on the
+//!   **diagonal**, depend on how ties are broken; the others do not.
+
+mod diagram;
+mod field;
+mod filtration;
+mod reduction;
+
+#[cfg(test)]
+mod tests;
+
+pub use diagram::{PersistenceDiagram, PersistencePair};
+pub use filtration::Filtration;
+pub use reduction::persistence;
