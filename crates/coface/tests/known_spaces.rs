@@ -4,10 +4,11 @@
 #[cfg(test)]
 mod table {
     use coface::VertexId;
-    use coface::algebra::Integer;
-    use coface::simplicial::known_spaces::{self, Solid, glued_solid};
+    use coface::algebra::{Integer, SparseMatrix, smith_form};
+    use coface::simplicial::known_spaces::{self, FlatManifold, Solid, glued_solid};
     use coface::simplicial::{Orientability, SimplicialComplex};
-    use coface::topology::homology;
+    use coface::topology::{AbelianGroup, homology};
+    use proptest::prelude::*;
 
     /// One space and what is known about it.
     struct KnownSpace {
@@ -94,6 +95,25 @@ mod table {
             Y,
         );
 
+        add(
+            "barnette_sphere",
+            known_spaces::barnette_sphere().unwrap(),
+            &[8, 27, 38, 19],
+            "Z, 0, 0, Z",
+            Y,
+            Y,
+        );
+        add(
+            "bruckner_sphere",
+            known_spaces::bruckner_sphere().unwrap(),
+            &[8, 28, 40, 20],
+            "Z, 0, 0, Z",
+            Y,
+            Y,
+        );
+        add("rudin_ball", known_spaces::rudin_ball().unwrap(), &[14, 66, 94, 41], "Z, 0, 0, 0", Y, Y);
+        add("ziegler_ball", known_spaces::ziegler_ball().unwrap(), &[10, 38, 50, 21], "Z, 0, 0, 0", Y, Y);
+
         // Surfaces.
         add(
             "disk_fig_gu",
@@ -109,6 +129,8 @@ mod table {
         add("torus_7", torus.clone(), &[7, 21, 14], "Z, Z^2, Z", Y, Y);
         add("torus_grid_4x5", known_spaces::torus_grid(&[4, 5]).unwrap(), &[20, 60, 40], "Z, Z^2, Z", Y, Y);
         add("rp2_6", plane.clone(), &[6, 15, 10], "Z, Z/2, 0", Y, N);
+        let small_klein = known_spaces::small_klein_bottle().unwrap();
+        add("klein_8", small_klein.clone(), &[8, 24, 16], "Z, Z + Z/2, 0", Y, N);
         add("klein_grid_5x5", known_spaces::klein_grid(5, 5).unwrap(), &[25, 75, 50], "Z, Z + Z/2, 0", Y, N);
         add("surface_orientable_g2", multiple(&torus, 2), &[11, 39, 26], "Z, Z^4, Z", Y, Y);
         add("surface_orientable_g3", multiple(&torus, 3), &[15, 57, 38], "Z, Z^6, Z", Y, Y);
@@ -161,6 +183,26 @@ mod table {
         add("rp3_of_dodecahedron", solid(Solid::Dodecahedron, 0), &[], "Z, Z/2, 0, Z", Y, Y);
         add("cube_space", solid(Solid::Cube, 1), &[], "Z, Z/2 + Z/2, 0, Z", Y, Y);
         add("torus_of_cube", solid(Solid::Cube, 2), &[], "Z, Z^3, Z^3, Z", Y, Y);
+        add("truncated_cube_space", known_spaces::truncated_cube_space().unwrap(), &[], "Z, Z/2, 0, Z", Y, Y);
+        for (n, groups) in
+            [(2, "Z, Z/2 + Z/2, 0, Z"), (3, "Z, Z/4, 0, Z"), (4, "Z, Z/2 + Z/2, 0, Z"), (5, "Z, Z/4, 0, Z")]
+        {
+            add("prism_manifold", known_spaces::prism_manifold(n).unwrap(), &[], groups, Y, Y);
+        }
+        for (manifold, groups, orientable) in [
+            (FlatManifold::G2, "Z, Z + Z/2 + Z/2, Z, Z", Y),
+            (FlatManifold::G6, "Z, Z/4 + Z/4, 0, Z", Y),
+            (FlatManifold::B2, "Z, Z^2, Z + Z/2, 0", N),
+            (FlatManifold::B3, "Z, Z + Z/2 + Z/2, Z/2, 0", N),
+            (FlatManifold::B4, "Z, Z + Z/4, Z/2, 0", N),
+        ] {
+            add("flat_manifold", known_spaces::flat_manifold(manifold).unwrap(), &[], groups, Y, orientable);
+        }
+        let bundle_of_tori = |a| known_spaces::torus_bundle(a).unwrap();
+        add("nil_1", bundle_of_tori([[1, 1], [0, 1]]), &[27], "Z, Z^2, Z^2, Z", Y, Y);
+        add("nil_2", bundle_of_tori([[1, 2], [0, 1]]), &[27], "Z, Z^2 + Z/2, Z^2, Z", Y, Y);
+        add("solv_2_1_1_1", bundle_of_tori([[2, 1], [1, 1]]), &[], "Z, Z, Z, Z", Y, Y);
+        add("solv_3_2_1_1", bundle_of_tori([[3, 2], [1, 1]]), &[], "Z, Z + Z/2, Z, Z", Y, Y);
         add("octahedron_space", solid(Solid::Octahedron, 1), &[], "Z, Z/3, 0, Z", Y, Y);
 
         // Closed manifolds of dimension 4 and 5.
@@ -176,6 +218,12 @@ mod table {
             Y,
         );
         add("s3_x_s1_11", bundle(4, 11), &[11, 55, 110, 110, 44], "Z, Z, 0, Z, Z", Y, Y);
+        // The reflection that exchanges two vertices of the boundary of a simplex.
+        let reflection = |v: VertexId| if v.index() < 2 { VertexId::new(1 - v.index()) } else { v };
+        let twisted = known_spaces::mapping_torus(&sphere(3), reflection).unwrap();
+        add("s3_twisted_s1", twisted, &[15], "Z, Z, 0, Z/2, 0", Y, N);
+        let bundle_of_planes = known_spaces::mapping_torus(&cp2, |v| v).unwrap();
+        add("cp2_x_s1", bundle_of_planes, &[27], "Z, Z, Z, Z, Z, Z", Y, Y);
         add("s2xs2", product(&sphere(2), &sphere(2)), &[16], "Z, 0, Z^2, 0, Z", Y, Y);
         add("s3xs2", product(&sphere(3), &sphere(2)), &[20], "Z, 0, Z, Z, 0, Z", Y, Y);
         add("rp2xrp2", product(&plane, &plane), &[36], "Z, Z/2 + Z/2, Z/2, Z/2, 0", Y, N);
@@ -195,6 +243,8 @@ mod table {
         let figure = facets(&[&[0, 1, 2, 3], &[2, 3, 4], &[3, 5], &[4, 5]]);
         add("seed001_fig1_like", figure, &[6, 10, 5, 1], "Z, Z, 0, 0", N, NA);
         add("book_3", known_spaces::book(3).unwrap(), &[5, 7, 3], "Z, 0, 0", N, NA);
+        let house = known_spaces::house_with_two_rooms().unwrap();
+        add("bing_house", house, &[], "Z, 0, 0", N, NA);
         add("dunce_hat_8", known_spaces::dunce_hat().unwrap(), &[8, 24, 17], "Z, 0, 0", N, NA);
         for (order, groups) in [(3, "Z, Z/3, 0"), (4, "Z, Z/4, 0"), (5, "Z, Z/5, 0"), (12, "Z, Z/12, 0")] {
             add("moore_space", known_spaces::moore_space(order).unwrap(), &[], groups, N, NA);
@@ -216,6 +266,7 @@ mod table {
         add("cone_torus", torus.cone().unwrap().0, &[8, 28, 35, 14], "Z, 0, 0, 0", N, Y);
         add("suspension_rp3", suspension(&rp3), &[17], "Z, 0, Z/2, 0, Z", N, Y);
         add("double_suspension_torus", suspension(&suspension(&torus)), &[11], "Z, 0, 0, Z^2, Z", N, Y);
+        add("double_suspension_poincare", suspension(&suspension(&poincare)), &[], "Z, 0, 0, 0, 0, Z", NA, Y);
         add("chessboard_2_3", known_spaces::chessboard(2, 3).unwrap(), &[6, 6], "Z, Z", Y, Y);
         add("chessboard_3_3", known_spaces::chessboard(3, 3).unwrap(), &[9, 18, 6], "Z, Z^4, 0", N, Y);
         add("chessboard_3_4", known_spaces::chessboard(3, 4).unwrap(), &[12, 36, 24], "Z, Z^2, Z", Y, Y);
@@ -273,6 +324,16 @@ mod table {
         (betti, torsion)
     }
 
+    /// Contractible, but nothing can be collapsed: every edge lies in two triangles or more.
+    #[test]
+    fn the_dunce_hat_and_the_house_have_no_free_edge() {
+        for space in [known_spaces::dunce_hat(), known_spaces::house_with_two_rooms()] {
+            let chains = space.unwrap().chain_complex().unwrap();
+            let cofaces = chains.coboundary_matrix(1).unwrap();
+            assert!(cofaces.columns().all(|triangles| triangles.rows().len() >= 2));
+        }
+    }
+
     #[test]
     fn the_construction_gives_the_f_vector() {
         for space in table() {
@@ -325,6 +386,60 @@ mod table {
             } else {
                 assert_eq!(groups.last().unwrap().0, 0, "{}", space.name);
             }
+        }
+    }
+
+    /// Products of shears, the exchange and the half turn.
+    fn monodromies() -> impl Strategy<Value = [[i64; 2]; 2]> {
+        prop::collection::vec(0usize..5, 0..6).prop_map(|word| {
+            let letters =
+                [[[1, 1], [0, 1]], [[1, 0], [1, 1]], [[1, -1], [0, 1]], [[0, 1], [1, 0]], [[-1, 0], [0, -1]]];
+            word.into_iter().fold([[1, 0], [0, 1]], |product: [[i64; 2]; 2], letter| {
+                let factor: [[i64; 2]; 2] = letters[letter];
+                let entry = |[x, y]: [i64; 2], j: usize| x * factor[0][j] + y * factor[1][j];
+                product.map(|row| [entry(row, 0), entry(row, 1)])
+            })
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+
+        /// Torus bundles are manifolds with the homology of their monodromy: Z and the cokernel of A - 1.
+        #[test]
+        fn torus_bundles_have_the_homology_of_their_monodromy(monodromy in monodromies()) {
+            let bundle = known_spaces::torus_bundle(monodromy).unwrap();
+            prop_assert_eq!(bundle.manifold_verdict().unwrap().to_bool(), Some(true));
+            let [[a, b], [c, d]] = monodromy;
+            prop_assert_eq!(bundle.orientability().unwrap().to_bool(), Some(a * d - b * c == 1));
+            let entries = [(0, 0, a - 1), (0, 1, b), (1, 0, c), (1, 1, d - 1)];
+            let smith = smith_form(&SparseMatrix::from_entries(2, 2, entries).unwrap());
+            let expected = AbelianGroup::new(1 + smith.nullity(), smith.torsion().to_vec());
+            let groups = homology(&bundle.chain_complex().unwrap());
+            prop_assert_eq!(&groups.groups()[1], &expected);
+        }
+    }
+
+    #[test]
+    fn the_ten_flat_manifolds_have_the_groups_of_the_literature() {
+        let first_homology = [
+            "Z^3",
+            "Z + Z/2 + Z/2",
+            "Z + Z/3",
+            "Z + Z/2",
+            "Z",
+            "Z/4 + Z/4",
+            "Z^2 + Z/2",
+            "Z^2",
+            "Z + Z/2 + Z/2",
+            "Z + Z/4",
+        ];
+        for (i, manifold) in FlatManifold::ALL.into_iter().enumerate() {
+            let space = known_spaces::flat_manifold(manifold).unwrap();
+            assert_eq!(space.manifold_verdict().unwrap().to_bool(), Y, "{manifold:?}");
+            assert_eq!(space.orientability().unwrap().to_bool(), Some(i < 6), "{manifold:?}");
+            let groups = homology(&space.chain_complex().unwrap());
+            assert_eq!(groups.groups()[1].to_string(), first_homology[i], "{manifold:?}");
         }
     }
 

@@ -17,7 +17,6 @@
 //!   Its cells are in lexicographic order, as are those of every chain complex made here.
 //! * A [`DeltaComplex`] has simplices with ordered vertices, told by their faces: faces of one simplex may coincide.
 
-mod attached_disk;
 mod collapse;
 mod complex;
 mod components;
@@ -25,7 +24,6 @@ mod construction;
 mod delta;
 mod delta_subdivision;
 mod frozen;
-mod glued_solid;
 mod incidence;
 pub mod known_spaces;
 mod lists;

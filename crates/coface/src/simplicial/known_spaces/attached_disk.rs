@@ -1,8 +1,8 @@
 //! Spaces made of disks that are glued along closed walks: Moore spaces, the dunce hat, presentations of groups.
 
-use super::SimplicialComplex;
-use super::known_spaces::{from_rule, require};
+use super::{from_rule, require};
 use crate::Error;
+use crate::simplicial::SimplicialComplex;
 
 /// Disks glued along closed walks: the complex of a presentation. The walks run on vertices `0..` that are given first
 /// numbers; each disk is a polygon whose outer ring is the walk and whose inside has vertices of its own.

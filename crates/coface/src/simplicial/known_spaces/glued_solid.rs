@@ -1,8 +1,9 @@
 //! Closed 3-manifolds from one solid whose opposite faces are glued with a twist.
 
-use super::{Simplex, SimplicialComplex};
+use super::require;
 use crate::Error;
 use crate::algebra::UnionFind;
+use crate::simplicial::{Simplex, SimplicialComplex};
 use std::collections::BTreeMap;
 
 /// A solid with central symmetry.
@@ -46,9 +47,97 @@ pub enum Solid {
 /// ```
 pub fn glued_solid(solid: Solid, steps: usize) -> Result<SimplicialComplex, Error> {
     let (vertex_count, faces, antipodes) = description(solid);
+    let faces: Vec<(Vec<u32>, usize)> = faces.into_iter().map(|face| (face, steps)).collect();
+    glued(vertex_count, &faces, &antipodes)
+}
+
+/// The truncated cube with its faces glued to the opposite ones by the least turn, an eighth for octagons and a sixth for
+/// triangles: the quotient of the 3-sphere by the binary octahedral group of order 48. Its first homology group is Z/2.
+///
+/// # Errors
+/// None: the rule is sound.
+///
+/// # References
+/// W. P. Thurston, *Three-dimensional geometry and topology* (1997), section 4.4.
+///
+/// # Examples
+/// ```
+/// use coface::simplicial::known_spaces::truncated_cube_space;
+/// let space = truncated_cube_space()?;
+/// assert_eq!((space.simplex_count(3), space.euler_characteristic()), ((6 * 8 + 8 * 3) * 2 * 24, 0));
+/// # Ok::<(), coface::Error>(())
+/// ```
+pub fn truncated_cube_space() -> Result<SimplicialComplex, Error> {
+    // Vertex 3 c + a is the end near corner c of the cut edge in direction a; corner x + 2 y + 4 z.
+    let vertex = |corner: u32, axis: u32| 3 * corner + axis;
+    let mut faces = Vec::new();
+    for axis in 0..3 {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let bit = |a: u32| 1 << a;
+        // Around the face where the coordinate is 1, counter-clockwise: each side is what is left of an edge.
+        let corners = [bit(axis), bit(axis) | bit(u), bit(axis) | bit(u) | bit(v), bit(axis) | bit(v)];
+        let sides = [u, v, u, v];
+        let octagon = (0..4).flat_map(|i| {
+            let next = (i + 1) % 4;
+            [vertex(corners[i], sides[i]), vertex(corners[next], sides[i])]
+        });
+        faces.push((octagon.collect(), 3));
+    }
+    // The triangles at the four corners with x + y + z odd, one of each opposite pair. Corner 111 sees its axes in rising
+    // order counter-clockwise, and each coordinate that is 0 instead mirrors the view.
+    for corner in [7u32, 1, 2, 4] {
+        let mut triangle: Vec<u32> = (0..3).map(|axis| vertex(corner, axis)).collect();
+        if corner.count_zeros() % 2 != 7u32.count_zeros() % 2 {
+            triangle.swap(1, 2);
+        }
+        faces.push((triangle, 1));
+    }
+    let antipodes: Vec<u32> = (0..24).map(|v| vertex(7 - v / 3, v % 3)).collect();
+    glued(24, &faces, &antipodes)
+}
+
+/// The prism manifold of order 4n: a prism over a 2n-gon whose bases are glued by a turn of one corner and whose opposite
+/// sides by a quarter turn. It is the quotient of the 3-sphere by the binary dihedral group of order 4n; n = 2 gives the
+/// quaternion space.
+///
+/// # Errors
+/// [`crate::ErrorKind::InvalidInput`] unless n is 2 to 10,000.
+///
+/// # References
+/// W. P. Thurston, *Three-dimensional geometry and topology* (1997), section 4.4.
+///
+/// # Examples
+/// ```
+/// use coface::simplicial::known_spaces::prism_manifold;
+/// assert_eq!(prism_manifold(3)?.simplex_count(3), (2 * 6 + 6 * 4) * 2 * 24);
+/// # Ok::<(), coface::Error>(())
+/// ```
+pub fn prism_manifold(n: u32) -> Result<SimplicialComplex, Error> {
+    require((2..=10_000).contains(&n), || {
+        format!("a prism manifold of order 4 * {n} is not built; 2 to 10,000 are")
+    })?;
+    // Vertices 0 to 2n - 1 around the upper base, counter-clockwise from above, then those below them.
+    let sides = 2 * n;
+    let mut faces = vec![((0..sides).collect(), n as usize - 1)];
+    faces.extend((0..n).map(|i| (vec![i, sides + i, sides + i + 1, i + 1], 1)));
+    let antipodes: Vec<u32> =
+        (0..2 * sides).map(|v| (v % sides + n) % sides + if v < sides { sides } else { 0 }).collect();
+    glued(2 * sides, &faces, &antipodes)
+}
+
+/// The space that a solid with central symmetry becomes when each of these faces is glued to its opposite: the face goes
+/// through the center and is then turned by its own number of corners. Vertices go counter-clockwise as seen from outside.
+fn glued(
+    vertex_count: u32,
+    faces: &[(Vec<u32>, usize)],
+    antipodes: &[u32],
+) -> Result<SimplicialComplex, Error> {
     let opposite = |face: &[u32]| -> Vec<u32> { face.iter().map(|&v| antipodes[v as usize]).collect() };
-    let all_faces: Vec<Vec<u32>> =
-        faces.iter().cloned().chain(faces.iter().map(|face| opposite(face))).collect();
+    let all_faces: Vec<Vec<u32>> = faces
+        .iter()
+        .map(|(face, _)| face.clone())
+        .chain(faces.iter().map(|(face, _)| opposite(face)))
+        .collect();
 
     // The cells are numbered: vertices, edges, faces, the body last.
     let mut edges: BTreeMap<[u32; 2], u32> = BTreeMap::new();
@@ -76,7 +165,7 @@ pub fn glued_solid(solid: Solid, steps: usize) -> Result<SimplicialComplex, Erro
 
     // Each simplex of a face is one with its image on the opposite face.
     let mut classes = UnionFind::new(simplices.len());
-    for (f, face) in faces.iter().enumerate() {
+    for (f, (face, steps)) in faces.iter().enumerate() {
         let n = face.len();
         let image = |k: usize| antipodes[face[(k + steps) % n] as usize];
         for k in 0..n {
