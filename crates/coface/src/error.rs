@@ -22,6 +22,8 @@ pub enum ErrorKind {
     NotPure,
     /// The boundary of a boundary is not zero.
     BoundaryOfBoundary,
+    /// A chain that had to be a cycle has a boundary.
+    NotACycle,
     /// Matrices or chains of shapes that do not fit together.
     Shape,
     /// More cells, or larger numbers, than the representation holds.

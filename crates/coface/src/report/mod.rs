@@ -9,6 +9,7 @@
 
 mod cells;
 mod chains;
+mod cycles;
 mod examination;
 mod facts;
 mod halfedges;
@@ -21,6 +22,7 @@ mod producer;
 mod simplices;
 mod simplicial;
 
+pub use cycles::Term;
 pub use facts::{Answer, BoundaryPart, Kind, Report, Skin, Witness};
 pub use json::{groups_to_json, integer_to_json};
 pub use pair::Pair;

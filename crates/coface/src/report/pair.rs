@@ -116,6 +116,11 @@ impl Pair {
     pub fn cell(&self, degree: usize, cell: usize) -> usize {
         self.kept[degree][cell].index()
     }
+
+    /// The number, in the pair, of a cell of the whole complex; `None` if it is in the subcomplex or not there.
+    pub fn position(&self, degree: usize, cell: usize) -> Option<usize> {
+        self.kept.get(degree)?.binary_search(&CellId::new(cell)).ok()
+    }
 }
 
 fn nothing(complex: &ChainComplex) -> Vec<Vec<bool>> {

@@ -11,6 +11,10 @@ pub struct Homology {
 }
 
 impl Homology {
+    pub(super) fn from_groups(groups: Vec<AbelianGroup>) -> Self {
+        Self { groups }
+    }
+
     /// The groups of degrees 0, 1, ..., up to the highest degree of the complex.
     pub fn groups(&self) -> &[AbelianGroup] {
         &self.groups
@@ -24,6 +28,26 @@ impl Homology {
     /// The torsion of each degree: invariant factors, each dividing the next.
     pub fn torsion(&self) -> Vec<&[Integer]> {
         self.groups.iter().map(AbelianGroup::torsion).collect()
+    }
+
+    /// Of integral homology: homology with other coefficients; see [`homology_with`].
+    #[must_use]
+    pub fn with_coefficients(&self, coefficients: Coefficients) -> Self {
+        change_coefficients(self, coefficients)
+    }
+
+    /// Of integral homology: cohomology with coefficients; see [`cohomology`].
+    #[must_use]
+    pub fn dual(&self, coefficients: Coefficients) -> Self {
+        if coefficients != Coefficients::Integers {
+            // Hom(Z/m, G) and Ext(Z/m, G) are what Z/m tensor G and Tor(Z/m, G) are, for G = Q and G = Z/n.
+            return change_coefficients(self, coefficients);
+        }
+        let below = |degree: usize| degree.checked_sub(1).map_or(&[][..], |k| self.groups[k].torsion());
+        let groups = self.groups.iter().enumerate();
+        Self {
+            groups: groups.map(|(k, group)| AbelianGroup::new(group.betti(), below(k).to_vec())).collect(),
+        }
     }
 
     /// The alternating sum of the Betti numbers. Over Z, Q and prime fields it is the Euler characteristic.
@@ -94,7 +118,7 @@ pub fn homology(complex: &ChainComplex) -> Homology {
 /// # Ok(()) }
 /// ```
 pub fn homology_with(complex: &ChainComplex, coefficients: Coefficients) -> Homology {
-    change_coefficients(&homology(complex), coefficients)
+    homology(complex).with_coefficients(coefficients)
 }
 
 /// Cohomology with coefficients: $H^k(C; G) = \operatorname{Hom}(H_k(C), G) \oplus
@@ -115,16 +139,7 @@ pub fn homology_with(complex: &ChainComplex, coefficients: Coefficients) -> Homo
 /// # Ok(()) }
 /// ```
 pub fn cohomology(complex: &ChainComplex, coefficients: Coefficients) -> Homology {
-    let integral = homology(complex);
-    if coefficients != Coefficients::Integers {
-        // Hom(Z/m, G) and Ext(Z/m, G) are what Z/m tensor G and Tor(Z/m, G) are, for G = Q and G = Z/n.
-        return change_coefficients(&integral, coefficients);
-    }
-    let below = |degree: usize| degree.checked_sub(1).map_or(&[][..], |k| integral.groups[k].torsion());
-    let groups = integral.groups.iter().enumerate();
-    Homology {
-        groups: groups.map(|(k, group)| AbelianGroup::new(group.betti(), below(k).to_vec())).collect(),
-    }
+    homology(complex).dual(coefficients)
 }
 
 fn change_coefficients(integral: &Homology, coefficients: Coefficients) -> Homology {

@@ -5,18 +5,24 @@
 //!   generated abelian group, [`AbelianGroup`]: its rank is the **Betti number**, its finite part the **torsion**.
 //! * [`homology`] answers over Z; [`homology_with`] and [`cohomology`] over Z, Q or Z/n, by the universal coefficient
 //!   theorem.
-//! * [`generators`] gives cycles on the original cells, one for each cyclic summand.
+//! * A [`HomologyBasis`] has cycles on the original cells, one for each cyclic summand, the dual cocycles, the class of
+//!   any cycle and the chain that it bounds, if it does. [`generators`] gives the cycles alone.
 //! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
 //! * All answers about one complex go through the acyclic matching of [`crate::chains::MorseComplex`], then Smith normal form.
 
+mod adapted_basis;
+mod basis;
 mod coefficients;
 mod generators;
 mod group;
 mod homology;
 mod persistence;
+mod short_loops;
+mod shortening;
 
+pub use basis::{Bounding, Cocycle, Generator, HomologyBasis, HomologyClass};
 pub use coefficients::Coefficients;
-pub use generators::{Generator, generators};
+pub use generators::generators;
 pub use group::AbelianGroup;
 pub use homology::{Homology, cohomology, homology, homology_with};
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};

@@ -1,0 +1,135 @@
+//! Chains and cochains on the command line: as JSON, from files, as pictures.
+
+use crate::failure::Failure;
+use coface::algebra::Integer;
+use coface::chains::{Chain, ChainComplex};
+use coface::report::{Pair, Producer, Term, integer_to_json};
+use coface::{CellId, Error};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Names the cells of a chain complex made from a model: the cells that a pair keeps, shifted by one degree if the
+/// complex is augmented.
+pub(crate) struct Naming<'a> {
+    pub(crate) producer: &'a Producer,
+    pub(crate) pair: &'a Pair,
+    /// How many degrees the complex stands above the model: 1 for an augmented one.
+    pub(crate) shift: usize,
+}
+
+impl Naming<'_> {
+    /// A chain or cochain as `[[coefficient,[vertices..]],..]`.
+    pub(crate) fn terms(&self, degree: usize, terms: &[(CellId, Integer)]) -> Value {
+        let term = |(cell, coefficient): &(CellId, Integer)| {
+            json!([integer_to_json(coefficient), self.vertices(degree, cell.index())])
+        };
+        terms.iter().map(term).collect()
+    }
+
+    fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+        match degree.checked_sub(self.shift) {
+            Some(degree) => self.producer.cell_vertices(degree, self.pair.cell(degree, cell)),
+            // The empty simplex, below all vertices.
+            None => Vec::new(),
+        }
+    }
+
+    /// A chain of the complex as one of the model.
+    pub(crate) fn to_model(
+        &self,
+        whole: &ChainComplex,
+        degree: usize,
+        terms: &[(CellId, Integer)],
+    ) -> Result<Chain<Integer>, Error> {
+        let degree = degree - self.shift;
+        let in_model =
+            |(cell, x): &(CellId, Integer)| (CellId::new(self.pair.cell(degree, cell.index())), x.clone());
+        Chain::new(whole, degree, terms.iter().map(in_model))
+    }
+
+    /// A chain of the model as one of the complex; cells that the pair leaves out vanish.
+    pub(crate) fn of_model(
+        &self,
+        complex: &ChainComplex,
+        chain: &Chain<Integer>,
+    ) -> Result<Chain<Integer>, Error> {
+        let kept = |(cell, x): &(CellId, Integer)| {
+            Some((CellId::new(self.pair.position(chain.degree(), cell.index())?), x.clone()))
+        };
+        Chain::new(complex, chain.degree() + self.shift, chain.terms().iter().filter_map(kept))
+    }
+}
+
+/// A chain as the user gives it.
+pub(crate) struct GivenChain {
+    pub(crate) degree: Option<usize>,
+    pub(crate) terms: Vec<Term>,
+}
+
+impl GivenChain {
+    /// From a file in JSON, or from text such as `"0 1; 1 2; -1*0 2"`.
+    pub(crate) fn read(argument: &str) -> Result<Self, Failure> {
+        let is_file = Path::new(argument).extension().is_some_and(|extension| extension == "json");
+        if !is_file {
+            return Self::from_text(argument);
+        }
+        let text = std::fs::read_to_string(argument)
+            .map_err(|error| Failure::new(format!("{argument}: cannot be read: {error}")))?;
+        let value: Value = serde_json::from_str(&text).map_err(|error| {
+            Failure::new(format!(
+                "{argument}:{}: {error}; write a chain as [[coefficient,[vertices..]],..]",
+                error.line()
+            ))
+        })?;
+        Self::from_json(&value).map_err(|fault| Failure::new(format!("{argument}: {fault}")))
+    }
+
+    fn from_text(text: &str) -> Result<Self, Failure> {
+        let fault = |word: &str| {
+            Failure::new(format!(
+                "{word:?} is no part of a chain; write cells by their vertices, as in \"0 1; 1 2; -1*0 2\", or name a .json file"
+            ))
+        };
+        let mut terms = Vec::new();
+        for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+            let (coefficient, cell) = part.split_once('*').unwrap_or(("1", part));
+            let coefficient: Integer = coefficient.trim().parse().map_err(|_| fault(part))?;
+            let words = cell.split([' ', ',', '\t']).filter(|word| !word.is_empty());
+            let vertices: Vec<u32> = words
+                .map(|word| word.strip_prefix('v').unwrap_or(word).parse().map_err(|_| fault(part)))
+                .collect::<Result<_, _>>()?;
+            if vertices.is_empty() {
+                return Err(fault(part));
+            }
+            terms.push((coefficient, vertices));
+        }
+        Ok(Self { degree: None, terms })
+    }
+
+    fn from_json(value: &Value) -> Result<Self, String> {
+        let how = "write a chain as [[coefficient,[vertices..]],..] or {\"degree\":1,\"chain\":[..]}";
+        let list = value.get("chain").unwrap_or(value);
+        let list = list.as_array().ok_or_else(|| format!("there is no chain here; {how}"))?;
+        let degree = match value.get("degree") {
+            None | Some(Value::Null) => None,
+            Some(degree) => {
+                Some(degree.as_u64().ok_or_else(|| format!("{degree} is no degree; {how}"))? as usize)
+            }
+        };
+        let term = |term: &Value| -> Option<Term> {
+            let [coefficient, vertices] = term.as_array()?.as_slice() else { return None };
+            let coefficient: Integer = match coefficient {
+                Value::String(digits) => digits.parse().ok()?,
+                number => number.to_string().parse().ok()?,
+            };
+            let vertices: Option<Vec<u32>> =
+                vertices.as_array()?.iter().map(|vertex| u32::try_from(vertex.as_u64()?).ok()).collect();
+            Some((coefficient, vertices?))
+        };
+        let mut terms = Vec::with_capacity(list.len());
+        for (i, value) in list.iter().enumerate() {
+            terms.push(term(value).ok_or_else(|| format!("term {i} of the chain is {value}; {how}"))?);
+        }
+        Ok(Self { degree, terms })
+    }
+}

@@ -1,0 +1,232 @@
+//! Chains as the user writes and sees them: cells named by vertices of the file.
+
+use super::Producer;
+use super::producer::Cells;
+use crate::algebra::Integer;
+use crate::cellular::CellShape;
+use crate::chains::{Chain, ChainComplex};
+use crate::io::{Group, GroupKind, Model};
+use crate::{CellId, Error, ErrorKind, VertexId};
+use std::collections::HashMap;
+
+/// A term of a chain: a coefficient and the vertices of a cell, in an order that gives it an orientation.
+pub type Term = (Integer, Vec<u32>);
+
+impl Producer {
+    /// The chain of these terms, in the degree where the cells are. A cell named against its orientation counts
+    /// negatively: an edge from its end to its start, a simplex by an odd permutation, a polygon backwards.
+    ///
+    /// Cells of halfedge permutations and chain complexes have no vertices: they are named by their own number, and then
+    /// the degree must be given.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] naming a cell that is not there, [`ErrorKind::InvalidInput`] for cells of different
+    /// degrees and for a 3-cell that is no tetrahedron and not named in its own order.
+    ///
+    /// # Complexity
+    /// Linear in the cells of the degrees that are searched.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::io::{Model, Structure};
+    /// use coface::report::Producer;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let rim = RaggedArray::from_lists([[5, 7], [7, 9], [5, 9]]);
+    /// let producer = Producer::of(Model::from_structure(Structure::Facets(rim)))?;
+    /// let complex = producer.chain_complex()?;
+    /// let around = [[5, 7], [7, 9], [9, 5]].map(|edge| (1.into(), edge.to_vec()));
+    /// assert!(complex.is_cycle(&producer.chain(&complex, &around, None)?)?);
+    /// # Ok(()) }
+    /// ```
+    pub fn chain(
+        &self,
+        complex: &ChainComplex,
+        terms: &[Term],
+        degree: Option<usize>,
+    ) -> Result<Chain<Integer>, Error> {
+        let has_vertices = !matches!(self.cells, Cells::Halfedges(_) | Cells::Chains(_));
+        let degrees = match degree {
+            Some(degree) => degree..degree + 1,
+            None if terms.is_empty() => return Ok(Chain::zero(0)),
+            None if has_vertices => 0..complex.degree_count(),
+            None => {
+                return Err(Error::invalid("cells without vertices are told by their degree and number")
+                    .with_cure("give the chain as {\"degree\":1,\"chain\":[[1,[0]],..]}"));
+            }
+        };
+        let mut wanted: HashMap<Vec<u32>, Option<(usize, usize)>> =
+            terms.iter().map(|(_, vertices)| (in_order(vertices), None)).collect();
+        for degree in degrees {
+            for cell in 0..complex.cell_count(degree) {
+                if let Some(found) = wanted.get_mut(&in_order(&self.cell_vertices(degree, cell))) {
+                    found.get_or_insert((degree, cell));
+                }
+            }
+        }
+        let mut found_degree: Option<(usize, &[u32])> = None;
+        let mut cells = Vec::with_capacity(terms.len());
+        for (coefficient, vertices) in terms {
+            let Some((degree, cell)) = wanted[&in_order(vertices)] else {
+                return Err(Error::new(
+                    ErrorKind::NotInComplex,
+                    format!("there is no cell {vertices:?} in the model"),
+                )
+                .with_cure("name cells by the vertex numbers of the model, from 0"));
+            };
+            match found_degree {
+                Some((other, first)) if other != degree => {
+                    return Err(Error::invalid(format!(
+                        "the chain has the cell {first:?} of degree {other} and the cell {vertices:?} of degree {degree}"
+                    ))
+                    .with_cure("give a chain of cells of one degree"));
+                }
+                _ => found_degree = Some((degree, vertices)),
+            }
+            let sign = self.relative_sign(degree, cell, vertices)?;
+            cells.push((CellId::new(cell), if sign { coefficient.clone() } else { -coefficient }));
+        }
+        Chain::new(complex, found_degree.map_or(0, |(degree, _)| degree), cells)
+    }
+
+    /// Whether vertices name a cell in its own orientation.
+    fn relative_sign(&self, degree: usize, cell: usize, vertices: &[u32]) -> Result<bool, Error> {
+        let own = self.cell_vertices(degree, cell);
+        if own == vertices || degree == 0 {
+            return Ok(true);
+        }
+        let places: Vec<usize> = vertices
+            .iter()
+            .map(|vertex| own.iter().position(|other| other == vertex).expect("the vertices are the same"))
+            .collect();
+        let is_polygon = degree == 2 && !matches!(self.cells, Cells::Simplices(_));
+        if is_polygon {
+            let count = places.len();
+            let step = |by: usize| (0..count).all(|i| places[(i + 1) % count] == (places[i] + by) % count);
+            return match (step(1), step(count - 1)) {
+                (true, _) => Ok(true),
+                (_, true) => Ok(false),
+                _ => Err(Error::invalid(format!("{vertices:?} does not run around the polygon {own:?}"))
+                    .with_cure("list its vertices in their order")),
+            };
+        }
+        if own.len() != degree + 1 {
+            return Err(Error::invalid(format!("{vertices:?} is not in the order of the cell {own:?}"))
+                .with_cure("name cells that are no simplices in their own order"));
+        }
+        let inversions = (0..places.len())
+            .flat_map(|i| (i + 1..places.len()).map(move |j| (i, j)))
+            .filter(|&(i, j)| places[i] > places[j])
+            .count();
+        Ok(inversions % 2 == 0)
+    }
+
+    /// A picture of chains: their cells as points, segments, polygons and 3-cells, one [`Group`] a chain, on the positions of
+    /// the producer. A segment runs as its coefficient says, a polygon too. Coefficients beyond signs are not shown.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if the cells have no vertices or the vertices no positions, or a cell has no picture:
+    /// simplices of dimension 4 and up.
+    pub fn picture(&self, chains: &[(String, Chain<Integer>)]) -> Result<Model, Error> {
+        if self.positions.dimension() == 0 || matches!(self.cells, Cells::Halfedges(_) | Cells::Chains(_)) {
+            return Err(Error::invalid("the cells of the model have no positions to draw them at")
+                .with_cure("write the generators as .json"));
+        }
+        let mut model = Model {
+            vertex_count: self.positions.len(),
+            positions: self.positions.clone(),
+            ..Model::default()
+        };
+        for (name, chain) in chains {
+            let (kind, first) = match chain.degree() {
+                0 => (GroupKind::Vertices, model.points.len()),
+                1 => (GroupKind::Lines, model.lines.len()),
+                2 => (GroupKind::Polygons, model.polygons.len()),
+                _ => (GroupKind::Cells, model.cells.len()),
+            };
+            let mut members = Vec::new();
+            for (at, (cell, coefficient)) in chain.terms().iter().enumerate() {
+                let mut vertices = self.cell_vertices(chain.degree(), cell.index());
+                if coefficient.signum() < 0 && chain.degree() < 3 {
+                    vertices.reverse();
+                }
+                self.draw(&mut model, chain.degree(), *cell, &vertices)?;
+                members.push(if kind == GroupKind::Vertices { vertices[0] } else { (first + at) as u32 });
+            }
+            model.groups.push(Group::new(name, kind, members));
+        }
+        model.check()?;
+        Ok(model)
+    }
+
+    fn draw(&self, model: &mut Model, degree: usize, cell: CellId, vertices: &[u32]) -> Result<(), Error> {
+        match (degree, &self.cells) {
+            (0, _) => model.points.push(VertexId::new(vertices[0] as usize)),
+            (1, _) => model.lines.push(vertices),
+            (2, _) => model.polygons.push(vertices),
+            (3, Cells::Solids(mesh)) => {
+                model.shapes.push(mesh.shapes()[cell.index()]);
+                model.cells.push(vertices);
+            }
+            (3, _) => {
+                model.shapes.push(CellShape::Tetrahedron);
+                model.cells.push(vertices);
+            }
+            _ => {
+                return Err(Error::invalid(format!("a cell of degree {degree} cannot be drawn"))
+                    .with_cure("write the generators as .json"));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn in_order(vertices: &[u32]) -> Vec<u32> {
+    let mut sorted = vertices.to_vec();
+    sorted.sort_unstable();
+    sorted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::RaggedArray;
+    use crate::io::Structure;
+
+    fn producer(facets: &[Vec<u32>]) -> Producer {
+        Producer::of(Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets)))).unwrap()
+    }
+
+    #[test]
+    fn cells_are_found_with_their_orientation() {
+        let producer = producer(&[vec![3, 5, 8, 9], vec![5, 8, 9, 11]]);
+        let complex = producer.chain_complex().unwrap();
+        let term = |x: i64, vertices: &[u32]| (Integer::from(x), vertices.to_vec());
+        let chain =
+            producer.chain(&complex, &[term(2, &[5, 3, 8, 9]), term(1, &[8, 9, 5, 11])], None).unwrap();
+        assert_eq!((chain.degree(), chain.to_string()), (3, "-2 c0 + c1".to_owned()));
+        let faces = producer.chain(&complex, &[term(1, &[9, 8, 5])], None).unwrap();
+        assert_eq!(faces.degree(), 2);
+        let fault = |terms: &[Term]| producer.chain(&complex, terms, None).unwrap_err().to_string();
+        assert!(fault(&[term(1, &[3, 11])]).contains("no cell [3, 11]"));
+        assert!(
+            fault(&[term(1, &[3, 5]), term(1, &[3])]).contains("of degree 1 and the cell [3] of degree 0")
+        );
+    }
+
+    #[test]
+    fn polygons_are_found_forwards_and_backwards() {
+        let positions =
+            crate::geometry::Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1., 0., 1.]).unwrap();
+        let square = Model::from_polygons(positions, RaggedArray::from_lists([[0, 1, 2, 3]])).unwrap();
+        let producer = Producer::of(square).unwrap();
+        let complex = producer.chain_complex().unwrap();
+        let chain = |vertices: [u32; 4]| producer.chain(&complex, &[(Integer::ONE, vertices.to_vec())], None);
+        assert_eq!(chain([2, 3, 0, 1]).unwrap().to_string(), "c0");
+        assert_eq!(chain([1, 0, 3, 2]).unwrap().to_string(), "-c0");
+        assert!(chain([0, 2, 1, 3]).unwrap_err().to_string().contains("does not run around"));
+        let picture = producer.picture(&[("face".into(), chain([1, 0, 3, 2]).unwrap())]).unwrap();
+        assert_eq!(picture.polygons().list(0), [3, 2, 1, 0]);
+        assert_eq!(picture.groups()[0].members(), [0]);
+    }
+}
