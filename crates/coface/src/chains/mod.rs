@@ -10,6 +10,7 @@
 //! * A room above asks questions of a `ChainComplex`; a producer makes one. No coordinates are ever seen here.
 
 mod chain;
+mod chain_map;
 mod cochain;
 mod coefficient;
 mod combination;
@@ -22,6 +23,7 @@ mod subcomplex;
 mod two_skeleton;
 
 pub use chain::Chain;
+pub use chain_map::ChainMap;
 pub use cochain::Cochain;
 pub use coefficient::Coefficient;
 pub use complex::ChainComplex;

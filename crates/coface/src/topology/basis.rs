@@ -229,6 +229,11 @@ impl<'a> HomologyBasis<'a> {
         self.generators.get(degree).map_or(&[], Vec::as_slice)
     }
 
+    /// The orders of the generators of one degree; `None` is infinite.
+    pub fn orders(&self, degree: usize) -> Vec<Option<Integer>> {
+        self.generators(degree).iter().map(|generator| generator.order.clone()).collect()
+    }
+
     /// The class of a cycle in the basis of its degree.
     ///
     /// # Errors
