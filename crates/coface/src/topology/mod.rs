@@ -8,15 +8,20 @@
 //! * A [`HomologyBasis`] has cycles on the original cells, one for each cyclic summand, the dual cocycles, the class of
 //!   any cycle and the chain that it bounds, if it does. [`generators`] gives the cycles alone.
 //! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
+//! * The **cup product** of cochains is that of a [`CochainAlgebra`]; on a closed oriented manifold it gives the
+//!   [`intersection_form`].
 //! * All answers about one complex go through the acyclic matching of [`crate::chains::MorseComplex`], then Smith normal form.
 
 mod adapted_basis;
 mod basis;
 mod coefficients;
+mod cup;
+mod fundamental_cycle;
 mod generators;
 mod group;
 mod homology;
 mod homology_map;
+mod intersection_form;
 mod long_exact_sequence;
 mod persistence;
 mod short_loops;
@@ -24,9 +29,11 @@ mod shortening;
 
 pub use basis::{Bounding, Cocycle, Generator, HomologyBasis, HomologyClass};
 pub use coefficients::Coefficients;
+pub use cup::CochainAlgebra;
 pub use generators::generators;
 pub use group::AbelianGroup;
 pub use homology::{Homology, cohomology, homology, homology_with};
 pub use homology_map::{HomologyMap, induced_maps};
+pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};

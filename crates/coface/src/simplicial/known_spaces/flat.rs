@@ -53,7 +53,7 @@ impl FlatManifold {
 /// # fn main() -> Result<(), coface::Error> {
 /// let space = flat_manifold(FlatManifold::G6)?;
 /// assert_eq!(space.f_vector(), [128, 896, 1536, 768]);
-/// assert_eq!(homology(&space.chain_complex()?).groups()[1].to_string(), "Z/4 + Z/4");
+/// assert_eq!(homology(&space.chain_complex()?).groups()[1].to_string(), "(Z/4)^2");
 /// # Ok(()) }
 /// ```
 pub fn flat_manifold(manifold: FlatManifold) -> Result<SimplicialComplex, Error> {

@@ -16,6 +16,7 @@ mod house;
 mod lens;
 mod projective;
 mod spheres;
+mod sums;
 
 pub use attached_disk::{dunce_hat, moore_space, presentation_complex};
 pub use balls::{rudin_ball, ziegler_ball};
@@ -35,6 +36,7 @@ pub use projective::{
 pub use spheres::{
     barnette_sphere, bruckner_sphere, circle, cross_polytope_boundary, simplex, simplex_boundary,
 };
+pub use sums::oriented_sum;
 
 use super::SimplicialComplex;
 use crate::Error;

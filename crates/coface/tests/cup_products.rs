@@ -1,0 +1,169 @@
+//! Products of cohomology classes and intersection forms of known manifolds, with the answers of the literature.
+
+#[cfg(test)]
+mod facts {
+    use coface::ErrorKind;
+    use coface::algebra::{Definiteness, Parity, Sign, SymmetricForm};
+    use coface::simplicial::known_spaces::{self, Solid};
+    use coface::simplicial::{DeltaComplex, SimplicialComplex};
+    use coface::topology::{CochainAlgebra, HomologyBasis, IntersectionForm, intersection_form};
+
+    fn algebra(complex: &SimplicialComplex) -> CochainAlgebra {
+        CochainAlgebra::new(complex.freeze().to_delta().unwrap()).unwrap()
+    }
+
+    fn form(complex: &SimplicialComplex) -> IntersectionForm {
+        intersection_form(&algebra(complex)).unwrap()
+    }
+
+    fn symmetric(complex: &SimplicialComplex) -> SymmetricForm {
+        let form = form(complex).as_symmetric().unwrap().clone();
+        assert!(form.is_unimodular(), "{form:?}");
+        form
+    }
+
+    fn product(a: &SimplicialComplex, b: &SimplicialComplex) -> SimplicialComplex {
+        a.product(b).unwrap().0
+    }
+
+    #[test]
+    fn the_square_of_a_generator_of_a_projective_plane_generates() {
+        let complex = known_spaces::complex_projective_plane().unwrap();
+        assert_eq!(symmetric(&complex).rows().len(), 1);
+        assert_eq!(
+            symmetric(&complex).name().map(|name| name.trim_matches(['(', ')', '-']).to_owned()),
+            Some("1".into())
+        );
+        // The same for quaternions, in dimension 8.
+        let quaternionic = known_spaces::quaternionic_projective_plane().unwrap();
+        let form = symmetric(&quaternionic);
+        assert_eq!((form.size(), form.rank(), form.signature().abs()), (1, 1, 1));
+    }
+
+    #[test]
+    fn sums_of_projective_planes_tell_orientations_apart() {
+        let plane = known_spaces::complex_projective_plane().unwrap();
+        let sum = |sign| symmetric(&known_spaces::oriented_sum(&plane, &plane, sign).unwrap());
+        let (same, opposite) = (sum(Sign::Plus), sum(Sign::Minus));
+        assert_eq!((same.rank(), same.signature().abs(), same.determinant()), (2, 2, 1.into()));
+        assert_eq!((opposite.rank(), opposite.signature(), opposite.determinant()), (2, 0, (-1).into()));
+        assert_eq!((same.parity(), opposite.parity()), (Parity::Odd, Parity::Odd));
+        assert!(matches!(same.definiteness(), Definiteness::Positive | Definiteness::Negative));
+        assert_eq!(opposite.name().as_deref(), Some("(1) + (-1)"));
+    }
+
+    #[test]
+    fn products_of_spheres_are_hyperbolic() {
+        let sphere = |n| known_spaces::simplex_boundary(n).unwrap();
+        let form = symmetric(&product(&sphere(2), &sphere(2)));
+        assert_eq!((form.name().as_deref(), form.determinant()), (Some("H"), (-1).into()));
+        assert_eq!(symmetric(&sphere(4)).size(), 0);
+        assert_eq!(symmetric(&product(&sphere(1), &sphere(3))).size(), 0);
+        assert_eq!(symmetric(&known_spaces::sphere_bundle_over_circle(4, 11).unwrap()).size(), 0);
+        // Two points, each a component of its own.
+        assert_eq!(symmetric(&sphere(0)), SymmetricForm::diagonal([1, 1]));
+    }
+
+    #[test]
+    fn the_k3_surface_is_even_of_signature_16() {
+        let form = symmetric(&known_spaces::k3_surface().unwrap());
+        assert_eq!((form.rank(), form.signature().abs(), form.determinant()), (22, 16, (-1).into()));
+        assert_eq!(form.parity(), Parity::Even);
+        let name = form.name().unwrap();
+        assert!(name == "2(-E8) + 3H" || name == "2E8 + 3H", "{name}");
+    }
+
+    #[test]
+    fn the_torus_of_dimension_4_has_three_hyperbolic_planes() {
+        let form = symmetric(&known_spaces::cyclic_torus(4).unwrap());
+        assert_eq!((form.rank(), form.name().as_deref()), (6, Some("3H")));
+    }
+
+    #[test]
+    fn products_of_surfaces_have_the_products_of_their_forms() {
+        let torus = known_spaces::cyclic_torus(2).unwrap();
+        let double = known_spaces::oriented_sum(&torus, &torus, Sign::Plus).unwrap();
+        // H^2 is H^2 + H^1 (x) H^1 + H^0 H^2: 1 + 8 + 1.
+        let form = symmetric(&product(&torus, &double));
+        assert_eq!((form.rank(), form.name().as_deref()), (10, Some("5H")));
+    }
+
+    #[test]
+    fn surfaces_have_skew_unimodular_forms() {
+        let torus = known_spaces::cyclic_torus(2).unwrap();
+        let mut surface = torus.clone();
+        for genus in 1..=4 {
+            let form = form(&surface);
+            let skew = form.as_skew().unwrap();
+            assert_eq!((skew.size(), skew.is_unimodular(), form.determinant()), (2 * genus, true, 1.into()));
+            surface = known_spaces::oriented_sum(&surface, &torus, Sign::Plus).unwrap();
+        }
+        // Two triangles on one vertex.
+        let delta = DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]]).unwrap();
+        let form = intersection_form(&CochainAlgebra::new(delta).unwrap()).unwrap();
+        assert!(form.as_skew().unwrap().is_unimodular() && form.rank() == 2);
+        // Dimension 6: the product of three spheres has no middle cohomology, that of two 3-spheres has a plane.
+        let sphere = known_spaces::simplex_boundary(3).unwrap();
+        let form = self::form(&product(&sphere, &sphere));
+        assert!(form.as_skew().unwrap().is_unimodular() && form.rank() == 2);
+    }
+
+    #[test]
+    fn the_opposite_orientation_has_the_opposite_form() {
+        let plane = known_spaces::complex_projective_plane().unwrap();
+        // Exchanging two vertices of the lowest facet makes it negative in the old orientation.
+        let exchange = |v: u32| if v < 2 { 1 - v } else { v };
+        let facets = plane.facets();
+        assert!(facets[0].numbers().starts_with(&[0, 1]));
+        let mirrored =
+            facets.iter().map(|facet| facet.numbers().iter().map(|&v| exchange(v)).collect::<Vec<u32>>());
+        let mirrored = SimplicialComplex::from_facets(mirrored).unwrap();
+        assert!(mirrored.contains(&facets[0]));
+        assert_eq!(symmetric(&mirrored).signature(), -symmetric(&plane).signature());
+    }
+
+    #[test]
+    fn the_triple_product_on_the_torus_is_the_volume() {
+        for torus in [known_spaces::cyclic_torus(3).unwrap(), known_spaces::torus_grid(&[3, 4, 3]).unwrap()] {
+            let x = algebra(&torus);
+            let forms = HomologyBasis::new(x.chains()).cocycles(1);
+            assert_eq!(forms.len(), 3);
+            let [a, b, c] = [0, 1, 2].map(|i| forms[i].cochain());
+            let cycle = x.fundamental_cycle().unwrap();
+            let volume = x.cup(&x.cup(a, b).unwrap(), c).unwrap().pairing(&cycle).unwrap().unwrap();
+            assert!(volume.is_unit(), "{volume}");
+            // Exchanging two factors changes the sign, and no square has a volume.
+            let other = x.cup(&x.cup(b, a).unwrap(), c).unwrap().pairing(&cycle).unwrap().unwrap();
+            assert_eq!(other, -&volume);
+            assert_eq!(x.cup(&x.cup(a, a).unwrap(), c).unwrap().pairing(&cycle).unwrap(), None);
+        }
+    }
+
+    #[test]
+    fn what_has_no_form_is_refused_with_a_witness() {
+        let refused = |complex: &SimplicialComplex| intersection_form(&algebra(complex)).unwrap_err();
+        // The chain of facets is closed: each meets the next in all vertices but one.
+        let projective = known_spaces::real_projective_space(4).unwrap();
+        let rp4 = refused(&projective);
+        let chain = rp4.message().strip_prefix("the complex is not orientable: the closed chain of facets ");
+        let chain = chain.unwrap().strip_suffix(" reverses orientation").unwrap();
+        let facets: Vec<usize> = chain.split(", ").map(|facet| facet.parse().unwrap()).collect();
+        let all: Vec<_> = projective.simplices(4).collect();
+        for i in 0..facets.len() {
+            let (here, next) = (&all[facets[i]], &all[facets[(i + 1) % facets.len()]]);
+            assert_eq!(here.intersection(next).unwrap().dimension(), 3, "{rp4}");
+        }
+        let band = refused(&known_spaces::triangle_strip(5).unwrap());
+        assert_eq!(band.kind(), ErrorKind::NonManifold);
+        assert!(band.message().contains("on the boundary"), "{band}");
+        let book = refused(&known_spaces::book(3).unwrap());
+        assert_eq!(book.kind(), ErrorKind::NonManifold);
+        let poincare = refused(&known_spaces::glued_solid(Solid::Dodecahedron, 2).unwrap());
+        assert_eq!(poincare.message(), "a complex of dimension 3 has no middle degree");
+        let mixed = refused(&SimplicialComplex::from_facets([vec![0, 1, 2], vec![3, 4]]).unwrap());
+        assert_eq!(mixed.kind(), ErrorKind::NotPure);
+        assert!(refused(&SimplicialComplex::new()).message().contains("empty"));
+        let three = refused(&SimplicialComplex::from_facets([[0, 1, 2], [0, 1, 3], [0, 1, 4]]).unwrap());
+        assert!(three.message().contains("3 times (facets 0, 1, 2)"), "{three}");
+    }
+}
