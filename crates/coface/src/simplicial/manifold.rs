@@ -645,7 +645,7 @@ impl Links {
 }
 
 /// The Betti number and the number of torsion coefficients of each integral homology group.
-fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
+pub(super) fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
     let morse = MorseComplex::new(chains);
     let count = chains.degree_count();
     let forms: Vec<(usize, usize)> = (1..count)

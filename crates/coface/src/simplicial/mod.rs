@@ -16,6 +16,7 @@
 //! * A [`FrozenComplex`] is a complex at rest, in sorted flat arrays; boundary and incidence matrices are made from it.
 //!   Its cells are in lexicographic order, as are those of every chain complex made here.
 //! * A [`DeltaComplex`] has simplices with ordered vertices, told by their faces: faces of one simplex may coincide.
+//! * A [`GluingTable`] has simplices with facets glued in pairs; its faces are the [`FaceClasses`].
 
 mod collapse;
 mod complex;
@@ -23,8 +24,15 @@ mod components;
 mod construction;
 mod delta;
 mod delta_subdivision;
+mod delta_two_skeleton;
 mod frozen;
+mod gluing;
+mod gluing_faces;
+mod gluing_links;
+mod gluing_manifold;
+mod gluing_orientation;
 mod incidence;
+mod isomorphism_signature;
 pub mod known_spaces;
 mod lists;
 mod manifold;
@@ -44,6 +52,12 @@ pub use construction::{Composite, VertexPairs};
 pub use delta::DeltaComplex;
 pub use delta_subdivision::{Carrier, Subdivision};
 pub use frozen::FrozenComplex;
+pub use gluing::{GluingRow, GluingTable};
+pub(crate) use gluing::{different_rows, no_permutation};
+pub use gluing_faces::FaceClasses;
+pub use gluing_links::VertexLink;
+pub use gluing_manifold::{GluingCertificate, GluingFault, GluingVerdict, GluingWitness};
+pub use gluing_orientation::GluingOrientation;
 pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitness};
 pub use map::SimplicialMap;
 pub use neighborhood::SimplexSet;
