@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// One sound file of each format: a triangle, or a tetrahedron where the format has cells.
-const SAMPLES: [(Format, &str); 8] = [
+const SAMPLES: [(Format, &str); 9] = [
     (Format::Off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     (Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     (
@@ -39,6 +39,7 @@ const SAMPLES: [(Format, &str); 8] = [
          0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
     ),
     (Format::Json, "{\"facets\":[[0,1,2]]}"),
+    (Format::Isosig, "# figure 8\ncPcbbbiht\n"),
 ];
 
 fn sample(format: Format) -> &'static str {
@@ -102,7 +103,7 @@ fn every_sample_is_read_and_recognized() {
 }
 
 /// What to put for what in a sample, and what the message must say.
-const FAULTS: [(Format, &str, &str, &str); 43] = [
+const FAULTS: [(Format, &str, &str, &str); 48] = [
     (Format::Off, "3 0 1 2", "3 0 1 3", "3"),
     (Format::Off, "3 0 1 2", "3 0 1 -2", "-2"),
     (Format::Off, "3 0 1 2", "3 0 1 1", "repeat"),
@@ -146,6 +147,11 @@ const FAULTS: [(Format, &str, &str, &str); 43] = [
     (Format::Json, "[0,1,2]", "[0,1,1]", "facet 0 repeats vertex 1"),
     (Format::Json, "[0,1,2]", "[0,1,5000000000]", "5000000000"),
     (Format::Json, "[0,1,2]", "[]", "facet 0 has no vertex"),
+    (Format::Json, "\"facets\":[[0,1,2]]", "\"gluings\":[[[0,[1,0]],null]]", "facet 1 of simplex 0"),
+    (Format::Json, "\"facets\":[[0,1,2]]", "\"gluings\":[[[1,[1,0]],null]]", "simplex 1"),
+    (Format::Json, "\"facets\":[[0,1,2]]", "\"gluings\":[[[0,[1,1]],null]]", "no permutation"),
+    (Format::Isosig, "iht", "i*t", "character 8"),
+    (Format::Isosig, "iht", "ih", "ends after 8"),
 ];
 
 #[test]

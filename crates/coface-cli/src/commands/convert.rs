@@ -20,7 +20,7 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig
     #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
     to: Option<Format>,
 }

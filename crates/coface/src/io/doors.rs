@@ -1,6 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::{Format, Model, format, json, medit, msh, obj, off, output, ply, stl, vtk};
+use super::{Format, Model, format, isosig, json, medit, msh, obj, off, output, ply, stl, vtk};
 use crate::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -12,7 +12,8 @@ const START: usize = 1 << 16;
 /// Reads the model in a file. Without a format, the name and the content tell it; when they disagree it is an error
 /// that says how to settle it. [`Model::format`] then says which it was.
 ///
-/// One entry of a JSON list of named objects is chosen by its name after a `#`: `facets.json#RP^3`.
+/// One entry of a JSON list of named objects is chosen by its name after a `#`: `facets.json#RP^3`; one of several
+/// isomorphism signatures by its place, from 1: `census.isosig#3`.
 ///
 /// # Errors
 /// [`ErrorKind::Io`] when the file is missing, a directory or unreadable; [`ErrorKind::UnsupportedFormat`] when the
@@ -34,9 +35,16 @@ pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model
     if !path.exists()
         && let Some((file, entry)) = entry_of(path)
     {
-        let read = || json::read_entry(open(file)?, entry);
+        let format = match format.or_else(|| Format::from_path(file)) {
+            Some(Format::Isosig) => Format::Isosig,
+            _ => Format::Json,
+        };
+        let read = || match format {
+            Format::Isosig => isosig::read_entry(open(file)?, entry),
+            _ => json::read_entry(open(file)?, entry),
+        };
         return match read() {
-            Ok(model) => Ok(model.with_format(Format::Json)),
+            Ok(model) => Ok(model.with_format(format)),
             Err(error) => Err(error.in_file(file.display().to_string())),
         };
     }
@@ -114,6 +122,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Msh => msh::write(model, out, msh::Version::default()),
         Format::Vtk => vtk::write(model, out, vtk::Encoding::default()),
         Format::Json => json::write(model, out),
+        Format::Isosig => isosig::write(model, out),
     }
 }
 
@@ -196,6 +205,7 @@ fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) 
         Format::Msh => msh::read(input)?,
         Format::Vtk => vtk::read(input)?,
         Format::Json => json::read(input)?,
+        Format::Isosig => isosig::read(input)?,
     };
     Ok(model.with_format(format))
 }

@@ -1,5 +1,6 @@
 //! The formats, and telling them apart by name and by content.
 
+use super::isosig;
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
@@ -21,8 +22,10 @@ pub enum Format {
     Msh,
     /// Legacy VTK: polygons, 3-cells, structured grids.
     Vtk,
-    /// Facet lists, halfedge permutations and chain complexes as JSON.
+    /// Facet lists, halfedge permutations, chain complexes and gluing tables as JSON.
     Json,
+    /// Isomorphism signatures of gluing tables of tetrahedra.
+    Isosig,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -35,11 +38,20 @@ enum Likeness {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 8] =
-        [Self::Off, Self::Obj, Self::Ply, Self::Stl, Self::Medit, Self::Msh, Self::Vtk, Self::Json];
+    pub const ALL: [Self; 9] = [
+        Self::Off,
+        Self::Obj,
+        Self::Ply,
+        Self::Stl,
+        Self::Medit,
+        Self::Msh,
+        Self::Vtk,
+        Self::Json,
+        Self::Isosig,
+    ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `json`.
+    /// `json`, `isosig`.
     ///
     /// # Examples
     /// ```
@@ -67,6 +79,7 @@ impl Format {
             Self::Msh => &["msh"],
             Self::Vtk => &["vtk"],
             Self::Json => &["json"],
+            Self::Isosig => &["isosig"],
         }
     }
 
@@ -87,6 +100,7 @@ impl Format {
             Self::Msh => "Gmsh MSH",
             Self::Vtk => "legacy VTK",
             Self::Json => "JSON",
+            Self::Isosig => "isomorphism signatures",
         }
     }
 
@@ -186,6 +200,9 @@ impl Format {
                 let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
                 certain_if(matches!(first, Some(b'{' | b'[')))
             }
+            // A text of one word is many things; that it can be read throughout tells.
+            Self::Isosig if isosig::is_signature(first_line(start)) => Likeness::Possible,
+            Self::Isosig => Likeness::No,
         }
     }
 }
@@ -212,6 +229,11 @@ pub(super) fn decide(start: &[u8], whole: bool, by_name: Option<Format>) -> Resu
         let seen = Format::from_content(start, whole);
         if named == Format::Stl && seen.is_none() && !is_text(start) {
             // A binary STL has no mark: its reader says best what is wrong with it.
+            return Ok(named);
+        }
+        let is_word = !first_line(start).contains(&b' ') && is_text(start);
+        if named == Format::Isosig && seen.is_none() && is_word {
+            // Neither has a signature.
             return Ok(named);
         }
         return Err(match seen {
@@ -419,7 +441,7 @@ mod tests {
             Format::from_name("xyz")
                 .unwrap_err()
                 .to_string()
-                .contains("off, obj, ply, stl, mesh, msh, vtk, json")
+                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig")
         );
     }
 
@@ -437,6 +459,7 @@ mod tests {
             (b"$MeshFormat\n2.2 0 8\n", Format::Msh),
             (b"# vtk DataFile Version 3.0\n", Format::Vtk),
             (b" [[0,1,2]]", Format::Json),
+            (b"# figure eight\ncPcbbbiht\n", Format::Isosig),
         ] {
             assert_eq!(Format::from_content(start, true), Some(format), "{}", start.escape_ascii());
             assert_eq!(decide(start, true, None).unwrap(), format);

@@ -10,6 +10,7 @@ mod decimal;
 mod diagram;
 mod doors;
 mod format;
+pub mod isosig;
 pub mod json;
 mod limits;
 mod lists;

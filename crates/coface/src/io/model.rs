@@ -5,6 +5,7 @@ use crate::algebra::RaggedArray;
 use crate::cellular::CellShape;
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
+use crate::simplicial::GluingTable;
 use crate::{Error, VertexId};
 
 /// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, or an abstract
@@ -29,7 +30,7 @@ pub struct Model {
     pub(crate) warnings: Vec<String>,
 }
 
-/// An abstract structure that a JSON file can hold instead of vertices, polygons and cells.
+/// An abstract structure that a file can hold instead of vertices, polygons and cells.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Structure {
@@ -44,6 +45,8 @@ pub enum Structure {
     },
     /// Boundary matrices.
     Chains(ChainComplex),
+    /// Simplices with facets glued in pairs.
+    Gluings(GluingTable),
 }
 
 /// A named set of things of one kind: an OBJ group, a physical group of Gmsh, a reference number of MEDIT.

@@ -2,7 +2,7 @@
 
 use super::facts::{Kind, Report};
 use super::producer::{Cells, Producer};
-use super::{cells, chains, halfedges, polygons, simplicial};
+use super::{cells, chains, gluings, halfedges, polygons, simplicial};
 use crate::Error;
 use crate::io::{Model, Structure};
 
@@ -38,6 +38,7 @@ impl Report {
             Cells::Solids(mesh) => cells::report(*mesh, &positions),
             Cells::Simplices(complex) => simplicial::report(&complex)?,
             Cells::Halfedges(mesh) => halfedges::report(&mesh),
+            Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
             Cells::Chains(complex) => chains::report(&complex),
         };
         if kind == Kind::Complex {

@@ -12,6 +12,7 @@ mod chains;
 mod cycles;
 mod examination;
 mod facts;
+mod gluings;
 mod halfedges;
 mod json;
 mod labels;

@@ -7,7 +7,7 @@ use crate::cellular::CellMesh;
 use crate::chains::{ChainComplex, TwoSkeleton};
 use crate::geometry::Positions;
 use crate::io::{Model, Structure};
-use crate::simplicial::FrozenComplex;
+use crate::simplicial::{FaceClasses, FrozenComplex, GluingTable};
 use crate::surface::{HalfedgeMesh, PolygonMesh};
 use crate::{CellId, EdgeId, FaceId};
 
@@ -45,6 +45,8 @@ pub(super) enum Cells {
     Simplices(FrozenComplex),
     /// Halfedges.
     Halfedges(HalfedgeMesh),
+    /// Simplices with facets glued in pairs, and their face classes.
+    Gluings(Box<(GluingTable, FaceClasses)>),
     /// Boundary matrices.
     Chains(ChainComplex),
 }
@@ -62,6 +64,10 @@ impl Producer {
             Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),
             Some(Structure::Halfedges { next, twin }) => {
                 (Cells::Halfedges(HalfedgeMesh::from_permutations(next, twin)?), Labels::default())
+            }
+            Some(Structure::Gluings(table)) => {
+                let faces = table.faces()?;
+                (Cells::Gluings(Box::new((table, faces))), Labels::default())
             }
             None if !cells.is_empty() => {
                 let mesh = CellMesh::new(vertex_count, shapes, cells, &polygons, &segments(&lines))?;
@@ -85,6 +91,7 @@ impl Producer {
             Cells::Solids(mesh) => mesh.chain_complex(),
             Cells::Simplices(complex) => complex.chain_complex()?,
             Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex.clone(),
         })
     }
@@ -99,6 +106,7 @@ impl Producer {
             Cells::Solids(mesh) => mesh.into_chain_complex(),
             Cells::Simplices(complex) => complex.chain_complex()?,
             Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex,
         })
     }
@@ -114,6 +122,7 @@ impl Producer {
             Cells::Solids(mesh) => mesh.two_skeleton(),
             Cells::Simplices(complex) => complex.two_skeleton()?,
             Cells::Halfedges(mesh) => mesh.two_skeleton(),
+            Cells::Gluings(gluings) => gluings.1.two_skeleton()?,
             Cells::Chains(_) => {
                 return Err(Error::invalid(
                     "boundary matrices do not say in which order faces run along their edges, so loops have no words",
@@ -125,7 +134,8 @@ impl Producer {
 
     /// The vertices of a cell, by their numbers in the file, in an order that has the orientation of the cell: an edge
     /// from its start to its end, a polygon around. The cells of a chain complex have no vertices, and those of halfedge
-    /// permutations may have one vertex several times: they are named by their own numbers.
+    /// permutations and gluing tables may have one vertex several times: they are named by their own numbers. With a
+    /// folded face class the cells of a gluing table are those of its barycentric subdivision.
     ///
     /// # Panics
     /// If there is no such cell.
@@ -135,7 +145,7 @@ impl Producer {
             Cells::Solids(mesh) if degree == 3 => return mesh.cell(CellId::new(cell)).to_vec(),
             Cells::Solids(mesh) => mesh.skeleton(),
             Cells::Simplices(complex) => return complex.numbers(degree, cell).to_vec(),
-            Cells::Halfedges(_) | Cells::Chains(_) => return vec![cell as u32],
+            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => return vec![cell as u32],
         };
         self.labels.of_all(match degree {
             0 => vec![cell as u32],

@@ -35,6 +35,10 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
             return Err(Error::invalid("the cells of a chain complex are not told by their vertices")
                 .with_cure("give a facet list, or a mesh of triangles or tetrahedra"));
         }
+        Some(Structure::Gluings(_)) => {
+            return Err(Error::invalid("the faces of a gluing table need not be told by their vertices")
+                .with_cure("give a facet list, or a mesh of triangles or tetrahedra"));
+        }
         None => {}
     }
     const CURE: &str = "triangulate the model first";

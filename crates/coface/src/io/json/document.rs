@@ -1,9 +1,11 @@
 //! The outermost object or list.
 
 use super::facets::{Facet, FacetList, HalfedgeList};
+use super::gluings::GluingList;
 use super::matrices::MatrixList;
 use crate::Error;
 use crate::algebra::{RaggedArray, SparseMatrix};
+use crate::simplicial::GluingTable;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use std::cell::RefCell;
 use std::fmt;
@@ -34,7 +36,7 @@ pub(super) enum Content {
         twin: Option<Vec<u32>>,
     },
     Boundaries(Vec<SparseMatrix>),
-    Gluings,
+    Gluings(GluingTable),
     /// None of these; some of the keys that stand there instead.
     Unknown(Vec<String>),
 }
@@ -139,7 +141,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     faults: &Faults,
 ) -> Result<(Option<String>, Content), A::Error> {
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
-    let (mut gluings, mut others) = (false, Vec::new());
+    let (mut gluings, mut others) = (None, Vec::new());
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -147,25 +149,27 @@ fn visit_object<'de, A: MapAccess<'de>>(
             "next" => next = Some(map.next_value_seed(HalfedgeList { name: "next", faults })?),
             "twin" => twin = Some(map.next_value_seed(HalfedgeList { name: "twin", faults })?),
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
+            "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
             _ => {
                 map.next_value::<IgnoredAny>()?;
-                gluings |= key == "gluings";
                 if others.len() < 8 {
                     others.push(key);
                 }
             }
         }
     }
-    let content = match (facets, next, boundaries) {
-        (Some(facets), None, None) => Content::Facets(facets),
-        (None, Some(next), None) => Content::Halfedges { next, twin },
-        (None, None, Some(boundaries)) => Content::Boundaries(boundaries),
-        (None, None, None) if gluings => Content::Gluings,
-        (None, None, None) => Content::Unknown(others),
+    let content = match (facets, next, boundaries, gluings) {
+        (Some(facets), None, None, None) => Content::Facets(facets),
+        (None, Some(next), None, None) => Content::Halfedges { next, twin },
+        (None, None, Some(boundaries), None) => Content::Boundaries(boundaries),
+        (None, None, None, Some(table)) => Content::Gluings(table),
+        (None, None, None, None) => Content::Unknown(others),
         _ => {
             return Err(faults.raise(
-                Error::parse("one object has more than one of \"facets\", \"next\" and \"boundaries\"")
-                    .with_cure("make them objects of their own, with names, in a list"),
+                Error::parse(
+                    "one object has more than one of \"facets\", \"next\", \"boundaries\" and \"gluings\"",
+                )
+                .with_cure("make them objects of their own, with names, in a list"),
             ));
         }
     };

@@ -1,9 +1,9 @@
 //! From a stream to a model.
 
 use super::document::{Content, Document, Faults, Root};
+use crate::Error;
 use crate::chains::ChainComplex;
 use crate::io::{Model, Structure};
-use crate::{Error, ErrorKind};
 use serde::de::DeserializeSeed;
 use serde_json::error::Category;
 use std::io::{BufReader, Read};
@@ -102,7 +102,7 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
     Error::parse(message).at_line(line).with_cure(match category {
         Category::Eof => "the file was cut short: write it again",
         Category::Data => {
-            "give facets, halfedges or boundary matrices as the documentation of the format says"
+            "give facets, halfedges, boundary matrices or gluings as the documentation of the format says"
         }
         _ => "the file must be JSON",
     })
@@ -119,18 +119,17 @@ fn to_model(content: Content) -> Result<Model, Error> {
         }
         Content::Boundaries(matrices) if matrices.is_empty() => Structure::Chains(ChainComplex::of_points(0)),
         Content::Boundaries(matrices) => Structure::Chains(ChainComplex::new(matrices)?),
-        Content::Gluings => {
-            return Err(Error::new(ErrorKind::UnsupportedFormat, "gluing tables are not read yet")
-                .with_cure("give the facets of a triangulation without identified vertices as \"facets\""));
-        }
+        Content::Gluings(table) => Structure::Gluings(table),
         Content::Unknown(keys) if keys.is_empty() => {
-            return Err(Error::parse("the object has none of the keys \"facets\", \"next\", \"boundaries\"")
-                .with_cure("give one of them"));
+            return Err(Error::parse(
+                "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"gluings\"",
+            )
+            .with_cure("give one of them"));
         }
         Content::Unknown(keys) => {
             let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();
             return Err(Error::parse(format!(
-                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\"",
+                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\", \"gluings\"",
                 keys.join(", ")
             ))
             .with_cure("give one of them, or check that the file is the one meant"));

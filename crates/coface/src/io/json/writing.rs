@@ -4,10 +4,11 @@ use crate::algebra::SparseMatrix;
 use crate::cellular::CellShape;
 use crate::chains::ChainComplex;
 use crate::io::{Model, Structure};
+use crate::simplicial::GluingTable;
 use crate::{Error, ErrorKind};
 use std::io::{BufWriter, Write};
 
-/// Writes a structure as JSON, one facet or matrix a line. A mesh of simplices becomes its list of facets: positions
+/// Writes a structure as JSON, one facet, matrix or simplex a line. A mesh of simplices becomes its list of facets: positions
 /// and groups are not written, polylines become edges, isolated vertices become facets of their own.
 ///
 /// # Errors
@@ -36,6 +37,7 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
             writeln!(out, "}}")?;
         }
         Some(Structure::Chains(complex)) => write_chains(&mut out, complex)?,
+        Some(Structure::Gluings(table)) => write_gluings(&mut out, table)?,
         None => write_mesh(&mut out, model)?,
     }
     out.flush()?;
@@ -88,6 +90,28 @@ fn write_list(out: &mut impl Write, list: &[u32]) -> Result<(), Error> {
         write!(out, "{number}")?;
     }
     out.write_all(b"]")?;
+    Ok(())
+}
+
+/// One simplex a line.
+fn write_gluings(out: &mut impl Write, table: &GluingTable) -> Result<(), Error> {
+    write!(out, "{{\"gluings\":[")?;
+    for (i, row) in table.rows().enumerate() {
+        out.write_all(if i == 0 { b"\n[" } else { b",\n[" })?;
+        for (facet, gluing) in row.iter().enumerate() {
+            out.write_all(if facet == 0 { b"" } else { b"," })?;
+            match gluing {
+                Some((neighbor, images)) => {
+                    write!(out, "[{neighbor},")?;
+                    write_list(out, images)?;
+                    out.write_all(b"]")?;
+                }
+                None => out.write_all(b"null")?,
+            }
+        }
+        out.write_all(b"]")?;
+    }
+    writeln!(out, "\n]}}")?;
     Ok(())
 }
 
