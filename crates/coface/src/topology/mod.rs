@@ -7,6 +7,7 @@
 //!   theorem.
 //! * A [`HomologyBasis`] has cycles on the original cells, one for each cyclic summand, the dual cocycles, the class of
 //!   any cycle and the chain that it bounds, if it does. [`generators`] gives the cycles alone.
+//! * [`harmonic_basis`] and [`HodgeSpace`] take real coefficients: Laplacians, harmonic cochains, Hodge decomposition.
 //! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
 //! * The **cup product** of cochains is that of a [`CochainAlgebra`]; on a closed oriented manifold it gives the
 //!   [`intersection_form`].
@@ -19,6 +20,7 @@ mod cup;
 mod fundamental_cycle;
 mod generators;
 mod group;
+mod hodge;
 mod homology;
 mod homology_map;
 mod intersection_form;
@@ -32,6 +34,9 @@ pub use coefficients::Coefficients;
 pub use cup::CochainAlgebra;
 pub use generators::generators;
 pub use group::AbelianGroup;
+pub use hodge::{
+    HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
+};
 pub use homology::{Homology, cohomology, homology, homology_with};
 pub use homology_map::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};

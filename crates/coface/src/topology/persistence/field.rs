@@ -1,7 +1,20 @@
 //! Arithmetic of prime fields on the entries of sparse columns, where zero is never stored.
 
+use crate::algebra::Integer;
+
+/// Whether a number is prime, by trial division up to the square root.
+pub(super) fn is_prime(n: u32) -> bool {
+    let divisors = (2..).take_while(|&d: &u32| u64::from(d) * u64::from(d) <= u64::from(n));
+    n >= 2 && divisors.into_iter().all(|d| !n.is_multiple_of(d))
+}
+
+/// The odd primes below 2^31, falling.
+pub(in crate::topology) fn large_primes() -> impl Iterator<Item = u32> {
+    (3..1 << 31).rev().filter(|&n| is_prime(n))
+}
+
 /// A prime field, by what elimination needs of its nonzero elements.
-pub(super) trait Field {
+pub(in crate::topology) trait Field {
     /// A nonzero element. For the field of two elements there is just one, which takes no memory.
     type Unit: Copy + Ord;
 
@@ -38,11 +51,22 @@ impl Field for Binary {
 }
 
 /// The field of p elements, p an odd prime below 2^31.
-pub(super) struct Odd {
-    pub(super) prime: u32,
+pub(in crate::topology) struct Odd {
+    prime: u32,
 }
 
 impl Odd {
+    /// The field of this prime.
+    pub(in crate::topology) fn new(prime: u32) -> Self {
+        Self { prime }
+    }
+
+    /// The class of an integer of any size; `None` for zero.
+    pub(in crate::topology) fn class(&self, value: &Integer) -> Option<u32> {
+        let rest = value.div_rem_floor(&Integer::from(i64::from(self.prime))).1.to_i64();
+        rest.map(|rest| rest as u32).filter(|&rest| rest != 0)
+    }
+
     fn inverse(&self, a: u32) -> u32 {
         // Almost all entries of boundary matrices are units of Z.
         if a == 1 || a == self.prime - 1 {
@@ -94,7 +118,7 @@ mod tests {
         fn an_eliminator_eliminates(
             a in 1i32.., b in 1i32.., prime in prop::sample::select(vec![3u32, 5, 65_537, 2_147_483_647]),
         ) {
-            let field = Odd { prime };
+            let field = Odd::new(prime);
             let (Some(a), Some(b)) = (field.unit(a), field.unit(-b)) else { return Ok(()) };
             prop_assert_eq!(field.sum(a, field.product(field.eliminator(a, b), b)), None);
             prop_assert_eq!(field.product(b, field.inverse(b)), 1);

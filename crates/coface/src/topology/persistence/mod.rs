@@ -20,3 +20,5 @@ mod tests;
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use filtration::Filtration;
 pub use reduction::persistence;
+
+pub(super) use field::{Field, Odd, large_primes};

@@ -1,6 +1,6 @@
 //! Persistent homology by reduction of coboundaries.
 
-use super::field::{Binary, Field, Odd};
+use super::field::{Binary, Field, Odd, is_prime};
 use super::{Filtration, PersistenceDiagram, PersistencePair};
 use crate::algebra::{SparseMatrix, UnionFind};
 use crate::chains::ChainComplex;
@@ -56,7 +56,7 @@ pub fn persistence(
     filtration.check(complex)?;
     Ok(match prime {
         2 => over(&Binary, complex, filtration, prime),
-        _ => over(&Odd { prime }, complex, filtration, prime),
+        _ => over(&Odd::new(prime), complex, filtration, prime),
     })
 }
 
@@ -69,13 +69,6 @@ fn prime(coefficients: Coefficients) -> Result<u32, Error> {
         Error::new(ErrorKind::Coefficient, format!("there is no persistence over {coefficients}"))
             .with_cure("take a prime field of fewer than 2^31 elements: f2, f3, f5, ...")
     })
-}
-
-fn is_prime(n: u32) -> bool {
-    n >= 2
-        && (2..)
-            .take_while(|&d: &u32| u64::from(d) * u64::from(d) <= u64::from(n))
-            .all(|d| !n.is_multiple_of(d))
 }
 
 /// No cell: of a place that is free.
