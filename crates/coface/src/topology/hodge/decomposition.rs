@@ -3,10 +3,10 @@
 use super::MetricComplex;
 use super::image::image_basis;
 use super::least_squares::ExactProjection;
+use crate::Error;
 use crate::algebra::Integer;
 use crate::chains::{ChainComplex, Cochain, MorseComplex};
-use crate::topology::generators;
-use crate::{CellId, Error};
+use crate::topology::HomologyBasis;
 
 /// The harmonic cochain of an integral cohomology class, with measures of what rounding left.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,23 +120,59 @@ pub struct HodgeSpace<'a> {
 }
 
 impl<'a> HodgeSpace<'a> {
-    /// Finds the harmonic cochains of this degree: for each class of a basis of integral cohomology modulo torsion, a
-    /// closed integral cochain less its exact part.
+    /// Finds the harmonic cochains of this degree, for the classes of [`HomologyBasis::unshortened`].
+    ///
+    /// # Errors
+    /// Those of [`Self::with_basis`].
+    ///
+    /// # Complexity
+    /// That of the basis and of [`Self::with_basis`].
+    ///
+    /// # Examples
+    /// See [`HodgeSpace`].
+    pub fn new(metric: &'a MetricComplex<'a>, degree: usize) -> Result<Self, Error> {
+        Self::with_basis(metric, degree, &HomologyBasis::unshortened(metric.complex()))
+    }
+
+    /// Finds the harmonic cochains of this degree, one for each free cocycle of a basis of the same complex: the cocycle
+    /// less its exact part. Harmonic cochain i has the value 1 on the free generator i of the basis and 0 on all others.
     ///
     /// Which coboundaries are independent and how many classes there are is decided by integers. Floating point solves
     /// one least squares problem for each class, all with one sparse Cholesky factor.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::TooLarge`] if the normal equations cannot be held or factorized.
+    /// [`crate::ErrorKind::TooLarge`] if the normal equations cannot be held or factorized;
+    /// [`crate::ErrorKind::NotInComplex`] if the basis is of a larger complex.
     ///
     /// # Complexity
-    /// That of integral cohomology, and of the factor: on surfaces near-linear in practice, on volumes the fill of a
+    /// That of the matching and of the factor: on surfaces near-linear in practice, on volumes the fill of a
     /// three-dimensional grid.
     ///
     /// # References
     /// B. Eckmann, *Harmonische Funktionen und Randwertaufgaben in einem Komplex* (1944); L.-H. Lim, *Hodge Laplacians on
     /// graphs* (2020).
-    pub fn new(metric: &'a MetricComplex<'a>, degree: usize) -> Result<Self, Error> {
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::simplicial::known_spaces::circle;
+    /// use coface::topology::{HodgeSpace, HomologyBasis, MetricComplex};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let circle = circle(5)?.chain_complex()?;
+    /// let basis = HomologyBasis::new(&circle);
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::with_basis(&metric, 1, &basis)?;
+    /// // Over the five edges of the generator the five fifths of the harmonic cochain add up to 1.
+    /// let around = basis.generators(1)[0].chain().terms().iter();
+    /// let harmonic = space.harmonic_basis()[0].cochain();
+    /// let sum: f64 = around.map(|(edge, x)| x.to_f64() * harmonic.coefficient(*edge).unwrap_or(&0.0)).sum();
+    /// assert!((sum - 1.0).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
+    pub fn with_basis(
+        metric: &'a MetricComplex<'a>,
+        degree: usize,
+        basis: &HomologyBasis<'_>,
+    ) -> Result<Self, Error> {
         let complex = metric.complex();
         let exact = match degree {
             0 => None,
@@ -146,25 +182,22 @@ impl<'a> HodgeSpace<'a> {
             }
         };
         let mut space = Self { metric, degree, exact, basis: Vec::new(), orthonormal: Vec::new() };
-        for class in free_cocycles(complex, degree) {
-            space.add_class(&class)?;
+        for cocycle in basis.cocycles(degree).iter().filter(|cocycle| cocycle.order().is_none()) {
+            space.add_class(cocycle.cochain())?;
         }
         Ok(space)
     }
 
-    fn add_class(&mut self, class: &[(u32, Integer)]) -> Result<(), Error> {
+    fn add_class(&mut self, class: &Cochain<Integer>) -> Result<(), Error> {
         let (metric, degree) = (self.metric, self.degree);
-        let mut values = vec![0.0; metric.complex().cell_count(degree)];
-        for (cell, value) in class {
-            values[*cell as usize] = value.to_f64();
-        }
+        let real = class.terms().iter().map(|(cell, value)| (*cell, value.to_f64()));
+        let mut values = metric.dense(&Cochain::new(metric.complex(), degree, real)?)?;
         let exact = self.exact_part(&values).0;
         values.iter_mut().zip(exact).for_each(|(x, y)| *x -= y);
         let (closed_residual, coclosed_residual) = self.residuals(&values, &values);
-        let terms = class.iter().map(|(cell, value)| (CellId::new(*cell as usize), value.clone()));
         self.basis.push(HarmonicCochain {
             cochain: metric.cochain(degree, &values)?,
-            class: Cochain::new(metric.complex(), degree, terms)?,
+            class: class.clone(),
             closed_residual,
             coclosed_residual,
         });
@@ -255,7 +288,7 @@ impl<'a> HodgeSpace<'a> {
 }
 
 /// The harmonic cochains of a basis of integral cohomology modulo torsion, in this degree and with all weights 1; as many
-/// as the Betti number. For weights, and to decompose cochains, see [`HodgeSpace`].
+/// as the Betti number. For weights, for the duals of given generators, and to decompose cochains, see [`HodgeSpace`].
 ///
 /// # Errors
 /// Those of [`HodgeSpace::new`].
@@ -280,17 +313,4 @@ impl<'a> HodgeSpace<'a> {
 pub fn harmonic_basis(complex: &ChainComplex, degree: usize) -> Result<Vec<HarmonicCochain>, Error> {
     let metric = MetricComplex::new(complex);
     Ok(HodgeSpace::new(&metric, degree)?.basis)
-}
-
-/// Closed integral cochains whose classes are a basis of cohomology modulo torsion: cycles of the transposed complex,
-/// read backwards, of infinite order.
-fn free_cocycles(complex: &ChainComplex, degree: usize) -> Vec<Vec<(u32, Integer)>> {
-    let Some(backwards) = (complex.degree_count()).checked_sub(degree + 1) else { return Vec::new() };
-    let transposed = complex.boundary_matrices().iter().rev().map(|matrix| matrix.transpose());
-    let dual = match complex.boundary_matrices() {
-        [] => ChainComplex::of_points(complex.cell_count(0)),
-        _ => ChainComplex::new(transposed.collect()).expect("the transposed products are zero too"),
-    };
-    let found = generators(&dual).swap_remove(backwards);
-    found.into_iter().filter(|class| class.order().is_none()).map(|class| class.chain().to_vec()).collect()
 }
