@@ -65,6 +65,7 @@ pub(crate) enum Verb {
     Info(commands::info::Info),
     Homology(commands::homology::Homology),
     Persistence(commands::persistence::Persistence),
+    Pi1(commands::pi1::Pi1),
     Star(commands::star::Star),
     Closure(commands::closure::Closure),
     Link(commands::link::Link),

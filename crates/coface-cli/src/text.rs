@@ -53,6 +53,16 @@ pub(crate) fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: C
     page.text
 }
 
+/// A page of facts with a title: what each is called, what it is, what that means.
+pub(crate) fn facts(title: &str, facts: &[(String, String, String)]) -> String {
+    let mut page = Page::default();
+    page.heading(title);
+    for (label, value, gloss) in facts {
+        page.fact(label, PLAIN, value, gloss);
+    }
+    page.finished()
+}
+
 /// A group as text, with its free part over this ring.
 fn group_over(group: &AbelianGroup, ring: &str) -> String {
     let torsion = AbelianGroup::new(0, group.torsion().to_vec());

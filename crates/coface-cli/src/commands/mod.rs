@@ -10,6 +10,7 @@ pub(crate) mod interior;
 pub(crate) mod link;
 pub(crate) mod man;
 pub(crate) mod persistence;
+pub(crate) mod pi1;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 
@@ -23,6 +24,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Info(verb) => verb.run(common),
         Verb::Homology(verb) => verb.run(common),
         Verb::Persistence(verb) => verb.run(common),
+        Verb::Pi1(verb) => verb.run(common),
         Verb::Star(verb) => verb.run(common),
         Verb::Closure(verb) => verb.run(common),
         Verb::Link(verb) => verb.run(common),

@@ -10,6 +10,7 @@
 //! * A [`SymmetricForm`] or [`SkewForm`] is a bilinear form on a lattice, with the invariants that its basis does not change.
 //! * A [`Permutation`] moves i to `image(i)`; `p.then(&q)` does p first.
 //! * A [`RaggedArray`] is a list of lists in one flat array: polygons, facets, orbits.
+//! * A [`Word`] is an element of a free group, freely reduced.
 //! * A [`UnionFind`] keeps a partition of `0..n`; [`ParityUnionFind`] also keeps a sign between members.
 
 mod elimination;
@@ -29,6 +30,7 @@ mod sparse_matrix;
 mod sparse_vector;
 mod symmetric_form;
 mod union_find;
+mod word;
 
 pub use entry::Entry;
 pub use integer::Integer;
@@ -44,6 +46,7 @@ pub use sparse_vector::SparseVector;
 pub(crate) use sparse_vector::{combination, inner_product, linear_combination};
 pub use symmetric_form::{Definiteness, Inertia, Parity, SymmetricForm};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
+pub use word::Word;
 
 use std::fmt;
 

@@ -117,6 +117,16 @@ impl Model {
         Ok(model)
     }
 
+    /// A model of polylines on these positions; a closed line has its first vertex again at its end.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    pub fn from_lines(positions: Positions, lines: RaggedArray) -> Result<Self, Error> {
+        let model = Self { vertex_count: positions.len(), positions, lines, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
     /// A model that is an abstract structure.
     pub fn from_structure(structure: Structure) -> Self {
         Self { structure: Some(structure), ..Self::default() }

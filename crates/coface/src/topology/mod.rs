@@ -18,6 +18,7 @@ mod basis;
 mod coefficients;
 mod cup;
 mod fundamental_cycle;
+mod fundamental;
 mod generators;
 mod group;
 mod hodge;
@@ -32,6 +33,9 @@ mod shortening;
 pub use basis::{Bounding, Cocycle, Generator, HomologyBasis, HomologyClass};
 pub use coefficients::Coefficients;
 pub use cup::CochainAlgebra;
+pub use fundamental::{
+    CosetTable, EdgePathGroups, Effort, GroupName, Presentation, Simplification, TietzeMove,
+};
 pub use generators::generators;
 pub use group::AbelianGroup;
 pub use hodge::{

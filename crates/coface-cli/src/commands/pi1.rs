@@ -1,0 +1,216 @@
+//! `coface pi1`: fundamental groups.
+
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{print_json, print_text, write_json};
+use crate::progress::Progress;
+use crate::text;
+use clap::Args;
+use coface::VertexId;
+use coface::algebra::{RaggedArray, Word};
+use coface::chains::ChainComplex;
+use coface::geometry::Positions;
+use coface::io::{Model, write_path};
+use coface::report::{Producer, integer_to_json};
+use coface::topology::{EdgePathGroups, Effort, GroupName, Presentation, Simplification, homology};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// The fundamental group of each component, by generators and relators: loops at a base vertex up to deformation.
+///
+/// A relator is a list of letters: +i is generator i, -i its inverse, and the product of the letters is the unit. The
+/// abelianization is checked against H_1. The group is named when it can be proved which one it is: "trivial", "Z/5",
+/// "Z^3", "Free(4)", "orientable surface group of genus 2", "Q8", "SL(2,5)", "Z/2 * Z/2", ...; else the name is null, which
+/// says nothing.
+#[derive(Args)]
+pub(crate) struct Pi1 {
+    /// The model; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    /// Simplify the presentations: fewer generators, shorter relators
+    #[arg(long)]
+    simplify: bool,
+    /// Write the generators as closed paths at the base: JSON {"loops":[[v0,v1,..,v0],..]}, or lines in OBJ, VTK, ...
+    #[arg(long, value_name = "OUT")]
+    loops: Option<PathBuf>,
+    /// The base vertex of its component, which comes first; other components have their lowest vertex
+    #[arg(long, value_name = "VERTEX")]
+    base: Option<u32>,
+    /// Stop simplifying after so many seconds; without it, results do not depend on the machine
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    time_limit: Option<Duration>,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().map_err(|_| "not a number of seconds".to_owned())?;
+    Duration::try_from_secs_f64(seconds).map_err(|error| error.to_string())
+}
+
+/// The group of one component as it is shown.
+struct Shown {
+    presentation: Presentation,
+    /// Its generators as words in those of the edge-path group.
+    generators: Vec<Word>,
+    name: Option<GroupName>,
+}
+
+impl Pi1 {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let progress = Progress::start(common.quiet);
+        let loaded = input::read(&self.input, common.format, &progress)?;
+        let name = loaded.name;
+        progress.stage("identifying cells");
+        let positions = loaded.model.positions().clone();
+        let producer = Producer::of(loaded.model).map_err(|error| error.in_file(name.clone()))?;
+        let skeleton = producer.two_skeleton().map_err(|error| error.in_file(name.clone()))?;
+        let number = |vertex: VertexId| producer.cell_vertices(0, vertex.index())[0];
+        progress.stage("walking around faces");
+        let groups = match self.base {
+            None => EdgePathGroups::new(&skeleton),
+            Some(base) => {
+                let vertices = (0..skeleton.vertex_count()).map(VertexId::new);
+                let vertex = vertices.into_iter().find(|&vertex| number(vertex) == base);
+                let missing = || Failure::new(format!("{name}: there is no vertex {base} to be the base"));
+                EdgePathGroups::with_base(&skeleton, vertex.ok_or_else(missing)?)?
+            }
+        };
+        drop(skeleton);
+        progress.stage("comparing with homology");
+        check(&groups, &producer.chain_complex()?)?;
+        progress.stage("simplifying presentations");
+        let effort = Effort { time: self.time_limit, ..Effort::default() };
+        let shown: Vec<Shown> =
+            (0..groups.component_count()).map(|i| self.show(groups.presentation(i), effort)).collect();
+        if let Some(path) = &self.loops {
+            progress.stage("writing loops");
+            let loops = shown
+                .iter()
+                .enumerate()
+                .flat_map(|(component, group)| group.generators.iter().map(move |word| (component, word)));
+            let loops: Vec<Vec<VertexId>> =
+                loops.map(|(component, word)| groups.loop_vertices(component, word)).collect();
+            write_loops(path, &loops, positions, &number)?;
+        }
+        drop(progress);
+        let components = shown.iter().enumerate();
+        let components: Vec<Value> =
+            components.map(|(i, group)| object(group, number(groups.base(i)))).collect();
+        let object = json!({ "file": name, "simplified": self.simplify, "components": components });
+        if let Some(place) = &common.output {
+            write_json(place, &object)?;
+        }
+        if common.json {
+            return print_json(&object);
+        }
+        if common.output.is_some() {
+            return Ok(());
+        }
+        let bases: Vec<u32> = (0..shown.len()).map(|i| number(groups.base(i))).collect();
+        print_text(&page(&name, &shown, &bases))
+    }
+
+    fn show(&self, presentation: &Presentation, effort: Effort) -> Shown {
+        let simpler = Simplification::new(presentation, effort);
+        let name = simpler.presentation().recognized(effort);
+        let letters = |count: usize| (1..=count as i32).map(|letter| Word::from_letters([letter]));
+        if self.simplify {
+            let presentation = simpler.presentation().clone();
+            let generators = letters(presentation.generator_count()).map(|word| simpler.to_original(&word));
+            return Shown { generators: generators.collect(), presentation, name };
+        }
+        let generators = letters(presentation.generator_count()).collect();
+        Shown { generators, presentation: presentation.clone(), name }
+    }
+}
+
+/// Compares the abelianizations with H_1.
+fn check(groups: &EdgePathGroups, complex: &ChainComplex) -> Result<(), Failure> {
+    let upper = complex.boundary_matrices().len().min(3);
+    let homology = match upper {
+        0 => return Ok(()),
+        _ => homology(&ChainComplex::new(complex.boundary_matrices()[..upper].to_vec())?),
+    };
+    let (found, expected) = (groups.first_homology(), &homology.groups()[1]);
+    if found == *expected {
+        return Ok(());
+    }
+    Err(Failure::new(format!(
+        "the loops give H_1 = {found}, but the boundary matrices {expected}: please report this model as a fault of coface"
+    )))
+}
+
+/// Writes closed paths as JSON, or as polylines in a format that has positions.
+fn write_loops(
+    path: &Path,
+    loops: &[Vec<VertexId>],
+    positions: Positions,
+    number: &dyn Fn(VertexId) -> u32,
+) -> Result<(), Failure> {
+    let numbered = loops.iter().map(|vertices| vertices.iter().map(|&vertex| number(vertex)).collect());
+    let numbered: Vec<Vec<u32>> = numbered.collect();
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json")) {
+        return write_json(path, &json!({ "loops": numbered }));
+    }
+    if positions.dimension() == 0 {
+        return Err(Failure::new(format!(
+            "{}: the model has no positions to draw loops with; write them as .json",
+            path.display()
+        )));
+    }
+    let lines = RaggedArray::from_lists(numbered.iter().filter(|vertices| vertices.len() > 1));
+    Ok(write_path(&Model::from_lines(positions, lines)?, path, None)?)
+}
+
+fn object(group: &Shown, base: u32) -> Value {
+    let relators = group.presentation.relators().iter().map(Word::letters);
+    let abelianization = group.presentation.abelianization();
+    let torsion: Vec<Value> = abelianization.torsion().iter().map(integer_to_json).collect();
+    json!({
+        "base": base,
+        "generators": group.presentation.generator_count(),
+        "relators": relators.collect::<Vec<_>>(),
+        "abelianization": { "betti": abelianization.betti(), "torsion": torsion },
+        "name": group.name.as_ref().map(GroupName::to_string),
+    })
+}
+
+/// How many relators, and letters of them, a page for people shows of a component.
+const FEW: usize = 12;
+const LETTERS: usize = 400;
+
+fn page(name: &str, groups: &[Shown], bases: &[u32]) -> String {
+    let mut facts = Vec::new();
+    let mut fact = |label: &str, value: String, gloss: &str| {
+        facts.push((label.to_owned(), value, gloss.to_owned()));
+    };
+    for (i, (group, base)) in groups.iter().zip(bases).enumerate() {
+        if groups.len() > 1 {
+            fact("component", format!("{} of {}", i + 1, groups.len()), "");
+        }
+        let (name, gloss) = match &group.name {
+            Some(name) => (name.to_string(), ""),
+            None => ("not recognized".to_owned(), "it may still be a well-known one"),
+        };
+        fact("group", name, gloss);
+        fact("base", format!("vertex {base}"), "");
+        let presentation = &group.presentation;
+        fact("generators", presentation.generator_count().to_string(), "loops at the base");
+        let relators = presentation.relators();
+        fact("relators", relators.len().to_string(), "products of generators that can be contracted");
+        let mut letters = 0;
+        for relator in relators.iter().take(FEW) {
+            letters += relator.len();
+            if letters > LETTERS {
+                break;
+            }
+            fact("", relator.to_string(), "");
+        }
+        fact("abelianization", presentation.abelianization().to_string(), "agrees with H_1");
+    }
+    if groups.is_empty() {
+        fact("group", "none".to_owned(), "the complex is empty");
+    }
+    text::facts(&format!("fundamental group of {name}"), &facts)
+}

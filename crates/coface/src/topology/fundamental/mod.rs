@@ -1,0 +1,23 @@
+//! Fundamental groups: loops up to homotopy, by generators and relators.
+//!
+//! # Words and conventions
+//! * A [`Presentation`] has generators 1, ..., n and relators, [`crate::algebra::Word`]s in them that are the unit.
+//! * [`EdgePathGroups`] presents the fundamental group of each component of a [`crate::chains::TwoSkeleton`]; every edge
+//!   has a word, every generator a loop at the base vertex.
+
+mod coset_enumeration;
+mod edge_path;
+mod finite_group;
+mod group_name;
+mod moves;
+mod presentation;
+mod recognition;
+mod tietze;
+mod word_table;
+
+pub use coset_enumeration::CosetTable;
+pub use edge_path::EdgePathGroups;
+pub use group_name::GroupName;
+pub use moves::TietzeMove;
+pub use presentation::Presentation;
+pub use tietze::{Effort, Simplification};

@@ -1,0 +1,149 @@
+//! Recognition of groups from their presentations: by proof, or not at all.
+
+use super::finite_group::FiniteGroup;
+use super::{CosetTable, Effort, GroupName, Presentation, Simplification};
+use crate::algebra::{UnionFind, Word};
+
+impl Presentation {
+    /// Which well-known group this is, if that can be proved with this effort; `None` says nothing about the group.
+    ///
+    /// The presentation is simplified first. Then it is a free product if the relators split into such that have no
+    /// generator in common; free without relators; cyclic on one generator; a surface group if each generator occurs
+    /// twice in its one relator; abelian if all commutators of generators are found to be the unit; and finite if coset
+    /// enumeration of the trivial subgroup ends. A finite group has the name of a known one when it satisfies the
+    /// relators of that one and has as many elements.
+    ///
+    /// # Complexity
+    /// Bounded by `effort`; it is undecidable in general which group a presentation gives.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::Word;
+    /// use coface::topology::{Effort, Presentation};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let relators = [vec![1, 2, 1, -2, -1, -2], vec![1, 2, 2, 2, -1, -2, -2]].map(Word::from_letters);
+    /// let quaternions = [vec![1, 1, -2, -2], vec![1, 2, 1, -2]].map(Word::from_letters);
+    /// let name = |relators: &[Word]| -> Result<String, coface::Error> {
+    ///     let name = Presentation::new(2, relators.to_vec())?.recognized(Effort::default());
+    ///     Ok(name.map_or("unknown".to_owned(), |name| name.to_string()))
+    /// };
+    /// assert_eq!(name(&relators)?, "trivial");
+    /// assert_eq!(name(&quaternions)?, "Q8");
+    /// # Ok(()) }
+    /// ```
+    pub fn recognized(&self, effort: Effort) -> Option<GroupName> {
+        recognize(Simplification::new(self, effort).presentation(), effort)
+    }
+}
+
+/// The name of a group whose presentation is as simple as it gets.
+fn recognize(group: &Presentation, effort: Effort) -> Option<GroupName> {
+    let parts = free_factors(group);
+    if parts.len() != 1 {
+        let names: Option<Vec<GroupName>> = parts.iter().map(|part| recognize(part, effort)).collect();
+        return names.map(GroupName::free_product);
+    }
+    if group.relators().is_empty() {
+        return Some(GroupName::free(group.generator_count()));
+    }
+    if group.generator_count() == 1 {
+        return Some(GroupName::Abelian(group.abelianization()));
+    }
+    surface(group).or_else(|| finite(group, effort))
+}
+
+/// The parts of a presentation that have no generator in common; generators without relators are one part.
+fn free_factors(group: &Presentation) -> Vec<Presentation> {
+    let mut classes = UnionFind::new(group.generator_count());
+    let index = |letter: i32| letter.unsigned_abs() - 1;
+    let mut is_free = vec![true; group.generator_count()];
+    for relator in group.relators() {
+        for &letter in relator.letters() {
+            classes.unite(index(relator.letters()[0]), index(letter));
+            is_free[index(letter) as usize] = false;
+        }
+    }
+    let rank = is_free.iter().filter(|&&free| free).count();
+    let mut parts = Vec::new();
+    if rank > 0 {
+        parts.push(Presentation::new(rank, Vec::new()).expect("there is no relator"));
+    }
+    let mut number = vec![0i32; group.generator_count()];
+    let mut members: Vec<Vec<usize>> = Vec::new();
+    let mut class_of_root = vec![None; group.generator_count()];
+    for generator in (0..group.generator_count()).filter(|&generator| !is_free[generator]) {
+        let class = *class_of_root[classes.find(generator as u32) as usize].get_or_insert_with(|| {
+            members.push(Vec::new());
+            members.len() - 1
+        });
+        members[class].push(generator);
+        number[generator] = members[class].len() as i32;
+    }
+    let mut relators = vec![Vec::new(); members.len()];
+    for relator in group.relators().iter().filter(|relator| !relator.is_empty()) {
+        let root = classes.find(index(relator.letters()[0])) as usize;
+        let class = class_of_root[root].expect("generators of relators have a class");
+        let renamed =
+            relator.letters().iter().map(|&letter| number[index(letter) as usize] * letter.signum());
+        relators[class].push(Word::from_letters(renamed));
+    }
+    let presented = members.iter().zip(relators).map(|(members, relators)| {
+        Presentation::new(members.len(), relators).expect("letters are numbered in their class")
+    });
+    parts.extend(presented);
+    parts
+}
+
+/// One relator in which each generator occurs twice: a polygon whose sides are glued in pairs, a closed surface. All its
+/// corners are one vertex of the complex; if they are several of the surface, identifying them makes free generators.
+///
+/// Source: H. Seifert, W. Threlfall, *Lehrbuch der Topologie* (1934), sections 37 to 39.
+fn surface(group: &Presentation) -> Option<GroupName> {
+    let [relator] = group.relators() else { return None };
+    let letters = relator.letters();
+    let mut sides: Vec<Vec<usize>> = vec![Vec::new(); group.generator_count()];
+    for (side, letter) in letters.iter().enumerate() {
+        sides[letter.unsigned_abs() as usize - 1].push(side);
+    }
+    // Side i runs from corner i to corner i + 1.
+    let mut corners = UnionFind::new(letters.len());
+    let mut is_orientable = true;
+    for pair in &sides {
+        let &[a, b] = pair.as_slice() else { return None };
+        let ends = |side: usize| {
+            let ends = [side as u32, ((side + 1) % letters.len()) as u32];
+            if letters[side] > 0 { ends } else { [ends[1], ends[0]] }
+        };
+        is_orientable &= letters[a] != letters[b];
+        for (x, y) in ends(a).into_iter().zip(ends(b)) {
+            corners.unite(x, y);
+        }
+    }
+    let vertices = corners.class_count();
+    let characteristic = vertices as i64 - group.generator_count() as i64 + 1;
+    let genus = (2 - characteristic) as usize / if is_orientable { 2 } else { 1 };
+    Some(GroupName::free_product(vec![
+        GroupName::surface(is_orientable, genus),
+        GroupName::free(vertices - 1),
+    ]))
+}
+
+/// A finite group, by its elements.
+fn finite(group: &Presentation, effort: Effort) -> Option<GroupName> {
+    let abelianization = group.abelianization();
+    if abelianization.betti() > 0 {
+        return None;
+    }
+    let limit = (effort.steps / 500).clamp(10, 200_000) as usize;
+    let elements = CosetTable::new(group, &[], limit)?;
+    let generators = 1..=group.generator_count() as i32;
+    let commute = |a: i32, b: i32| {
+        let commutator = Word::from_letters([a]).commutator(&Word::from_letters([b]));
+        elements.image_by(0, &commutator) == 0
+    };
+    if generators.clone().all(|a| generators.clone().all(|b| commute(a, b))) {
+        return Some(GroupName::Abelian(abelianization));
+    }
+    let name = FiniteGroup::new(&elements).and_then(|group| group.name());
+    Some(GroupName::Finite { order: elements.index(), name })
+}
