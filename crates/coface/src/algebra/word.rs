@@ -260,7 +260,7 @@ mod tests {
             prop_assert_eq!(a.power(2).times(&a.power(-3)), a.inverse());
             let product = a.times(&b);
             prop_assert!(product.letters().windows(2).all(|pair| pair[0] != -pair[1]));
-            let images = [b.clone(), c.clone(), a.clone()];
+            let images = [b.clone(), c, a.clone()];
             prop_assert_eq!(a.times(&b).image(&images), a.image(&images).times(&b.image(&images)));
         }
 

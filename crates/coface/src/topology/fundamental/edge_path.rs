@@ -173,14 +173,9 @@ struct Words<'a> {
 impl<'a> Words<'a> {
     fn new(faces: &'a RaggedArray, edge_count: usize) -> Self {
         let (face_starts, mut faces_at) = grouped(edge_count, faces.items().iter().map(|step| step >> 1));
-        let mut face = 0;
-        // Positions rise for one edge only, so the face of each is looked up from where all faces start.
-        let mut face_of = vec![0; faces.item_count()];
-        for position in 0..faces.item_count() {
-            while position >= faces.start(face + 1) {
-                face += 1;
-            }
-            face_of[position] = face as u32;
+        let mut face_of = Vec::with_capacity(faces.item_count());
+        for (face, rim) in faces.iter().enumerate() {
+            face_of.extend(std::iter::repeat_n(face as u32, rim.len()));
         }
         for position in &mut faces_at {
             *position = face_of[*position as usize];

@@ -74,7 +74,7 @@ impl GroupName {
             match factor {
                 Self::Free(own) => rank += own,
                 Self::Abelian(group) if group.torsion().is_empty() && group.betti() < 2 => {
-                    rank += group.betti()
+                    rank += group.betti();
                 }
                 Self::FreeProduct(own) => others.extend(own),
                 other => others.push(other),

@@ -12,6 +12,7 @@ mod group_name;
 mod moves;
 mod presentation;
 mod recognition;
+mod rewriting;
 mod tietze;
 mod word_table;
 

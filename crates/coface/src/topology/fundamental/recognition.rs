@@ -1,6 +1,7 @@
 //! Recognition of groups from their presentations: by proof, or not at all.
 
 use super::finite_group::FiniteGroup;
+use super::rewriting::Rewriting;
 use super::{CosetTable, Effort, GroupName, Presentation, Simplification};
 use crate::algebra::{UnionFind, Word};
 
@@ -38,9 +39,15 @@ impl Presentation {
 
 /// The name of a group whose presentation is as simple as it gets.
 fn recognize(group: &Presentation, effort: Effort) -> Option<GroupName> {
+    recognize_to_depth(group, effort, 2)
+}
+
+/// The name, changing generators at most so often in search of central ones.
+fn recognize_to_depth(group: &Presentation, effort: Effort, depth: usize) -> Option<GroupName> {
     let parts = free_factors(group);
     if parts.len() != 1 {
-        let names: Option<Vec<GroupName>> = parts.iter().map(|part| recognize(part, effort)).collect();
+        let names: Option<Vec<GroupName>> =
+            parts.iter().map(|part| recognize_to_depth(part, effort, depth)).collect();
         return names.map(GroupName::free_product);
     }
     if group.relators().is_empty() {
@@ -49,7 +56,7 @@ fn recognize(group: &Presentation, effort: Effort) -> Option<GroupName> {
     if group.generator_count() == 1 {
         return Some(GroupName::Abelian(group.abelianization()));
     }
-    surface(group).or_else(|| finite(group, effort))
+    surface(group).or_else(|| finite(group, effort)).or_else(|| with_central_elements(group, effort, depth))
 }
 
 /// The parts of a presentation that have no generator in common; generators without relators are one part.
@@ -146,4 +153,115 @@ fn finite(group: &Presentation, effort: Effort) -> Option<GroupName> {
     }
     let name = FiniteGroup::new(&elements).and_then(|group| group.name());
     Some(GroupName::Finite { order: elements.index(), name })
+}
+
+/// How many rules of rewriting are made.
+const MOST_RULES: usize = 500;
+
+/// An infinite group with central elements: abelian, a direct product with Z, or a Heisenberg group. Generators are also
+/// tried that are products of two, with `depth` such changes one after the other.
+fn with_central_elements(group: &Presentation, effort: Effort, depth: usize) -> Option<GroupName> {
+    let count = group.generator_count();
+    if group.abelianization().betti() == 0 || count > 8 || group.length() > 400 {
+        return None;
+    }
+    let rules = Rewriting::new(group, MOST_RULES, effort.steps / 20);
+    let letter = |i: usize| Word::from_letters([i as i32]);
+    let is_central = |word: &Word| (1..=count).all(|i| rules.proves_commute(word, &letter(i)));
+    let central: Vec<usize> = (1..=count).filter(|&i| is_central(&letter(i))).collect();
+    if central.len() == count {
+        return Some(GroupName::Abelian(group.abelianization()));
+    }
+    if let Some(name) = heisenberg(group, &rules, &central) {
+        return Some(name);
+    }
+    for &factor in &central {
+        if let Some(name) = split_off(group, factor, effort, depth) {
+            return Some(name);
+        }
+    }
+    // A product of two generators may be central, or one with a power of a central generator may split off.
+    for i in (1..=count).filter(|_| depth > 0) {
+        for other in (1..=count as i32).flat_map(|j| [j, -j]).filter(|j| j.unsigned_abs() as usize != i) {
+            if !is_central(&Word::from_letters([i as i32, other])) || central.contains(&i) {
+                continue;
+            }
+            let images: Vec<Word> = (1..=count)
+                .map(|j| if j == i { Word::from_letters([i as i32, -other]) } else { letter(j) })
+                .collect();
+            let relators = group.relators().iter().map(|relator| relator.image(&images)).collect();
+            let changed = Presentation::new(count, relators).expect("generators stay");
+            if let Some(name) = with_central_elements(&changed, effort, depth - 1) {
+                return Some(name);
+            }
+        }
+    }
+    None
+}
+
+/// The direct product with Z, if the exponents of a central generator add up to 0 in every relator: then it can be moved
+/// out of all of them, and what is left presents the other factor.
+fn split_off(group: &Presentation, central: usize, effort: Effort, depth: usize) -> Option<GroupName> {
+    let is_own = |letter: &i32| letter.unsigned_abs() as usize == central;
+    let is_balanced = |relator: &Word| {
+        relator.letters().iter().filter(|letter| is_own(letter)).map(|letter| letter.signum()).sum::<i32>()
+            == 0
+    };
+    if !group.relators().iter().all(is_balanced) {
+        return None;
+    }
+    let renamed = |letter: i32| {
+        if letter.unsigned_abs() as usize > central { letter - letter.signum() } else { letter }
+    };
+    let relators = group.relators().iter().map(|relator| {
+        Word::from_letters(
+            relator.letters().iter().filter(|letter| !is_own(letter)).map(|&letter| renamed(letter)),
+        )
+    });
+    let factor =
+        Presentation::new(group.generator_count() - 1, relators.collect()).expect("letters are renamed");
+    let factor = Simplification::new(&factor, effort);
+    recognize_to_depth(factor.presentation(), effort, depth).map(GroupName::times_integers)
+}
+
+/// The group $\langle a, b, c \mid c \text{ central}, [a, b] = c^k \rangle$ on its generators, c left out if it is the
+/// commutator: the group of the presentation satisfies these relators, and this group satisfies those of the
+/// presentation. So the identity of the generators is an isomorphism.
+fn heisenberg(group: &Presentation, rules: &Rewriting, central: &[usize]) -> Option<GroupName> {
+    let letter = |i: usize| Word::from_letters([i as i32]);
+    let (a, b, c) = match (group.generator_count(), central) {
+        (2, []) => (1, 2, None),
+        (3, &[c]) => (if c == 1 { 2 } else { 1 }, if c == 3 { 2 } else { 3 }, Some(c)),
+        _ => return None,
+    };
+    let commutator = letter(a).commutator(&letter(b));
+    let exponent = match c {
+        None => {
+            let is_central = [a, b].iter().all(|&x| rules.proves_commute(&commutator, &letter(x)));
+            is_central.then_some(1)
+        }
+        Some(c) => (1..=30)
+            .flat_map(|k| [k, -k])
+            .find(|&k| rules.proves_unit(&commutator.times(&letter(c).power(-k)))),
+    }?;
+    let holds = group.relators().iter().all(|relator| vanishes_in_heisenberg(relator, [a, b], exponent));
+    holds.then_some(GroupName::Heisenberg(u64::from(exponent.unsigned_abs())))
+}
+
+/// Whether a word is the unit of the group in which the commutator of a and b is the k-th power of the third generator,
+/// which is central: $c^z b^y a^x$ is the normal form, and $a b = c^k b a$.
+fn vanishes_in_heisenberg(word: &Word, [a, b]: [usize; 2], k: i32) -> bool {
+    let (mut x, mut y, mut z) = (0i64, 0i64, 0i64);
+    for &letter in word.letters() {
+        let (generator, sign) = (letter.unsigned_abs() as usize, i64::from(letter.signum()));
+        if generator == a {
+            x += sign;
+        } else if generator == b {
+            z += i64::from(k) * x * sign;
+            y += sign;
+        } else {
+            z += sign;
+        }
+    }
+    (x, y, z) == (0, 0, 0)
 }
