@@ -4,11 +4,11 @@
 use coface::algebra::{Permutation, RaggedArray};
 use coface::chains::ChainComplex;
 use coface::io::{self, Format, Model, Structure};
-use coface::report::{Producer, Report};
+use coface::report::{Pair, Producer, Report};
 use coface::simplicial::{
     DeltaComplex, FaceClasses, FrozenComplex, GluingFault, GluingTable, SimplicialComplex,
 };
-use coface::topology::{AbelianGroup, homology};
+use coface::topology::{AbelianGroup, Coefficients, homology, homology_with};
 use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -233,6 +233,29 @@ proptest! {
         if table.orientation().is_orientable() {
             prop_assert!(boundary.orientation().is_orientable());
         }
+    }
+
+    /// Lefschetz duality over F_2: homology relative to the boundary is cohomology of the other degree. Without a manifold,
+    /// the triangulation modulo its boundary is the second way.
+    #[test]
+    fn homology_relative_to_the_boundary(table in tables(1..=3, 3)) {
+        let faces = table.faces().unwrap();
+        let (chains, dimension) = (faces.chain_complex().unwrap(), table.dimension());
+        let over_two = |chains: &ChainComplex| homology_with(chains, Coefficients::Modulo(2)).betti_numbers();
+        let producer = Producer::of(Model::from_structure(Structure::Gluings(table.clone()))).unwrap();
+        let pair = Pair::with_boundary(&producer, &chains).unwrap();
+        let relative = over_two(pair.chains());
+        if table.manifold_verdict(&faces).unwrap().to_bool() == Some(true) && table.simplex_count() > 0 {
+            let mut dual = over_two(&chains);
+            dual.resize(dimension + 1, 0);
+            dual.reverse();
+            prop_assert_eq!(&relative, &dual);
+        }
+        let lists = triangulated(&faces).facets();
+        let lists = RaggedArray::from_lists(lists.iter().map(|simplex| simplex.vertices().map(|v| v.to_u32()).collect::<Vec<_>>()));
+        let fine = Producer::of(Model::from_structure(Structure::Facets(lists))).unwrap();
+        let fine_pair = Pair::with_boundary(&fine, &fine.chain_complex().unwrap()).unwrap();
+        prop_assert_eq!(groups(pair.chains()), groups(fine_pair.chains()));
     }
 
     #[test]

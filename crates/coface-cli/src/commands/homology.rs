@@ -115,7 +115,7 @@ impl Homology {
     fn pair(&self, producer: &Producer, whole: &ChainComplex, progress: &Progress) -> Result<Pair, Failure> {
         let Some(part) = &self.relative else { return Ok(Pair::absolute(whole.clone())) };
         if part.as_os_str() == "boundary" {
-            return Ok(Pair::with_boundary(whole)?);
+            return Ok(Pair::with_boundary(producer, whole)?);
         }
         let part = input::read(part, None, progress)?;
         Ok(Pair::with_model(producer, whole, &part.model).map_err(|error| error.in_file(part.name))?)

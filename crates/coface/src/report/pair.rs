@@ -1,6 +1,7 @@
 //! A model relative to a part of it.
 
 use super::Producer;
+use super::producer::Cells;
 use crate::algebra::RaggedArray;
 use crate::chains::ChainComplex;
 use crate::io::{Model, Structure};
@@ -24,7 +25,7 @@ use std::collections::HashMap;
 /// # fn main() -> Result<(), coface::Error> {
 /// let disk = RaggedArray::from_lists([[0, 1, 2], [0, 2, 3]]);
 /// let producer = Producer::of(Model::from_structure(Structure::Facets(disk)))?;
-/// let pair = Pair::with_boundary(&producer.chain_complex()?)?;
+/// let pair = Pair::with_boundary(&producer, &producer.chain_complex()?)?;
 /// assert_eq!(homology(pair.chains()).betti_numbers(), [0, 0, 1]);
 /// assert_eq!(pair.cell(1, 0), 1, "the diagonal is the only edge left");
 /// # Ok(()) }
@@ -43,11 +44,17 @@ impl Pair {
         Self { chains: complex, kept }
     }
 
-    /// A complex modulo its boundary: the ridges that lie in just one top cell, and their faces.
+    /// The complex of a producer modulo its boundary: the ridges that lie in just one top cell, and their faces; of a
+    /// gluing table, the facets without gluing and their faces.
     ///
     /// # Errors
-    /// None for a complex whose boundary matrices are those of cells.
-    pub fn with_boundary(complex: &ChainComplex) -> Result<Self, Error> {
+    /// [`ErrorKind::Shape`] if the complex is not that of the producer.
+    pub fn with_boundary(producer: &Producer, complex: &ChainComplex) -> Result<Self, Error> {
+        if let Cells::Gluings(gluings) = &producer.cells {
+            // A facet glued to another of its simplex may cancel in the matrix, and so do the ends of a loop.
+            let part = gluings.1.boundary_cells()?;
+            return Ok(Self { chains: complex.relative(&part)?, kept: complex.complement(&part)? });
+        }
         let mut part = nothing(complex);
         if let Some(top) = complex.dimension().filter(|&dimension| dimension > 0)
             && let Some(matrix) = complex.boundary_matrix(top)
@@ -67,6 +74,10 @@ impl Pair {
     /// [`ErrorKind::NotInComplex`] naming a cell of the model that the producer does not have;
     /// [`ErrorKind::InvalidInput`] if the model has no cells that are told by their vertices.
     pub fn with_model(producer: &Producer, complex: &ChainComplex, model: &Model) -> Result<Self, Error> {
+        if let Cells::Gluings(_) = &producer.cells {
+            return Err(Error::invalid("the cells of a gluing table are not told by their vertices")
+                .with_cure("a gluing table is taken relative to its boundary only"));
+        }
         let lists = cells_of(model)?;
         let mut part = nothing(complex);
         let mut wanted: HashMap<Vec<u32>, bool> = lists.iter().map(|list| (in_order(list), false)).collect();
@@ -174,7 +185,8 @@ mod tests {
     #[test]
     fn a_moebius_band_modulo_its_rim_is_a_projective_plane() {
         let band = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]].map(|t| t.to_vec());
-        let pair = Pair::with_boundary(&producer(&band).chain_complex().unwrap()).unwrap();
+        let band = producer(&band);
+        let pair = Pair::with_boundary(&band, &band.chain_complex().unwrap()).unwrap();
         let groups = homology(pair.chains());
         let groups: Vec<String> = groups.groups().iter().map(ToString::to_string).collect();
         assert_eq!(groups, ["0", "Z/2", "0"]);

@@ -1,7 +1,7 @@
 //! Vertex links and the boundary of a gluing table, as gluing tables of one dimension less.
 
 use super::{FaceClasses, GluingTable};
-use crate::{Error, ErrorKind};
+use crate::{CellId, Error, ErrorKind, VertexId};
 
 /// The link of a vertex class: the boundary of a small neighborhood of the vertex.
 ///
@@ -175,5 +175,48 @@ impl GluingTable {
             }
         }
         Ok((table, facets))
+    }
+}
+
+impl FaceClasses {
+    /// The cells of [`Self::chain_complex`] that lie in the boundary, by degree: the boundary classes, or with folds the
+    /// simplices of the barycentric subdivision that they carry.
+    ///
+    /// # Errors
+    /// As [`Self::barycentric_subdivision`].
+    ///
+    /// # Complexity
+    /// Linear in the classes; with folds, in the subdivision.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::simplicial::GluingTable;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let mut band = GluingTable::unglued(2, 1)?;
+    /// band.glue(0, 2, 0, &[1, 2, 0])?;
+    /// let counts: Vec<usize> = band.faces()?.boundary_cells()?.iter().map(Vec::len).collect();
+    /// assert_eq!(counts, [1, 1, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn boundary_cells(&self) -> Result<Vec<Vec<CellId>>, Error> {
+        let degrees = 0..self.f_vector().len();
+        if !self.has_folds() {
+            let counts = self.f_vector();
+            let of_degree =
+                |k| (0..counts[k]).filter(|&class| self.is_boundary(k, class)).map(CellId::new).collect();
+            return Ok(degrees.map(of_degree).collect());
+        }
+        let fine = self.barycentric_subdivision()?;
+        let is_boundary = |degree: usize, cell: usize| {
+            // The last vertex of a chain is the barycenter of its carrier.
+            let last = VertexId::new(fine.complex().back_face(degree, cell, 0));
+            let (degree, class) = fine.carriers()[last];
+            self.is_boundary(degree, class.index())
+        };
+        let of_degree = |k| {
+            let cells = 0..fine.complex().simplex_count(k);
+            cells.filter(|&cell| is_boundary(k, cell)).map(CellId::new).collect()
+        };
+        Ok(degrees.map(of_degree).collect())
     }
 }
