@@ -1,4 +1,4 @@
-//! Blocks of cubes cut into tetrahedra: the cube, the solid torus, the 3-torus.
+//! Blocks of cubes cut into simplices: the cube, the solid torus, tori, in dimension 4 as well.
 
 use super::Mesh;
 use coface::algebra::RaggedArray;
@@ -38,4 +38,35 @@ pub(super) fn kuhn_cubes(cubes: [usize; 3], periodic: [bool; 3]) -> Mesh {
         }
     }
     Mesh { vertex_count: coordinates.len() / 3, coordinates, lists: RaggedArray::from_lists(tetrahedra) }
+}
+
+/// A block of cubes of any dimension, as many along each axis, cut in the same way into one simplex for each order of the
+/// axes; all directions are `periodic`, or none. Without coordinates.
+pub(super) fn kuhn_grid(dimension: usize, side: usize, periodic: bool) -> Mesh {
+    let points = side + usize::from(!periodic);
+    let id = |at: &[usize]| at.iter().rev().fold(0, |sum, &x| sum * points + x % points) as u32;
+    let mut orders: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..dimension {
+        let longer = |order: &Vec<usize>| {
+            let free: Vec<usize> = (0..dimension).filter(|axis| !order.contains(axis)).collect();
+            let order = order.clone();
+            free.into_iter().map(move |axis| order.iter().copied().chain([axis]).collect())
+        };
+        orders = orders.iter().flat_map(longer).collect();
+    }
+    let mut simplices: Vec<u32> =
+        Vec::with_capacity(orders.len() * (dimension + 1) * side.pow(dimension as u32));
+    for cube in 0..side.pow(dimension as u32) {
+        let corner: Vec<usize> = (0..dimension).map(|axis| cube / side.pow(axis as u32) % side).collect();
+        for order in &orders {
+            let mut at = corner.clone();
+            simplices.push(id(&at));
+            for &axis in order {
+                at[axis] += 1;
+                simplices.push(id(&at));
+            }
+        }
+    }
+    let lists = RaggedArray::uniform(dimension + 1, simplices).expect("each simplex has its vertices");
+    Mesh { vertex_count: points.pow(dimension as u32), coordinates: Vec::new(), lists }
 }

@@ -5,6 +5,7 @@ use coface::algebra::RaggedArray;
 use coface::cellular::CellShape;
 use coface::geometry::Positions;
 use coface::io::Model;
+use coface::simplicial::SimplicialComplex;
 use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 
@@ -18,6 +19,17 @@ pub(crate) struct Mesh {
 }
 
 impl Mesh {
+    /// The facets of a complex whose vertices are numbered from 0.
+    ///
+    /// # Errors
+    /// For a complex without vertices.
+    pub(crate) fn of_complex(complex: &SimplicialComplex) -> Result<Self, Error> {
+        let last =
+            complex.vertices().last().ok_or_else(|| Error::invalid("the empty complex is no input"))?;
+        let lists = RaggedArray::from_lists(complex.facets().iter().map(|facet| facet.numbers()));
+        Ok(Self { vertex_count: last.index() + 1, coordinates: Vec::new(), lists })
+    }
+
     /// The number of vertices of every simplex; `None` when they differ.
     fn arity(&self) -> Option<usize> {
         let first = self.lists.iter().next()?.len();
@@ -176,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_raw_file_gives_the_same_simplices() {
-        for name in ["ico1", "t3_3", "simp_200"] {
+        for name in ["ico1", "t3_3", "simp_200", "t4_3", "lm_9x20"] {
             let path =
                 std::env::temp_dir().join(format!("coface-bench-test-{}-{name}.raw", std::process::id()));
             let mesh = generate(name).unwrap();

@@ -6,6 +6,9 @@
 //! * `st_KxM`: a solid torus, K by K by M cubes closed up in the last direction, six tetrahedra a cube.
 //! * `t3_N`: the 3-torus, N by N by N cubes closed up in all directions, six tetrahedra a cube.
 //! * `grid3_N`: the cube, N by N by N cubes, six tetrahedra a cube.
+//! * `t4_N`, `grid4_N`: the 4-torus and the 4-dimensional cube, $N^4$ cubes, 24 simplices each.
+//! * `lm_NxM`: all edges on N vertices and M random triangles.
+//! * `sum_N`: the sum complex modulo N with the sums 0, 1, 3; its torsion grows exponentially.
 //! * `simp_N`: N random simplices of dimension 0 to 5 on N/10 vertices.
 
 mod cubes;
@@ -15,8 +18,10 @@ mod random_simplices;
 mod sphere;
 
 pub(crate) use mesh::Mesh;
+pub(crate) use random_simplices::random_values;
 
 use coface::Error;
+use coface::simplicial::known_spaces::sum_complex;
 
 /// The families, as a person writes them.
 pub(crate) const FAMILIES: &[(&str, &str)] = &[
@@ -25,6 +30,10 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("st_KxM", "solid torus of 6 K K M tetrahedra (st_16x65: 99,840, st_32x163: 1,001,472)"),
     ("t3_N", "3-torus of 6 N N N tetrahedra (t3_26: 105,456, t3_55: 998,250)"),
     ("grid3_N", "cube of 6 N N N tetrahedra (grid3_26: 105,456, grid3_55: 998,250)"),
+    ("t4_N", "4-torus of 24 N^4 simplices (t4_8: 98,304, t4_14: 921,984)"),
+    ("grid4_N", "4-dimensional cube of 24 N^4 simplices (grid4_8: 98,304, grid4_14: 921,984)"),
+    ("lm_NxM", "random 2-complex: all edges on N vertices, M triangles (lm_200x10000)"),
+    ("sum_N", "sum complex modulo N with the sums 0, 1, 3: large torsion (sum_50)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
 ];
 
@@ -56,6 +65,17 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
         }
         ("t3", side) => Ok(cubes::kuhn_cubes([number(side, 3, 400)?; 3], [true; 3])),
         ("grid3", side) => Ok(cubes::kuhn_cubes([number(side, 1, 400)?; 3], [false; 3])),
+        ("t4", side) => Ok(cubes::kuhn_grid(4, number(side, 3, 40)?, true)),
+        ("grid4", side) => Ok(cubes::kuhn_grid(4, number(side, 1, 40)?, false)),
+        ("lm", size) => {
+            let (vertices, triangles) = size.split_once('x').ok_or_else(unknown)?;
+            let vertices = number(vertices, 3, 5000)?;
+            let all = vertices * (vertices - 1) * (vertices - 2) / 6;
+            // Beyond half of all triangles, drawing until enough differ takes long.
+            let triangles = number(triangles, 0, (all / 2).max(1))?;
+            Ok(random_simplices::random_2_complex(vertices, triangles))
+        }
+        ("sum", modulus) => Mesh::of_complex(&sum_complex(number(modulus, 4, 200)? as u32, &[0, 1, 3])?),
         ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),
         _ => Err(unknown()),
     }
@@ -94,6 +114,9 @@ mod tests {
         assert_eq!(counts("t3_3"), [27, 189, 324, 162]);
         assert_eq!(counts("grid3_1"), [8, 19, 18, 6]);
         assert_eq!(counts("grid3_2"), [27, 98, 120, 48]);
+        assert_eq!(counts("t4_3"), [81, 81 * 15, 81 * 50, 81 * 60, 81 * 24]);
+        assert_eq!(counts("grid4_1"), [16, 65, 110, 84, 24]);
+        assert_eq!(counts("sum_11"), [11, 55, 45]);
     }
 
     #[test]
@@ -125,8 +148,18 @@ mod tests {
     }
 
     #[test]
+    fn random_2_complexes_have_all_edges_and_do_not_change() {
+        assert_eq!(counts("lm_12x70"), [12, 66, 70]);
+        assert_eq!(counts("lm_9x0"), [9, 36]);
+        assert_eq!(generate("lm_30x200").unwrap(), generate("lm_30x200").unwrap());
+    }
+
+    #[test]
     fn names_that_are_none_are_refused() {
-        for name in ["", "ico", "ico-1", "ico99", "t3_2", "st_4", "cube_7", "genus10_"] {
+        for name in [
+            "", "ico", "ico-1", "ico99", "t3_2", "st_4", "cube_7", "genus10_", "lm_5", "lm_5x9", "t4_2",
+            "sum_3",
+        ] {
             assert!(generate(name).is_err(), "{name}");
         }
     }

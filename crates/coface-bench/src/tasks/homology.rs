@@ -3,6 +3,7 @@
 use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
+use coface::algebra::Integer;
 use coface::report::Producer;
 use coface::topology::{Homology, homology};
 use std::path::Path;
@@ -41,12 +42,15 @@ fn from_model(path: &Path, clock: &mut Clock) -> Result<String, Error> {
 
 /// The Betti numbers, and the torsion where there is some.
 fn to_text(homology: &Homology) -> String {
-    let mut text = "betti".to_owned();
-    for group in homology.groups() {
-        text += &format!(" {}", group.betti());
-        for order in group.torsion() {
-            text += &format!("+Z/{order}");
-        }
-    }
-    text
+    let groups = homology.groups().iter();
+    groups.fold("betti".to_owned(), |text, group| text + &group_to_text(group.betti(), group.torsion()))
+}
+
+/// One group: a Betti number, then the orders of torsion; of long orders the number of digits.
+pub(super) fn group_to_text<'a>(betti: usize, orders: impl IntoIterator<Item = &'a Integer>) -> String {
+    let order_to_text = |order: &Integer| match order.to_string() {
+        digits if digits.len() > 12 => format!("+Z/({} digits)", digits.len()),
+        digits => format!("+Z/{digits}"),
+    };
+    orders.into_iter().map(order_to_text).fold(format!(" {betti}"), |text, order| text + &order)
 }

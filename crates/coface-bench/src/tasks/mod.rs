@@ -5,9 +5,11 @@
 
 mod boundary_matrices;
 mod edges;
+mod generators;
 mod homology;
 mod info;
 mod manifold;
+mod persistence;
 mod reading;
 mod simplicial;
 
@@ -47,6 +49,11 @@ pub(crate) const ALL: &[Task] = &[
     homology::SURFACE,
     homology::SOLID,
     homology::REDUCTION,
+    generators::SURFACE,
+    generators::SOLID,
+    generators::COMPLEX,
+    persistence::SURFACE,
+    persistence::SOLID,
     simplicial::INSERTION,
     simplicial::FREEZING,
     simplicial::STARS,
