@@ -1,6 +1,7 @@
 //! `coface persistence` as a user runs it.
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(clippy::print_stdout, reason = "a skipped test says so")]
 
 mod program;
 
@@ -149,4 +150,31 @@ fn wrong_inputs_are_named() {
         all.extend(wrong);
         coface(&all).fails_with(2);
     }
+}
+
+/// On real surfaces and volumes the classes that stay are the homology over the same field.
+#[test]
+fn classes_that_stay_are_homology() {
+    let Some(folder) = std::env::var_os("COFACE_DATA").map(PathBuf::from) else {
+        println!("COFACE_DATA is not set: real files are skipped");
+        return;
+    };
+    let mut compared = 0;
+    for part in ["surfaces", "volumes"] {
+        for file in std::fs::read_dir(folder.join(part)).unwrap() {
+            let path = file.unwrap().path();
+            let field = if compared % 2 == 0 { "f2" } else { "f3" };
+            let groups = coface(&["homology", argument(&path), "--json", "--coefficients", field]);
+            if groups.status != 0 {
+                continue;
+            }
+            let groups = groups.json();
+            let betti: Vec<&Value> =
+                groups["homology"].as_array().unwrap().iter().map(|group| &group["betti"]).collect();
+            let object = coface(&["persistence", argument(&path), "--json", "--coefficients", field]).json();
+            assert_eq!(object["betti"], json!(betti), "{}", path.display());
+            compared += 1;
+        }
+    }
+    assert!(compared > 10, "{compared} files");
 }

@@ -287,6 +287,38 @@ impl<'a> HodgeSpace<'a> {
     }
 }
 
+impl MetricComplex<'_> {
+    /// The harmonic cochains of one degree, one for each free cocycle of a basis of the same complex; see
+    /// [`HodgeSpace::with_basis`]. Where there is none, no least squares problem is set up.
+    ///
+    /// # Errors
+    /// Those of [`HodgeSpace::with_basis`].
+    ///
+    /// # Examples
+    /// A disk has a constant harmonic function and no other harmonic cochain.
+    /// ```
+    /// use coface::simplicial::known_spaces::simplex;
+    /// use coface::topology::{HomologyBasis, MetricComplex};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let disk = simplex(2)?.chain_complex()?;
+    /// let (basis, metric) = (HomologyBasis::new(&disk), MetricComplex::new(&disk));
+    /// let counts = (0..3).map(|degree| Ok(metric.harmonic_cochains(degree, &basis)?.len()));
+    /// assert_eq!(counts.collect::<Result<Vec<_>, coface::Error>>()?, [1, 0, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn harmonic_cochains(
+        &self,
+        degree: usize,
+        basis: &HomologyBasis<'_>,
+    ) -> Result<Vec<HarmonicCochain>, Error> {
+        // Free cocycles are as many as free generators.
+        if basis.generators(degree).iter().all(|generator| generator.order().is_some()) {
+            return Ok(Vec::new());
+        }
+        Ok(HodgeSpace::with_basis(self, degree, basis)?.basis)
+    }
+}
+
 /// The harmonic cochains of a basis of integral cohomology modulo torsion, in this degree and with all weights 1; as many
 /// as the Betti number. For weights, for the duals of given generators, and to decompose cochains, see [`HodgeSpace`].
 ///
@@ -311,6 +343,5 @@ impl<'a> HodgeSpace<'a> {
 /// # Ok(()) }
 /// ```
 pub fn harmonic_basis(complex: &ChainComplex, degree: usize) -> Result<Vec<HarmonicCochain>, Error> {
-    let metric = MetricComplex::new(complex);
-    Ok(HodgeSpace::new(&metric, degree)?.basis)
+    MetricComplex::new(complex).harmonic_cochains(degree, &HomologyBasis::unshortened(complex))
 }
