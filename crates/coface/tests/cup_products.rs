@@ -3,10 +3,12 @@
 #[cfg(test)]
 mod facts {
     use coface::ErrorKind;
-    use coface::algebra::{Definiteness, Parity, Sign, SymmetricForm};
+    use coface::algebra::{Definiteness, Integer, Parity, Sign, SymmetricForm};
     use coface::simplicial::known_spaces::{self, Solid};
     use coface::simplicial::{DeltaComplex, SimplicialComplex};
-    use coface::topology::{CochainAlgebra, HomologyBasis, IntersectionForm, intersection_form};
+    use coface::topology::{
+        CochainAlgebra, Coefficients, HomologyBasis, IntersectionForm, cup_product_table, intersection_form,
+    };
 
     fn algebra(complex: &SimplicialComplex) -> CochainAlgebra {
         CochainAlgebra::new(complex.freeze().to_delta().unwrap()).unwrap()
@@ -137,6 +139,86 @@ mod facts {
             assert_eq!(other, -&volume);
             assert_eq!(x.cup(&x.cup(a, a).unwrap(), c).unwrap().pairing(&cycle).unwrap(), None);
         }
+    }
+
+    /// The products of degree 1 over F_p on the classes of degree 2, as a matrix for each of these.
+    fn products_of_loops(complex: &SimplicialComplex, prime: u64) -> Vec<Vec<Vec<i64>>> {
+        let table = cup_product_table(&algebra(complex), 1, 1, Coefficients::Modulo(prime)).unwrap();
+        let matrix = |k: usize| {
+            let row = |row: &Vec<Vec<Integer>>| row.iter().map(|value| value[k].to_i64().unwrap()).collect();
+            table.values().iter().map(row).collect()
+        };
+        (0..table.cycles().len()).map(matrix).collect()
+    }
+
+    #[test]
+    fn products_over_two_elements_tell_the_klein_bottle_from_the_torus() {
+        // The squares vanish on an orientable surface and not on the others; the form has full rank on all.
+        let torus = products_of_loops(&known_spaces::cyclic_torus(2).unwrap(), 2);
+        assert_eq!(torus, [[[0, 1], [1, 0]]]);
+        for bottle in [known_spaces::small_klein_bottle().unwrap(), known_spaces::klein_grid(5, 5).unwrap()] {
+            let [form] = &products_of_loops(&bottle, 2)[..] else { panic!("one class of degree 2") };
+            assert!(form[0][0] == 1 || form[1][1] == 1, "{form:?}");
+            assert_eq!(form[0][1], form[1][0]);
+            assert_eq!((form[0][0] * form[1][1] - form[0][1] * form[1][0]).rem_euclid(2), 1);
+        }
+        assert_eq!(products_of_loops(&known_spaces::projective_plane().unwrap(), 2), [[[1]]]);
+        // The wedge with the same groups as the torus has no products.
+        let (circle, sphere) = (known_spaces::circle(3).unwrap(), known_spaces::simplex_boundary(2).unwrap());
+        let v = coface::VertexId::new(0);
+        let wedge = circle.wedge(v, &circle, v).unwrap().into_complex();
+        let wedge = wedge.wedge(v, &sphere, v).unwrap().into_complex();
+        assert_eq!(products_of_loops(&wedge, 2), [[[0, 0], [0, 0]]]);
+        assert_eq!(products_of_loops(&wedge, 3), [[[0, 0], [0, 0]]]);
+    }
+
+    /// On the projective space of dimension n over F_2 the n-th power of the class of degree 1 is not zero; on a lens space
+    /// of odd order over F_p its square is.
+    #[test]
+    fn powers_of_the_class_of_a_projective_space() {
+        for n in 1..=4 {
+            let x = algebra(&known_spaces::real_projective_space(n).unwrap());
+            for p in 0..=n {
+                let table = cup_product_table(&x, p, n - p, Coefficients::Modulo(2)).unwrap();
+                assert_eq!(table.values(), [[[Integer::ONE]]], "{n} {p}");
+            }
+        }
+        let lens = algebra(&known_spaces::lens_space(3, 1).unwrap());
+        let product = |p, q| cup_product_table(&lens, p, q, Coefficients::Modulo(3)).unwrap();
+        assert!(product(1, 1).is_zero() && !product(1, 2).is_zero() && !product(2, 1).is_zero());
+    }
+
+    /// Products of cocycles do not depend, on cycles, on their order but for the sign, nor on coboundaries.
+    #[test]
+    fn products_of_classes_commute_up_to_sign() {
+        let spaces = [
+            known_spaces::cyclic_torus(3).unwrap(),
+            known_spaces::torus_bundle([[1, 1], [0, 1]]).unwrap(),
+            product(&known_spaces::cyclic_torus(2).unwrap(), &known_spaces::simplex_boundary(2).unwrap()),
+            known_spaces::mapping_torus(&known_spaces::complex_projective_plane().unwrap(), |v| v).unwrap(),
+        ];
+        for space in spaces {
+            let x = algebra(&space);
+            for (p, q) in [(1, 1), (1, 2), (2, 2), (1, 4)] {
+                let [one, other] = [(p, q), (q, p)]
+                    .map(|(p, q)| cup_product_table(&x, p, q, Coefficients::Integers).unwrap());
+                for (i, row) in one.values().iter().enumerate() {
+                    for (j, values) in row.iter().enumerate() {
+                        let sign = |v: &Integer| if p * q % 2 == 0 { v.clone() } else { -v };
+                        let expected: Vec<Integer> = other.values()[j][i].iter().map(sign).collect();
+                        assert_eq!(*values, expected);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Over Z the Heisenberg manifold and the 3-torus differ in products of degree 1: one of them is zero on the first.
+    #[test]
+    fn products_tell_the_heisenberg_manifold() {
+        let x = algebra(&known_spaces::torus_bundle([[1, 1], [0, 1]]).unwrap());
+        assert!(cup_product_table(&x, 1, 1, Coefficients::Integers).unwrap().is_zero());
+        assert!(!cup_product_table(&x, 1, 2, Coefficients::Rationals).unwrap().is_zero());
     }
 
     #[test]

@@ -17,6 +17,7 @@ mod adapted_basis;
 mod basis;
 mod coefficients;
 mod cup;
+mod cup_table;
 mod fundamental;
 mod fundamental_cycle;
 mod generators;
@@ -33,6 +34,7 @@ mod shortening;
 pub use basis::{Bounding, Cocycle, Generator, HomologyBasis, HomologyClass};
 pub use coefficients::Coefficients;
 pub use cup::CochainAlgebra;
+pub use cup_table::{CupProductTable, cup_product_table};
 pub use fundamental::{
     CosetTable, EdgePathGroups, Effort, GroupName, Presentation, Simplification, TietzeMove,
 };
