@@ -192,7 +192,7 @@ impl<'a> HodgeSpace<'a> {
         let (metric, degree) = (self.metric, self.degree);
         let real = class.terms().iter().map(|(cell, value)| (*cell, value.to_f64()));
         let mut values = metric.dense(&Cochain::new(metric.complex(), degree, real)?)?;
-        let exact = self.exact_part(&values).0;
+        let exact = self.exact_part(&values)?.0;
         values.iter_mut().zip(exact).for_each(|(x, y)| *x -= y);
         let (closed_residual, coclosed_residual) = self.residuals(&values, &values);
         self.basis.push(HarmonicCochain {
@@ -242,7 +242,7 @@ impl<'a> HodgeSpace<'a> {
             ));
         }
         let values = metric.dense(cochain)?;
-        let (exact, potential) = self.exact_part(&values);
+        let (exact, potential) = self.exact_part(&values)?;
         let rest: Vec<f64> = values.iter().zip(&exact).map(|(x, y)| x - y).collect();
         let harmonic = self.harmonic_part(&rest);
         let coexact: Vec<f64> = rest.iter().zip(&harmonic).map(|(x, y)| x - y).collect();
@@ -259,10 +259,10 @@ impl<'a> HodgeSpace<'a> {
     }
 
     /// The exact part of a cochain and a potential of it.
-    fn exact_part(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    fn exact_part(&self, values: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
         match &self.exact {
             Some(exact) => exact.project(self.metric, values),
-            None => (vec![0.0; values.len()], Vec::new()),
+            None => Ok((vec![0.0; values.len()], Vec::new())),
         }
     }
 

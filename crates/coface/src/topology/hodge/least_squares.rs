@@ -1,11 +1,9 @@
 //! The exact part of a cochain, by least squares.
 
 use super::MetricComplex;
+use super::cholesky::{CholeskyFactor, MOST_FILL};
 use crate::{Error, ErrorKind};
-use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::solvers::Llt;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{MatMut, Side};
+use faer::sparse::Triplet;
 
 /// The orthogonal projection of cochains of one degree to the coboundaries among them.
 ///
@@ -15,11 +13,11 @@ pub(super) struct ExactProjection {
     degree: usize,
     /// The cells of one degree less whose coboundaries are a basis, rising.
     basis: Vec<u32>,
-    factor: Option<Llt<usize, f64>>,
+    factor: Option<CholeskyFactor>,
 }
 
 /// The largest number of products that are added up for the normal equations.
-const MOST_PRODUCTS: usize = 1 << 28;
+const MOST_PRODUCTS: usize = 1 << 25;
 
 impl ExactProjection {
     /// The projection of cochains of a positive degree, for cells of one degree less whose coboundaries are a basis of
@@ -53,11 +51,7 @@ impl ExactProjection {
                 triplets.extend(faces[at..].iter().map(|&(i, x)| Triplet::new(i, j, weight * x * y)));
             }
         }
-        let count = basis.len();
-        let normal = SparseColMat::try_new_from_triplets(count, count, &triplets)
-            .map_err(|error| too_hard(degree, &error))?;
-        drop(triplets);
-        let factor = normal.sp_cholesky(Side::Lower).map_err(|error| too_hard(degree, &error))?;
+        let factor = CholeskyFactor::new(basis.len(), triplets, MOST_FILL)?;
         Ok(Self { degree, basis, factor: Some(factor) })
     }
 
@@ -65,11 +59,15 @@ impl ExactProjection {
     ///
     /// The normal equations are solved, then solved again for what is left of their residual, as long as that at least
     /// halves: so the part is as exact as its computation from the potential.
-    pub(super) fn project(&self, metric: &MetricComplex<'_>, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn project(
+        &self,
+        metric: &MetricComplex<'_>,
+        values: &[f64],
+    ) -> Result<(Vec<f64>, Vec<f64>), Error> {
         let below = self.degree - 1;
         let mut potential = vec![0.0; metric.complex().cell_count(below)];
         let mut exact = vec![0.0; values.len()];
-        let Some(factor) = &self.factor else { return (exact, potential) };
+        let Some(factor) = &self.factor else { return Ok((exact, potential)) };
         let mut last = f64::INFINITY;
         loop {
             let rest: Vec<f64> = values.iter().zip(&exact).map(|(x, y)| x - y).collect();
@@ -81,23 +79,14 @@ impl ExactProjection {
             let size = step.iter().map(|x| x * x).sum::<f64>().sqrt();
             // Also ends for sizes that are no numbers.
             if !(size > 0.0 && size < 0.5 * last) {
-                return (exact, potential);
+                return Ok((exact, potential));
             }
             last = size;
-            let count = step.len();
-            factor.solve_in_place(MatMut::from_column_major_slice_mut(&mut step, count, 1));
+            factor.solve(&mut step)?;
             for (&cell, step) in self.basis.iter().zip(step) {
                 potential[cell as usize] += step;
             }
             exact = metric.up(below, &potential);
         }
     }
-}
-
-fn too_hard(degree: usize, error: &impl std::fmt::Debug) -> Error {
-    Error::new(
-        ErrorKind::TooLarge,
-        format!("the least squares problem of degree {degree} cannot be factorized: {error:?}"),
-    )
-    .with_cure("take a smaller complex, or weights that are nearer to each other")
 }

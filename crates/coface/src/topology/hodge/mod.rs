@@ -11,6 +11,7 @@
 //! * Each real cohomology class has one harmonic cochain. Those of a basis of integral classes are the
 //!   [`harmonic_basis`]; integers decide how many there are, floating point only their values.
 
+mod cholesky;
 mod decomposition;
 mod image;
 mod least_squares;
