@@ -14,7 +14,7 @@ use coface::geometry::Positions;
 use coface::io::{Model, write_path};
 use coface::report::{Producer, integer_to_json};
 use coface::topology::{EdgePathGroups, Effort, GroupName, Presentation, Simplification, homology};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -38,6 +38,9 @@ pub(crate) struct Pi1 {
     /// The base vertex of its component, which comes first; other components have their lowest vertex
     #[arg(long, value_name = "VERTEX")]
     base: Option<u32>,
+    /// Count the subgroups of index up to N, and the homomorphisms to S3, S4 and A5
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=20))]
+    subgroups: Option<u8>,
     /// Stop simplifying after so many seconds; without it, results do not depend on the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     time_limit: Option<Duration>,
@@ -54,6 +57,49 @@ struct Shown {
     /// Its generators as words in those of the edge-path group.
     generators: Vec<Word>,
     name: Option<GroupName>,
+    counts: Option<Counts>,
+}
+
+/// Numbers that tell groups apart; those that take too long are missing.
+struct Counts {
+    /// For each index from 1 on the numbers of subgroups and of their classes.
+    subgroups: Option<Vec<[usize; 2]>>,
+    homomorphisms: Vec<(PermutationGroup, Option<HomomorphismCount>)>,
+}
+
+impl Counts {
+    fn new(group: &Presentation, highest: usize, effort: Effort) -> Self {
+        let targets = [
+            PermutationGroup::Symmetric(3),
+            PermutationGroup::Symmetric(4),
+            PermutationGroup::Alternating(5),
+        ];
+        let subgroups = group.subgroups_up_to(highest, effort).map(|classes| {
+            let of_index = |index| classes.iter().filter(move |class| class.index() == index);
+            let count = |index| of_index(index).map(SubgroupClass::conjugate_count).sum();
+            (1..=highest).map(|index| [count(index), of_index(index).count()]).collect()
+        });
+        let homomorphisms = targets.map(|target| (target, group.homomorphisms_to(target, effort)));
+        Self { subgroups, homomorphisms: homomorphisms.to_vec() }
+    }
+
+    fn to_json(&self) -> Value {
+        let subgroups = self.subgroups.as_ref().map(|counts| {
+            let count = |(i, [subgroups, classes]): (usize, &[usize; 2])| {
+                json!({ "index": i + 1, "subgroups": subgroups, "classes": classes })
+            };
+            counts.iter().enumerate().map(count).collect::<Vec<_>>()
+        });
+        let homomorphisms: Map<String, Value> = self
+            .homomorphisms
+            .iter()
+            .map(|(target, count)| {
+                let count = count.map(|count| json!({ "all": count.all, "onto": count.onto }));
+                (target.to_string(), count.into())
+            })
+            .collect();
+        json!({ "subgroups": subgroups, "homomorphisms": homomorphisms })
+    }
 }
 
 impl Pi1 {
@@ -114,14 +160,16 @@ impl Pi1 {
     fn show(&self, presentation: &Presentation, effort: Effort) -> Shown {
         let simpler = Simplification::new(presentation, effort);
         let name = simpler.presentation().recognized(effort);
+        let highest = self.subgroups.map(usize::from);
+        let counts = highest.map(|highest| Counts::new(simpler.presentation(), highest, effort));
         let letters = |count: usize| (1..=count as i32).map(|letter| Word::from_letters([letter]));
         if self.simplify {
             let presentation = simpler.presentation().clone();
             let generators = letters(presentation.generator_count()).map(|word| simpler.to_original(&word));
-            return Shown { generators: generators.collect(), presentation, name };
+            return Shown { generators: generators.collect(), presentation, name, counts };
         }
         let generators = letters(presentation.generator_count()).collect();
-        Shown { generators, presentation: presentation.clone(), name }
+        Shown { generators, presentation: presentation.clone(), name, counts }
     }
 }
 
@@ -167,13 +215,19 @@ fn object(group: &Shown, base: u32) -> Value {
     let relators = group.presentation.relators().iter().map(Word::letters);
     let abelianization = group.presentation.abelianization();
     let torsion: Vec<Value> = abelianization.torsion().iter().map(integer_to_json).collect();
-    json!({
+    let mut object = json!({
         "base": base,
         "generators": group.presentation.generator_count(),
         "relators": relators.collect::<Vec<_>>(),
         "abelianization": { "betti": abelianization.betti(), "torsion": torsion },
         "name": group.name.as_ref().map(GroupName::to_string),
-    })
+    });
+    if let (Some(counts), Some(object)) = (&group.counts, object.as_object_mut()) {
+        if let Value::Object(counts) = counts.to_json() {
+            object.extend(counts);
+        }
+    }
+    object
 }
 
 /// How many relators, and letters of them, a page for people shows of a component.
@@ -208,6 +262,18 @@ fn page(name: &str, groups: &[Shown], bases: &[u32]) -> String {
             fact("", relator.to_string(), "");
         }
         fact("abelianization", presentation.abelianization().to_string(), "agrees with H_1");
+        if let Some(counts) = &group.counts {
+            let too_long = || "too long to count".to_owned();
+            let subgroups = counts.subgroups.as_ref().map_or_else(too_long, |counts| {
+                counts.iter().map(|[count, _]| count.to_string()).collect::<Vec<_>>().join(", ")
+            });
+            fact("subgroups", subgroups, "of index 1, 2, ...");
+            for (target, count) in &counts.homomorphisms {
+                let count = count
+                    .map_or_else(too_long, |count| format!("{}, {} of them onto", count.all, count.onto));
+                fact(&format!("maps to {target}"), count, "");
+            }
+        }
     }
     if groups.is_empty() {
         fact("group", "none".to_owned(), "the complex is empty");

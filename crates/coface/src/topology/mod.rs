@@ -36,7 +36,8 @@ pub use coefficients::Coefficients;
 pub use cup::CochainAlgebra;
 pub use cup_table::{CupProductTable, cup_product_table};
 pub use fundamental::{
-    CosetTable, EdgePathGroups, Effort, GroupName, Presentation, Simplification, TietzeMove,
+    CosetTable, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
+    Simplification, SubgroupClass, TietzeMove,
 };
 pub use generators::generators;
 pub use group::AbelianGroup;

@@ -80,6 +80,11 @@ impl CosetTable {
         Some(table.standardized(presentation.generator_count()))
     }
 
+    /// The table with these images under +1, -1, +2, -2, ... of each coset.
+    pub(super) fn from_images(generator_count: usize, images: Vec<u32>) -> Self {
+        Self { generator_count, images }
+    }
+
     /// The number of cosets.
     pub fn index(&self) -> usize {
         if self.generator_count == 0 { 1 } else { self.images.len() / (2 * self.generator_count) }

@@ -459,6 +459,14 @@ impl EdgePathGroups {
         &self.components[component].generator_edges
     }
 
+    /// The path along the tree from the base of its component to a vertex.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn path_to(&self, vertex: VertexId) -> Vec<(EdgeId, Sign)> {
+        signed(self.forest.path_to(vertex.to_u32(), &self.ends))
+    }
+
     /// The loop at the base of its component that runs along the tree to an edge, along it and back along the tree, as
     /// steps.
     ///
@@ -469,8 +477,7 @@ impl EdgePathGroups {
         let mut steps = self.forest.path_to(source, &self.ends);
         steps.push(2 * edge.to_u32());
         steps.extend(self.forest.path_to(target, &self.ends).into_iter().rev().map(|step| step ^ 1));
-        let signed = |step: u32| (EdgeId::from_u32(step >> 1), Sign::power_of_minus_one((step & 1) as usize));
-        steps.into_iter().map(signed).collect()
+        signed(steps)
     }
 
     /// A loop at the base of a component for a word in its generators: their loops one after the other, without steps
@@ -590,6 +597,12 @@ impl EdgePathGroups {
         }
         Ok(word)
     }
+}
+
+/// Steps as edges with signs.
+fn signed(steps: Vec<u32>) -> Vec<(EdgeId, Sign)> {
+    let sign = |step: u32| Sign::power_of_minus_one((step & 1) as usize);
+    steps.into_iter().map(|step| (EdgeId::from_u32(step >> 1), sign(step))).collect()
 }
 
 /// The word with this number of a word table.
