@@ -13,7 +13,10 @@ use coface::chains::ChainComplex;
 use coface::geometry::Positions;
 use coface::io::{Model, write_path};
 use coface::report::{Producer, integer_to_json};
-use coface::topology::{EdgePathGroups, Effort, GroupName, Presentation, Simplification, homology};
+use coface::topology::{
+    EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation, Simplification,
+    SubgroupClass, homology,
+};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;

@@ -4,6 +4,11 @@
 //! * A [`Presentation`] has generators 1, ..., n and relators, [`crate::algebra::Word`]s in them that are the unit.
 //! * [`EdgePathGroups`] presents the fundamental group of each component of a [`crate::chains::TwoSkeleton`]; every edge
 //!   has a word, every generator a loop at the base vertex.
+//! * A [`Simplification`] is a list of [`TietzeMove`]s with the isomorphism that they are, both ways.
+//! * [`Presentation::recognized`] gives a [`GroupName`] if it can be proved, by a [`CosetTable`], by rewriting, or because
+//!   the presentation is literally that of the group. [`Presentation::subgroups_up_to`] and
+//!   [`Presentation::homomorphisms_to`] count what tells groups apart.
+//! * What may take forever has an [`Effort`]; its steps are the same on every machine.
 
 mod coset_enumeration;
 mod edge_path;

@@ -10,9 +10,11 @@ impl Presentation {
     ///
     /// The presentation is simplified first. Then it is a free product if the relators split into such that have no
     /// generator in common; free without relators; cyclic on one generator; a surface group if each generator occurs
-    /// twice in its one relator; abelian if all commutators of generators are found to be the unit; and finite if coset
-    /// enumeration of the trivial subgroup ends. A finite group has the name of a known one when it satisfies the
-    /// relators of that one and has as many elements.
+    /// twice in its one relator; finite if coset enumeration of the trivial subgroup ends, with the name of a known group
+    /// when it is a quotient of that one and has as many elements; abelian if rewriting of words (D. E. Knuth, P. B.
+    /// Bendix) finds that all commutators of generators are the unit; a direct product with Z if a generator is found
+    /// to be central and its exponents add up to 0 in each relator; a Heisenberg group if each of the two groups
+    /// satisfies the relators of the other.
     ///
     /// # Complexity
     /// Bounded by `effort`; it is undecidable in general which group a presentation gives.

@@ -296,11 +296,11 @@ impl Search {
         let mut best: Option<(u32, usize)> = None;
         for (generator, _) in counts.into_iter().filter(|&(_, count)| count == 1) {
             let places = &self.work.places[generator as usize - 1];
-            let elsewhere: usize = places
-                .iter()
-                .filter(|&&place| place as usize != relator)
-                .map(|&place| self.work.occurrences(generator, place as usize))
-                .sum();
+            let mut elsewhere = 0;
+            for &place in places.iter().filter(|&&place| place as usize != relator) {
+                elsewhere += self.work.occurrences(generator, place as usize);
+                self.work.effort += self.work.relators[place as usize].len() as u64;
+            }
             // Each occurrence becomes length - 1 letters, and the relator goes.
             let more = (elsewhere * length.saturating_sub(2)).saturating_sub(length);
             if best.is_none_or(|(_, least)| more < least) {
