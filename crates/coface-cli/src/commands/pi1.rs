@@ -225,10 +225,10 @@ fn object(group: &Shown, base: u32) -> Value {
         "abelianization": { "betti": abelianization.betti(), "torsion": torsion },
         "name": group.name.as_ref().map(GroupName::to_string),
     });
-    if let (Some(counts), Some(object)) = (&group.counts, object.as_object_mut()) {
-        if let Value::Object(counts) = counts.to_json() {
-            object.extend(counts);
-        }
+    if let (Some(counts), Some(object)) = (&group.counts, object.as_object_mut())
+        && let Value::Object(counts) = counts.to_json()
+    {
+        object.extend(counts);
     }
     object
 }
