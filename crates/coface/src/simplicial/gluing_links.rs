@@ -73,13 +73,10 @@ impl GluingTable {
     /// ```
     pub fn vertex_links(&self, faces: &FaceClasses) -> Result<Vec<VertexLink>, Error> {
         let width = self.dimension() + 1;
-        let counts = faces.f_vector();
-        if counts.last().is_some_and(|&count| count != self.simplex_count()) || counts.len() > width {
-            return Err(Error::new(ErrorKind::Shape, "the face classes are of another gluing table")
-                .with_cure("take those that the table itself gives"));
-        }
+        self.check_faces(faces)?;
         self.check_codimension_one()?;
-        let mut corners: Vec<Vec<(u32, u32)>> = vec![Vec::new(); counts.first().copied().unwrap_or(0)];
+        let mut corners: Vec<Vec<(u32, u32)>> =
+            vec![Vec::new(); faces.f_vector().first().copied().unwrap_or(0)];
         let mut places = vec![0_u32; self.simplex_count() * width];
         for i in 0..self.simplex_count() {
             for v in 0..width {
@@ -89,6 +86,20 @@ impl GluingTable {
             }
         }
         corners.into_iter().map(|corners| self.link_of(corners, &places)).collect()
+    }
+
+    /// Refuses face classes that cannot be those of this table.
+    pub(super) fn check_faces(&self, faces: &FaceClasses) -> Result<(), Error> {
+        let counts = faces.f_vector();
+        let is_own = match counts.last() {
+            Some(&count) => counts.len() == self.dimension() + 1 && count == self.simplex_count(),
+            None => self.simplex_count() == 0,
+        };
+        if is_own {
+            return Ok(());
+        }
+        Err(Error::new(ErrorKind::Shape, "the face classes are of another gluing table")
+            .with_cure("take those that the table itself gives"))
     }
 
     fn check_codimension_one(&self) -> Result<(), Error> {

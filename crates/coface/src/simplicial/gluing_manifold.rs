@@ -145,10 +145,6 @@ impl LinkSurface {
             boundary_count,
         })
     }
-
-    fn is_sphere_or_disk(&self) -> bool {
-        self.euler_characteristic + self.boundary_count as i64 == 2
-    }
 }
 
 impl fmt::Display for LinkSurface {
@@ -208,6 +204,7 @@ impl GluingTable {
     /// # Ok(()) }
     /// ```
     pub fn manifold_verdict(&self, faces: &FaceClasses) -> Result<GluingVerdict, Error> {
+        self.check_faces(faces)?;
         let mut certificate = GluingCertificate {
             boundary_facet_count: self.boundary_facets().count(),
             collapsed_link_count: 0,
@@ -219,24 +216,24 @@ impl GluingTable {
         if let Some(degree) = (1..self.dimension()).find(|&degree| faces.folded(degree).next().is_some()) {
             return Ok(GluingVerdict::No(folded(faces, degree)));
         }
-        let links = self.vertex_links(faces)?;
         if self.dimension() == 3 {
-            let surfaces: Result<Vec<LinkSurface>, Error> =
-                links.iter().map(|link| LinkSurface::of(link.table())).collect();
-            let surfaces = surfaces?;
+            // A connected surface is a sphere or a disk when its Euler characteristic is that of one.
+            let right = |vertex: usize| if faces.is_boundary(0, vertex) { 1 } else { 2 };
+            let found = link_euler_characteristics(faces);
             let ideal: Vec<usize> =
-                (0..surfaces.len()).filter(|&vertex| !surfaces[vertex].is_sphere_or_disk()).collect();
+                (0..found.len()).filter(|&vertex| found[vertex] != right(vertex)).collect();
             let Some(&first) = ideal.first() else { return Ok(GluingVerdict::Yes(certificate)) };
+            let link = LinkSurface::of(self.vertex_links(faces)?[first].table())?;
             return Ok(GluingVerdict::No(GluingWitness {
                 fault: GluingFault::LinkNotASphere,
                 degree: 0,
                 message: format!(
-                    "the link of vertex {first} is {}, neither a sphere nor a disk: the vertex is ideal",
-                    surfaces[first]
+                    "the link of vertex {first} is {link}, neither a sphere nor a disk: the vertex is ideal"
                 ),
                 classes: ideal,
             }));
         }
+        let links = self.vertex_links(faces)?;
         let mut unknown = None;
         for (vertex, link) in links.iter().enumerate() {
             match recognize(link.table())? {
@@ -257,6 +254,22 @@ impl GluingTable {
         }
         Ok(unknown.map_or(GluingVerdict::Yes(certificate), GluingVerdict::Unknown))
     }
+}
+
+/// The Euler characteristic of the link of each vertex class, if no class is folded: a k-class with a corner at the vertex
+/// is a (k-1)-simplex of the link.
+fn link_euler_characteristics(faces: &FaceClasses) -> Vec<i64> {
+    let counts = faces.f_vector();
+    let mut found = vec![0; counts.first().copied().unwrap_or(0)];
+    for (degree, &count) in counts.iter().enumerate().skip(1) {
+        let sign = if degree % 2 == 1 { 1 } else { -1 };
+        for class in 0..count {
+            for vertex in faces.vertices(degree, class) {
+                found[vertex as usize] += sign;
+            }
+        }
+    }
+    found
 }
 
 fn folded(faces: &FaceClasses, degree: usize) -> GluingWitness {
