@@ -15,6 +15,7 @@
 //! in the order of ASCII. That of a table in several parts has those of the parts, sorted, one after the other.
 
 use super::GluingTable;
+use crate::algebra::UnionFind;
 use crate::{Error, ErrorKind};
 use std::cmp::Ordering;
 
@@ -24,6 +25,9 @@ const NONE: u32 = u32::MAX;
 const DIMENSION_LIMIT: usize = 8;
 
 const DIGITS: &[u8; 64] = b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-";
+
+/// Symmetries are used below so many starts.
+const START_LIMIT: usize = 1 << 28;
 
 /// From here on the number of simplices takes more than one character.
 const MANY: usize = 63;
@@ -95,7 +99,8 @@ impl GluingTable {
     /// [`ErrorKind::UnsupportedFormat`] unless the dimension is 2 to 8.
     ///
     /// # Complexity
-    /// $O((d + 1)!\, d^2 n^2)$ at most for n simplices of dimension d; most choices of a start end early.
+    /// $O(d^2 n)$ for each choice of a start that is followed to its end, among $(d + 1)!\, n$ for n simplices of dimension
+    /// d. Most choices end early, and those that a symmetry of the table takes to an earlier one are left out.
     ///
     /// # References
     /// B. A. Burton, *The Pachner graph and the simplification of 3-sphere triangulations* (2011), section 3.2.
@@ -122,15 +127,7 @@ impl GluingTable {
         let mut labeling = Labeling::new(self);
         let mut texts: Vec<Vec<u8>> = Vec::with_capacity(parts.len());
         for part in &parts {
-            let mut best: Option<Vec<u8>> = None;
-            for &start in part {
-                for order in &orders {
-                    if let Some(text) = labeling.text(part.len(), start, order, best.as_deref()) {
-                        best = Some(text);
-                    }
-                }
-            }
-            texts.extend(best);
+            texts.extend(labeling.least_text(part, &orders));
         }
         texts.sort_unstable();
         if texts.is_empty() {
@@ -222,7 +219,40 @@ impl<'a> Labeling<'a> {
         }
     }
 
-    /// The text from this start, if it is before the best one so far.
+    /// The first text in the order of ASCII, from all starts in one component.
+    fn least_text(&mut self, part: &[u32], orders: &[Vec<u8>]) -> Option<Vec<u8>> {
+        let mut starts = Starts::new(part, orders);
+        let mut best: Option<(Vec<u8>, Names)> = None;
+        for (place, &simplex) in part.iter().enumerate() {
+            for (rank, order) in orders.iter().enumerate() {
+                if !starts.is_new(place * orders.len() + rank) {
+                    continue;
+                }
+                let Some(text) = self.text(part.len(), simplex, order, best.as_ref().map(|best| &best.0[..]))
+                else {
+                    continue;
+                };
+                match &best {
+                    Some((least, names)) if *least == text => {
+                        starts.unite_along(names, &self.names_in_order())
+                    }
+                    _ => best = Some((text, self.names_in_order())),
+                }
+            }
+        }
+        best.map(|best| best.0)
+    }
+
+    /// The simplices in their new order with their vertices in the new order.
+    fn names_in_order(&self) -> Names {
+        let of = |&simplex: &u32| {
+            let at = simplex as usize * self.width;
+            self.vertices[at..at + self.width].iter().copied()
+        };
+        Names { simplices: self.met.clone(), vertices: self.met.iter().flat_map(of).collect() }
+    }
+
+    /// The text from this start, if it is the best one so far or before it.
     fn text(&mut self, count: usize, start: u32, order: &[u8], best: Option<&[u8]>) -> Option<Vec<u8>> {
         for simplex in self.met.drain(..) {
             self.numbers[simplex as usize] = NONE;
@@ -267,7 +297,7 @@ impl<'a> Labeling<'a> {
         for &(_, permutation) in &self.targets {
             push_number(&mut text, permutation, width);
         }
-        (order == Ordering::Less || best.is_none_or(|best| text.as_slice() < best)).then_some(text)
+        (order == Ordering::Less || best.is_none_or(|best| text.as_slice() <= best)).then_some(text)
     }
 
     /// The type of a facet by its new names, unless an earlier gluing reached it.
@@ -294,6 +324,73 @@ impl<'a> Labeling<'a> {
             .collect();
         self.targets.push((self.numbers[other], rank(&permutation)));
         Some(KNOWN)
+    }
+}
+
+/// The simplices of a component in some order, each with its vertices in some order.
+struct Names {
+    simplices: Vec<u32>,
+    vertices: Vec<u8>,
+}
+
+/// The choices of a first simplex and of the order of its vertices, up to the symmetries that were found.
+///
+/// Two starts with one text are taken to each other by a symmetry, which takes every start to one with the same text.
+struct Starts<'a> {
+    orders: &'a [Vec<u8>],
+    /// The simplices of the component, rising.
+    part: &'a [u32],
+    classes: UnionFind,
+    /// Whether a start of the class with this representative was tried.
+    is_tried: Vec<bool>,
+}
+
+impl<'a> Starts<'a> {
+    fn new(part: &'a [u32], orders: &'a [Vec<u8>]) -> Self {
+        // Beyond the limit of union-find every start is tried.
+        let count = part.len().saturating_mul(orders.len());
+        let count = if count < START_LIMIT { count } else { 0 };
+        Self { orders, part, classes: UnionFind::new(count), is_tried: vec![false; count] }
+    }
+
+    /// Whether no start of its class was tried; it is now.
+    fn is_new(&mut self, start: usize) -> bool {
+        if self.classes.is_empty() {
+            return true;
+        }
+        let class = self.classes.find(start as u32) as usize;
+        !std::mem::replace(&mut self.is_tried[class], true)
+    }
+
+    /// Unites each start with its image under the symmetry that takes one naming to the other.
+    fn unite_along(&mut self, from: &Names, to: &Names) {
+        if self.classes.is_empty() {
+            return;
+        }
+        let width = self.orders.first().map_or(1, Vec::len);
+        let place =
+            |simplex: &u32| self.part.binary_search(simplex).expect("a component is walked within itself");
+        let mut images = vec![0; width];
+        let mut moved = vec![0; width];
+        for (at, (source, target)) in from.simplices.iter().zip(&to.simplices).enumerate() {
+            let names = at * width..(at + 1) * width;
+            for (&v, &w) in from.vertices[names.clone()].iter().zip(&to.vertices[names]) {
+                images[v as usize] = w;
+            }
+            let (source, target) = (place(source) * self.orders.len(), place(target) * self.orders.len());
+            for (start, order) in self.orders.iter().enumerate() {
+                for (&image, &name) in images.iter().zip(order) {
+                    moved[image as usize] = name;
+                }
+                let (a, b) = ((source + start) as u32, (target + rank(&moved) as usize) as u32);
+                let is_tried =
+                    [a, b].map(|start| self.classes.find(start) as usize).iter().any(|&c| self.is_tried[c]);
+                if self.classes.unite(a, b) {
+                    let class = self.classes.find(a) as usize;
+                    self.is_tried[class] = is_tried;
+                }
+            }
+        }
     }
 }
 
