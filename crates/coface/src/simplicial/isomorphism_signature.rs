@@ -234,7 +234,7 @@ impl<'a> Labeling<'a> {
                 };
                 match &best {
                     Some((least, names)) if *least == text => {
-                        starts.unite_along(names, &self.names_in_order())
+                        starts.unite_along(names, &self.names_in_order());
                     }
                     _ => best = Some((text, self.names_in_order())),
                 }
