@@ -48,7 +48,7 @@ impl Presentation {
     /// # fn main() -> Result<(), coface::Error> {
     /// let free = Presentation::new(2, vec![])?;
     /// let classes = free.subgroups_up_to(3, Effort::default()).expect("there are few");
-    /// let count = |index| classes.iter().filter(|class| class.index() == index).map(|class| class.conjugate_count());
+    /// let count = |index| classes.iter().filter(move |class| class.index() == index).map(|class| class.conjugate_count());
     /// assert_eq!([1, 2, 3].map(|index| count(index).sum::<usize>()), [1, 3, 13]);
     /// assert_eq!(count(3).count(), 7);
     /// # Ok(()) }
