@@ -1,6 +1,7 @@
 //! Elimination of a sparse integer matrix down to a diagonal, over the integers or modulo one integer.
 
-use super::sparse_vector::{combination, entry_of};
+use super::hermite::{HermiteTransform, hermite_with_transform};
+use super::sparse_vector::{combination, entry_of, linear_combination};
 use super::{Entry, Integer, SparseMatrix, SparseVector};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -55,6 +56,20 @@ impl Transforms {
     fn subtract_row(&mut self, i: u32, factor: &Integer, r: u32) {
         add_multiple_of(&mut self.left_rows, i, &-factor, r);
         add_multiple_of(&mut self.left_inverse_columns, r, factor, i);
+    }
+
+    /// Columns replaced by combinations of them: column i of these by row i of the transform.
+    fn recombine_columns(&mut self, columns: &[u32], by: &HermiteTransform) {
+        for (vectors, combinations) in
+            [(&mut self.right_columns, &by.transform), (&mut self.right_inverse_rows, &by.inverse_columns)]
+        {
+            let old: Vec<SparseVector> =
+                columns.iter().map(|&j| std::mem::take(&mut vectors[j as usize])).collect();
+            for (&j, coefficients) in columns.iter().zip(combinations) {
+                let terms = coefficients.iter().zip(&old).filter(|(x, _)| !x.is_zero());
+                vectors[j as usize] = linear_combination(terms.map(|(x, vector)| (x, &vector[..])));
+            }
+        }
     }
 
     /// Column `j` minus `factor` times column `c`.
@@ -127,6 +142,63 @@ impl Elimination {
         while let Some((row, column, _)) = self.next_pivot() {
             self.isolate(row, column);
         }
+    }
+
+    /// Runs as long as pivots are units.
+    pub(super) fn finish_units(&mut self) {
+        while let Some((row, column, size)) = self.next_pivot() {
+            if size > 1 {
+                self.offer(row);
+                return;
+            }
+            self.isolate(row, column);
+        }
+    }
+
+    /// Brings what is left to row echelon form by column operations with a small transform, then takes the units among
+    /// its pivots. So a remainder without units, whose elimination would make the transforms grow, becomes a triangle
+    /// as small as its torsion.
+    pub(super) fn triangulate(&mut self) {
+        let rows: Vec<u32> =
+            (0..self.rows.len() as u32).filter(|&i| !self.rows[i as usize].is_empty()).collect();
+        let mut columns: Vec<u32> =
+            rows.iter().flat_map(|&i| self.rows[i as usize].iter().map(|&(j, _)| j)).collect();
+        columns.sort_unstable();
+        columns.dedup();
+        let Some(transforms) = self.transforms.as_mut().filter(|_| !rows.is_empty()) else { return };
+        let mut dense = vec![vec![Integer::ZERO; rows.len()]; columns.len()];
+        for (at, &i) in rows.iter().enumerate() {
+            for (j, entry) in std::mem::take(&mut self.rows[i as usize]) {
+                let column = columns.binary_search(&j).expect("columns are those of the rows");
+                dense[column][at] = entry;
+            }
+        }
+        let hermite = hermite_with_transform(dense);
+        transforms.recombine_columns(&columns, &hermite);
+        let mut form = hermite.form;
+        for k in 0..form.len() {
+            let Some(at) = form[k].iter().position(|entry| !entry.is_zero()) else { continue };
+            if form[k][at] != Integer::ONE {
+                continue;
+            }
+            // No other column has an entry beside this pivot: they are reduced by it.
+            for (other, entry) in
+                form[k].iter().enumerate().skip(at + 1).filter(|(_, entry)| !entry.is_zero())
+            {
+                transforms.subtract_row(rows[other], entry, rows[at]);
+            }
+            form[k].fill(Integer::ZERO);
+            self.pivots.push(Pivot { row: rows[at], column: columns[k], value: Integer::ONE });
+        }
+        let mut new_rows = vec![SparseVector::new(); self.rows.len()];
+        for (entries, &column) in form.iter().zip(&columns) {
+            for (entry, &row) in entries.iter().zip(&rows).filter(|(entry, _)| !entry.is_zero()) {
+                new_rows[row as usize].push((column, entry.clone()));
+            }
+        }
+        let (pivots, transforms) = (std::mem::take(&mut self.pivots), self.transforms.take());
+        *self = Self::of_rows(new_rows, self.columns.len(), None, transforms);
+        self.pivots = pivots;
     }
 
     /// Runs as long as pivots are units or all entries fit in 64 bits; whether that was to the end.

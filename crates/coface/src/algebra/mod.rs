@@ -15,6 +15,7 @@
 
 mod elimination;
 mod entry;
+mod hermite;
 mod integer;
 mod integer_matrix;
 mod matrix_arithmetic;

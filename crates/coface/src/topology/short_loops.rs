@@ -17,8 +17,8 @@ use crate::algebra::{Integer, SparseMatrix, SparseVector, WideMatrix};
 /// trees; O. Busaryev, S. Cabello, C. Chen, T. Dey and Y. Wang, *Annotating simplices with a homology basis and its
 /// applications* (2012).
 pub(super) fn exchange_loops(basis: &mut HomologyBasis<'_>) {
-    /// Vertices and edges that all trees together may visit.
-    const WORK: usize = 4_000_000;
+    /// Vertices, edges and pairs of generators that all trees together may visit.
+    const WORK: usize = 12_000_000;
     const MOST_TREES: usize = 64;
     /// Trees in a row without any gain, after which no more are grown.
     const MOST_VAIN_TREES: usize = 3;
@@ -27,7 +27,9 @@ pub(super) fn exchange_loops(basis: &mut HomologyBasis<'_>) {
     let Some(marks) = Marks::new(basis, &annotations) else { return };
     let mut exchanges = Exchanges::new(basis);
     let mut is_used = vec![false; graph.starts.len() - 1];
-    let tree_count = (WORK / (graph.arcs.len() + is_used.len()).max(1)).clamp(1, MOST_TREES);
+    let generator_count = basis.generators(1).len();
+    let work_of_a_tree = graph.arcs.len() + is_used.len() + generator_count * generator_count;
+    let tree_count = (WORK / work_of_a_tree).clamp(1, MOST_TREES);
     let mut vain_count = 0;
     for _ in 0..tree_count {
         let Some(root) = exchanges.next_root(basis, &graph, &mut is_used) else { break };
