@@ -8,11 +8,12 @@ use coface::{CellId, Error};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// Names the cells of a chain complex made from a model: the cells that a pair keeps, shifted by one degree if the
-/// complex is augmented.
+/// Names the cells of a chain complex made from a model: those that a pair keeps, if there is one, shifted by one
+/// degree if the complex is augmented.
 pub(crate) struct Naming<'a> {
     pub(crate) producer: &'a Producer,
-    pub(crate) pair: &'a Pair,
+    /// If the complex is one relative to a subcomplex.
+    pub(crate) pair: Option<&'a Pair>,
     /// How many degrees the complex stands above the model: 1 for an augmented one.
     pub(crate) shift: usize,
 }
@@ -26,9 +27,15 @@ impl Naming<'_> {
         terms.iter().map(term).collect()
     }
 
-    fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+    /// The number in the model of a cell of the complex.
+    fn cell(&self, degree: usize, cell: usize) -> usize {
+        self.pair.map_or(cell, |pair| pair.cell(degree, cell))
+    }
+
+    /// The name of a cell of the complex.
+    pub(crate) fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
         match degree.checked_sub(self.shift) {
-            Some(degree) => self.producer.cell_vertices(degree, self.pair.cell(degree, cell)),
+            Some(degree) => self.producer.cell_vertices(degree, self.cell(degree, cell)),
             // The empty simplex, below all vertices.
             None => Vec::new(),
         }
@@ -43,7 +50,7 @@ impl Naming<'_> {
     ) -> Result<Chain<Integer>, Error> {
         let degree = degree - self.shift;
         let in_model =
-            |(cell, x): &(CellId, Integer)| (CellId::new(self.pair.cell(degree, cell.index())), x.clone());
+            |(cell, x): &(CellId, Integer)| (CellId::new(self.cell(degree, cell.index())), x.clone());
         Chain::new(whole, degree, terms.iter().map(in_model))
     }
 
@@ -54,7 +61,11 @@ impl Naming<'_> {
         chain: &Chain<Integer>,
     ) -> Result<Chain<Integer>, Error> {
         let kept = |(cell, x): &(CellId, Integer)| {
-            Some((CellId::new(self.pair.position(chain.degree(), cell.index())?), x.clone()))
+            let position = match self.pair {
+                Some(pair) => pair.position(chain.degree(), cell.index())?,
+                None => cell.index(),
+            };
+            Some((CellId::new(position), x.clone()))
         };
         Chain::new(complex, chain.degree() + self.shift, chain.terms().iter().filter_map(kept))
     }
@@ -73,15 +84,11 @@ impl GivenChain {
         if !is_file {
             return Self::from_text(argument);
         }
-        let text = std::fs::read_to_string(argument)
-            .map_err(|error| Failure::new(format!("{argument}: cannot be read: {error}")))?;
-        let value: Value = serde_json::from_str(&text).map_err(|error| {
-            Failure::new(format!(
-                "{argument}:{}: {error}; write a chain as [[coefficient,[vertices..]],..]",
-                error.line()
-            ))
+        let (degree, terms) = read_terms(Path::new(argument), |coefficient| match coefficient {
+            Value::String(digits) => digits.parse().ok(),
+            number => number.to_string().parse().ok(),
         })?;
-        Self::from_json(&value).map_err(|fault| Failure::new(format!("{argument}: {fault}")))
+        Ok(Self { degree, terms })
     }
 
     fn from_text(text: &str) -> Result<Self, Failure> {
@@ -105,31 +112,41 @@ impl GivenChain {
         }
         Ok(Self { degree: None, terms })
     }
+}
 
-    fn from_json(value: &Value) -> Result<Self, String> {
-        let how = "write a chain as [[coefficient,[vertices..]],..] or {\"degree\":1,\"chain\":[..]}";
-        let list = value.get("chain").unwrap_or(value);
-        let list = list.as_array().ok_or_else(|| format!("there is no chain here; {how}"))?;
-        let degree = match value.get("degree") {
-            None | Some(Value::Null) => None,
-            Some(degree) => {
-                Some(degree.as_u64().ok_or_else(|| format!("{degree} is no degree; {how}"))? as usize)
-            }
-        };
-        let term = |term: &Value| -> Option<Term> {
-            let [coefficient, vertices] = term.as_array()?.as_slice() else { return None };
-            let coefficient: Integer = match coefficient {
-                Value::String(digits) => digits.parse().ok()?,
-                number => number.to_string().parse().ok()?,
-            };
-            let vertices: Option<Vec<u32>> =
-                vertices.as_array()?.iter().map(|vertex| u32::try_from(vertex.as_u64()?).ok()).collect();
-            Some((coefficient, vertices?))
-        };
-        let mut terms = Vec::with_capacity(list.len());
-        for (i, value) in list.iter().enumerate() {
-            terms.push(term(value).ok_or_else(|| format!("term {i} of the chain is {value}; {how}"))?);
+/// A degree, if it is given, and terms: a coefficient and the vertices of a cell.
+pub(crate) type Terms<T> = (Option<usize>, Vec<(T, Vec<u32>)>);
+
+/// Reads a chain or cochain from a file in JSON, `[[coefficient,[vertices..]],..]` or such a list under the key "chain"
+/// beside a "degree".
+pub(crate) fn read_terms<T>(
+    path: &Path,
+    coefficient: impl Fn(&Value) -> Option<T>,
+) -> Result<Terms<T>, Failure> {
+    let place = path.display();
+    let how = "write a chain as [[coefficient,[vertices..]],..] or {\"degree\":1,\"chain\":[..]}";
+    let fault = |what: String| Failure::new(format!("{place}: {what}; {how}"));
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::new(format!("{place}: cannot be read: {error}")))?;
+    let value: Value = serde_json::from_str(&text)
+        .map_err(|error| Failure::new(format!("{place}:{}: {error}; {how}", error.line())))?;
+    let list = value.get("chain").unwrap_or(&value);
+    let list = list.as_array().ok_or_else(|| fault("there is no chain here".to_owned()))?;
+    let degree = match value.get("degree") {
+        None | Some(Value::Null) => None,
+        Some(degree) => {
+            Some(degree.as_u64().ok_or_else(|| fault(format!("{degree} is no degree")))? as usize)
         }
-        Ok(Self { degree, terms })
+    };
+    let term = |value: &Value| {
+        let [first, vertices] = value.as_array()?.as_slice() else { return None };
+        let vertices: Option<Vec<u32>> =
+            vertices.as_array()?.iter().map(|vertex| u32::try_from(vertex.as_u64()?).ok()).collect();
+        Some((coefficient(first)?, vertices?))
+    };
+    let mut terms = Vec::with_capacity(list.len());
+    for (i, value) in list.iter().enumerate() {
+        terms.push(term(value).ok_or_else(|| fault(format!("term {i} of the chain is {value}")))?);
     }
+    Ok((degree, terms))
 }

@@ -79,8 +79,12 @@ impl Reduction {
                 k += 1;
             }
         }
+        // The last row may still be negative; when its sign changes it is to be reduced again.
         for k in 0..self.rows.len() {
             self.make_positive(k);
+            for i in (0..k).rev() {
+                self.reduce(k, i);
+            }
         }
     }
 

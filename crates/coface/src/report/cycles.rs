@@ -2,12 +2,12 @@
 
 use super::Producer;
 use super::producer::Cells;
-use crate::algebra::Integer;
+use crate::algebra::{Integer, Sign};
 use crate::cellular::CellShape;
 use crate::chains::{Chain, ChainComplex};
 use crate::io::{Group, GroupKind, Model};
 use crate::{CellId, Error, ErrorKind, VertexId};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A term of a chain: a coefficient and the vertices of a cell, in an order that gives it an orientation.
 pub type Term = (Integer, Vec<u32>);
@@ -16,7 +16,7 @@ impl Producer {
     /// The chain of these terms, in the degree where the cells are. A cell named against its orientation counts
     /// negatively: an edge from its end to its start, a simplex by an odd permutation, a polygon backwards.
     ///
-    /// Cells of halfedge permutations and chain complexes have no vertices: they are named by their own number, and then
+    /// Cells of halfedge permutations, gluing tables and chain complexes are named by their own number, and then
     /// the degree must be given.
     ///
     /// # Errors
@@ -45,18 +45,41 @@ impl Producer {
         terms: &[Term],
         degree: Option<usize>,
     ) -> Result<Chain<Integer>, Error> {
-        let has_vertices = !matches!(self.cells, Cells::Halfedges(_) | Cells::Chains(_));
+        let (degree, cells) =
+            self.oriented_cells(complex, terms.iter().map(|(_, cell)| &cell[..]), degree)?;
+        let signed = terms.iter().zip(cells).map(|((x, _), (cell, sign))| match sign {
+            Sign::Plus => (cell, x.clone()),
+            Sign::Minus => (cell, -x),
+        });
+        Chain::new(complex, degree, signed)
+    }
+
+    /// The cells with these vertices, all of one degree, each with its orientation against the one that the order of
+    /// the vertices gives; the rules are those of [`Self::chain`].
+    ///
+    /// # Errors
+    /// Those of [`Self::chain`].
+    ///
+    /// # Examples
+    /// See [`Self::chain`].
+    pub fn oriented_cells<'t>(
+        &self,
+        complex: &ChainComplex,
+        lists: impl Iterator<Item = &'t [u32]> + Clone,
+        degree: Option<usize>,
+    ) -> Result<(usize, Vec<(CellId, Sign)>), Error> {
+        let mut wanted: HashMap<Vec<u32>, Option<(usize, usize)>> =
+            lists.clone().map(|vertices| (in_order(vertices), None)).collect();
         let degrees = match degree {
             Some(degree) => degree..degree + 1,
-            None if terms.is_empty() => return Ok(Chain::zero(0)),
-            None if has_vertices => 0..complex.degree_count(),
+            None if wanted.is_empty() => return Ok((0, Vec::new())),
+            None if self.names_cells_by_vertices() => 0..complex.degree_count(),
             None => {
                 return Err(Error::invalid("cells without vertices are told by their degree and number")
                     .with_cure("give the chain as {\"degree\":1,\"chain\":[[1,[0]],..]}"));
             }
         };
-        let mut wanted: HashMap<Vec<u32>, Option<(usize, usize)>> =
-            terms.iter().map(|(_, vertices)| (in_order(vertices), None)).collect();
+        let mut found_degree: Option<(usize, &[u32])> = degree.map(|degree| (degree, &[][..]));
         for degree in degrees {
             for cell in 0..complex.cell_count(degree) {
                 if let Some(found) = wanted.get_mut(&in_order(&self.cell_vertices(degree, cell))) {
@@ -64,9 +87,8 @@ impl Producer {
                 }
             }
         }
-        let mut found_degree: Option<(usize, &[u32])> = None;
-        let mut cells = Vec::with_capacity(terms.len());
-        for (coefficient, vertices) in terms {
+        let mut cells = Vec::new();
+        for vertices in lists {
             let Some((degree, cell)) = wanted[&in_order(vertices)] else {
                 return Err(Error::new(
                     ErrorKind::NotInComplex,
@@ -83,17 +105,21 @@ impl Producer {
                 }
                 _ => found_degree = Some((degree, vertices)),
             }
-            let sign = self.relative_sign(degree, cell, vertices)?;
-            cells.push((CellId::new(cell), if sign { coefficient.clone() } else { -coefficient }));
+            cells.push((CellId::new(cell), self.relative_sign(degree, cell, vertices)?));
         }
-        Chain::new(complex, found_degree.map_or(0, |(degree, _)| degree), cells)
+        Ok((found_degree.map_or(0, |(degree, _)| degree), cells))
     }
 
-    /// Whether vertices name a cell in its own orientation.
-    fn relative_sign(&self, degree: usize, cell: usize, vertices: &[u32]) -> Result<bool, Error> {
+    /// Whether cells are told by their vertices, not by their own numbers.
+    fn names_cells_by_vertices(&self) -> bool {
+        matches!(self.cells, Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_))
+    }
+
+    /// The orientation of a cell against the order of these vertices.
+    fn relative_sign(&self, degree: usize, cell: usize, vertices: &[u32]) -> Result<Sign, Error> {
         let own = self.cell_vertices(degree, cell);
         if own == vertices || degree == 0 {
-            return Ok(true);
+            return Ok(Sign::Plus);
         }
         let places: Vec<usize> = vertices
             .iter()
@@ -104,8 +130,8 @@ impl Producer {
             let count = places.len();
             let step = |by: usize| (0..count).all(|i| places[(i + 1) % count] == (places[i] + by) % count);
             return match (step(1), step(count - 1)) {
-                (true, _) => Ok(true),
-                (_, true) => Ok(false),
+                (true, _) => Ok(Sign::Plus),
+                (_, true) => Ok(Sign::Minus),
                 _ => Err(Error::invalid(format!("{vertices:?} does not run around the polygon {own:?}"))
                     .with_cure("list its vertices in their order")),
             };
@@ -118,17 +144,18 @@ impl Producer {
             .flat_map(|i| (i + 1..places.len()).map(move |j| (i, j)))
             .filter(|&(i, j)| places[i] > places[j])
             .count();
-        Ok(inversions % 2 == 0)
+        Ok(Sign::power_of_minus_one(inversions))
     }
 
-    /// A picture of chains: their cells as points, segments, polygons and 3-cells, one [`Group`] a chain, on the positions of
-    /// the producer. A segment runs as its coefficient says, a polygon too. Coefficients beyond signs are not shown.
+    /// A picture of chains: their cells as points, polylines, polygons and 3-cells, one [`Group`] a chain, on the positions
+    /// of the producer. Edges are joined to polylines that run as the coefficients say and as often, closed ones where
+    /// the chain is a cycle; polygons are turned by the sign, and other multiplicities are not shown.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if the cells have no vertices or the vertices no positions, or a cell has no picture:
     /// simplices of dimension 4 and up.
     pub fn picture(&self, chains: &[(String, Chain<Integer>)]) -> Result<Model, Error> {
-        if self.positions.dimension() == 0 || matches!(self.cells, Cells::Halfedges(_) | Cells::Chains(_)) {
+        if self.positions.dimension() == 0 || !self.names_cells_by_vertices() {
             return Err(Error::invalid("the cells of the model have no positions to draw them at")
                 .with_cure("write the generators as .json"));
         }
@@ -145,6 +172,14 @@ impl Producer {
                 _ => (GroupKind::Cells, model.cells.len()),
             };
             let mut members = Vec::new();
+            if kind == GroupKind::Lines {
+                for line in self.polylines(chain) {
+                    members.push(model.lines.len() as u32);
+                    model.lines.push(&line);
+                }
+                model.groups.push(Group::new(name, kind, members));
+                continue;
+            }
             for (at, (cell, coefficient)) in chain.terms().iter().enumerate() {
                 let mut vertices = self.cell_vertices(chain.degree(), cell.index());
                 if coefficient.signum() < 0 && chain.degree() < 3 {
@@ -159,10 +194,44 @@ impl Producer {
         Ok(model)
     }
 
+    /// The edges of a chain of degree 1 as walks along them: from vertices where more begins than ends, then around.
+    fn polylines(&self, chain: &Chain<Integer>) -> Vec<Vec<u32>> {
+        /// Edges that are run through more often than this are drawn this often.
+        const MOST_TIMES: u64 = 64;
+        let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        let mut surplus: BTreeMap<u32, i64> = BTreeMap::new();
+        for (cell, x) in chain.terms() {
+            let ends = self.cell_vertices(1, cell.index());
+            let (from, to) = if x.signum() > 0 { (ends[0], ends[1]) } else { (ends[1], ends[0]) };
+            let times = x.to_i64().map_or(MOST_TIMES, |x| x.unsigned_abs().min(MOST_TIMES));
+            for _ in 0..times {
+                next.entry(from).or_default().push(to);
+                *surplus.entry(from).or_default() += 1;
+                *surplus.entry(to).or_default() -= 1;
+            }
+        }
+        let starts = surplus.iter().filter(|&(_, &count)| count > 0);
+        let mut starts: Vec<u32> =
+            starts.flat_map(|(&vertex, &count)| std::iter::repeat_n(vertex, count as usize)).collect();
+        starts.extend(next.keys().copied().collect::<Vec<_>>());
+        let mut walks = Vec::new();
+        for start in starts {
+            let mut walk = vec![start];
+            let mut at = start;
+            while let Some(to) = next.get_mut(&at).and_then(Vec::pop) {
+                walk.push(to);
+                at = to;
+            }
+            if walk.len() > 1 {
+                walks.push(walk);
+            }
+        }
+        walks
+    }
+
     fn draw(&self, model: &mut Model, degree: usize, cell: CellId, vertices: &[u32]) -> Result<(), Error> {
         match (degree, &self.cells) {
             (0, _) => model.points.push(VertexId::new(vertices[0] as usize)),
-            (1, _) => model.lines.push(vertices),
             (2, _) => model.polygons.push(vertices),
             (3, Cells::Solids(mesh)) => {
                 model.shapes.push(mesh.shapes()[cell.index()]);
@@ -212,6 +281,18 @@ mod tests {
         assert!(
             fault(&[term(1, &[3, 5]), term(1, &[3])]).contains("of degree 1 and the cell [3] of degree 0")
         );
+    }
+
+    #[test]
+    fn edges_are_joined_to_loops() {
+        let rim = producer(&[vec![3, 5], vec![5, 8], vec![3, 8], vec![8, 9]]);
+        let complex = rim.chain_complex().unwrap();
+        let term = |x: i64, vertices: &[u32]| (Integer::from(x), vertices.to_vec());
+        let around = [term(1, &[3, 5]), term(1, &[5, 8]), term(1, &[8, 3])];
+        assert_eq!(rim.polylines(&rim.chain(&complex, &around, None).unwrap()), [[3, 5, 8, 3]]);
+        let path = [term(1, &[5, 8]), term(2, &[8, 9])];
+        let lines = rim.polylines(&rim.chain(&complex, &path, None).unwrap());
+        assert_eq!(lines, [vec![5, 8, 9], vec![8, 9]]);
     }
 
     #[test]

@@ -128,6 +128,14 @@ impl Pair {
         self.kept[degree][cell].index()
     }
 
+    /// The cells of the subcomplex by degree, as numbers in the whole complex.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if `whole` is not the complex that the pair was made of.
+    pub fn subcomplex(&self, whole: &ChainComplex) -> Result<Vec<Vec<CellId>>, Error> {
+        whole.complement(&self.kept)
+    }
+
     /// The number, in the pair, of a cell of the whole complex; `None` if it is in the subcomplex or not there.
     pub fn position(&self, degree: usize, cell: usize) -> Option<usize> {
         self.kept.get(degree)?.binary_search(&CellId::new(cell)).ok()

@@ -3,7 +3,7 @@
 use super::adapted_basis::{AdaptedBasis, adapted_bases};
 use super::shortening;
 use super::{AbelianGroup, Coefficients, Homology};
-use crate::algebra::{Integer, SparseVector, WideMatrix, linear_combination};
+use crate::algebra::{Integer, SparseVector, WideMatrix, inner_product, linear_combination};
 use crate::chains::{Chain, ChainComplex, Cochain, Reduction};
 use crate::{CellId, Error, ErrorKind};
 
@@ -334,6 +334,69 @@ impl<'a> HomologyBasis<'a> {
         self.cocycles_with(degree, Coefficients::Integers)
     }
 
+    /// The class of a closed cochain in the basis of [`Self::cocycles`]: coefficients from 0 to m - 1 on cocycles of finite
+    /// order m, then those on free cocycles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if the cochain has a cell that is not here, [`ErrorKind::NotACycle`] naming a cell in
+    /// its coboundary.
+    ///
+    /// # Complexity
+    /// One pass through the pairs of the matching and the values that are not zero.
+    ///
+    /// # Examples
+    /// The coboundary of one end of an edge takes the value 1 on the other, closed, edge of a circle of two edges too:
+    /// ```
+    /// use coface::CellId;
+    /// use coface::algebra::{Integer, SparseMatrix};
+    /// use coface::chains::{ChainComplex, Cochain};
+    /// use coface::topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let ends = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, 1), (1, 1, -1)])?;
+    /// let circle = ChainComplex::new(vec![ends])?;
+    /// let basis = HomologyBasis::new(&circle);
+    /// let both = Cochain::new(&circle, 1, [0, 1].map(|e| (CellId::new(e), Integer::ONE)))?;
+    /// assert_eq!(basis.class_of_cocycle(&both)?.coefficients()[0].abs(), 2.into());
+    /// # Ok(()) }
+    /// ```
+    pub fn class_of_cocycle(&self, cocycle: &Cochain<Integer>) -> Result<HomologyClass, Error> {
+        let degree = cocycle.degree();
+        let coboundary = self.complex.coboundary(cocycle)?;
+        if let Some((cell, value)) = coboundary.terms().first() {
+            return Err(Error::new(
+                ErrorKind::NotACycle,
+                format!(
+                    "the cochain of degree {degree} is not closed: its coboundary has the value {value} on cell {cell} of degree {}",
+                    degree + 1
+                ),
+            )
+            .with_cure("give a cochain whose coboundary is zero"));
+        }
+        let Some(basis) = self.degrees.get(degree) else {
+            return Ok(HomologyClass { coefficients: Vec::new(), orders: Vec::new() });
+        };
+        let mut columns = vec![SparseVector::new(); self.complex.cell_count(degree)];
+        for (cell, value) in cocycle.terms() {
+            columns[cell.index()].push((0, value.clone()));
+        }
+        let values = WideMatrix::from_integer_columns(1, columns).expect("cells have 32-bit numbers");
+        let (restricted, _) = self.reduction.restriction_and_cohomotopy(degree, &values);
+        let restricted = restricted.transpose();
+        let restricted: SparseVector =
+            restricted.column(0).terms().map(|(cell, x)| (cell as u32, x.clone())).collect();
+        let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
+        let torsion = below.iter().enumerate().filter(|(_, order)| !order.is_unit());
+        let torsion = torsion.map(|(position, order)| (position, Some(order.clone())));
+        let free = (basis.rank + basis.orders.len()..basis.elements.len()).map(|position| (position, None));
+        let (positions, orders): (Vec<usize>, Vec<Option<Integer>>) = torsion.chain(free).unzip();
+        let value = |(&position, order): (&usize, &Option<Integer>)| {
+            let x = inner_product(&restricted, &basis.elements[position]);
+            order.as_ref().map_or(x.clone(), |order| x.div_rem_floor(order).1)
+        };
+        let coefficients = positions.iter().zip(&orders).map(value).collect();
+        Ok(HomologyClass { coefficients, orders })
+    }
+
     /// Cycles whose classes are a basis of homology with coefficients in one degree.
     ///
     /// Over Q they are the free generators, over Z the generators. Over Z/n a generator of order m adds a summand of
@@ -605,6 +668,32 @@ mod tests {
                         prop_assert!(value(cocycle.cochain(), torsion.chain()).is_zero());
                     }
                 }
+            }
+        }
+
+        /// Classes of cocycles: the basis has unit classes, and coboundaries add nothing.
+        #[test]
+        fn classes_of_cocycles_are_their_coefficients(
+            complex in random_complexes(),
+            numbers in prop::collection::vec(-4i64..5, 40),
+        ) {
+            let basis = HomologyBasis::new(&complex);
+            for degree in 0..complex.degree_count() {
+                let mut numbers = numbers.iter().cycle();
+                let mut next = || Integer::from(*numbers.next().unwrap());
+                let (mut sum, mut expected) = (Cochain::zero(degree), Vec::new());
+                for cocycle in basis.cocycles(degree) {
+                    let x = next();
+                    sum = sum.plus(&cocycle.cochain().scaled(&x).unwrap()).unwrap();
+                    expected.push(cocycle.order().map_or(x.clone(), |order| x.div_rem_floor(order).1));
+                }
+                if degree > 0 {
+                    let cells = (0..complex.cell_count(degree - 1)).map(|c| (CellId::new(c), next()));
+                    let below = Cochain::new(&complex, degree - 1, cells).unwrap();
+                    sum = sum.plus(&complex.coboundary(&below).unwrap()).unwrap();
+                }
+                let class = basis.class_of_cocycle(&sum).unwrap();
+                prop_assert_eq!(class.coefficients(), &expected);
             }
         }
 

@@ -1,6 +1,7 @@
 use super::{Encoding, read, write};
 use crate::cellular::CellShape;
 use crate::io::samples::{Limits, meshes};
+use crate::io::{Group, GroupKind};
 use proptest::prelude::*;
 
 const POINTS: &str = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n\
@@ -103,6 +104,22 @@ fn polygonal_data_and_offsets_are_read() {
         let text = fault(&text.replace("0 3 7", offsets));
         assert!(text.contains(message), "{text}");
     }
+}
+
+#[test]
+fn groups_become_cell_data() {
+    let mut model = read(
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n\
+         CELLS 2 7\n2 0 1\n3 0 1 2\nCELL_TYPES 2\n3 5\n"
+            .as_bytes(),
+    )
+    .unwrap();
+    model.groups.push(Group::new("rim", GroupKind::Lines, vec![0]));
+    model.groups.push(Group::new("disk", GroupKind::Polygons, vec![0]));
+    let mut out = Vec::new();
+    write(&model, &mut out, Encoding::Ascii).unwrap();
+    assert!(out.ends_with(b"CELL_DATA 2\nSCALARS group int 1\nLOOKUP_TABLE default\n1\n2\n"));
+    assert_eq!(read(&out[..]).unwrap().polygons, model.polygons);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::cell_types::WEDGE;
 use crate::cellular::CellShape;
 use crate::io::decimal::{flush, push_f64, push_natural};
-use crate::io::{Model, limits};
+use crate::io::{GroupKind, Model, limits};
 use crate::{Error, ErrorKind};
 use std::io::Write;
 
@@ -18,7 +18,8 @@ pub enum Encoding {
 }
 
 /// Writes a legacy VTK file of version 3.0, an unstructured grid: points, polylines, polygons, cells, in the order of the
-/// model. Groups are not written.
+/// model. If there are groups, the cell data `group` says of each cell which one it is in, counted from 1, the first of
+/// several; 0 is none. Readers do not make groups of it again.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] for an abstract structure and for vertices without positions or of more than three
@@ -107,9 +108,45 @@ pub fn write(model: &Model, mut out: impl Write, encoding: Encoding) -> Result<(
         flush(&mut numbers.text, &mut out)?;
     }
     numbers.end_block();
+    if !model.groups.is_empty() {
+        numbers.line(&format!("CELL_DATA {count}\nSCALARS group int 1\nLOOKUP_TABLE default"));
+        for number in group_numbers(model, count) {
+            numbers.integer(number, true);
+            flush(&mut numbers.text, &mut out)?;
+        }
+        numbers.end_block();
+    }
     out.write_all(&numbers.text)?;
     out.flush()?;
     Ok(())
+}
+
+/// For each cell in the order of writing the number of its first group, from 1.
+fn group_numbers(model: &Model, count: usize) -> Vec<u32> {
+    let mut numbers = vec![0; count];
+    let lines = model.points.len();
+    let polygons = lines + model.lines.len();
+    let cells = polygons + model.polygons.len();
+    for (group, number) in model.groups.iter().zip(1..) {
+        let mut mark = |at: usize| {
+            if let Some(place) = numbers.get_mut(at).filter(|place| **place == 0) {
+                *place = number;
+            }
+        };
+        match group.kind() {
+            GroupKind::Vertices => {
+                let mut members = group.members().to_vec();
+                members.sort_unstable();
+                let places = model.points.iter().enumerate();
+                let inside = places.filter(|(_, point)| members.binary_search(&point.to_u32()).is_ok());
+                inside.for_each(|(at, _)| mark(at));
+            }
+            GroupKind::Lines => group.members().iter().for_each(|&at| mark(lines + at as usize)),
+            GroupKind::Polygons => group.members().iter().for_each(|&at| mark(polygons + at as usize)),
+            GroupKind::Cells => group.members().iter().for_each(|&at| mark(cells + at as usize)),
+        }
+    }
+    numbers
 }
 
 /// Numbers on their way out.

@@ -1,0 +1,141 @@
+//! Generators of homology and cohomology: as JSON, as a list, as a picture.
+
+use crate::chains::Naming;
+use crate::failure::Failure;
+use crate::output::write_json;
+use coface::CellId;
+use coface::algebra::Integer;
+use coface::chains::{Chain, ChainComplex};
+use coface::io::{self, Format};
+use coface::report::integer_to_json;
+use coface::topology::{Coefficients, HomologyBasis};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// The generators of each degree of the model, cycles or cocycles.
+pub(super) fn find(
+    basis: &HomologyBasis<'_>,
+    naming: &Naming<'_>,
+    coefficients: Coefficients,
+    is_cohomology: bool,
+) -> Vec<Vec<Found>> {
+    let degrees = naming.shift..basis.complex().degree_count();
+    let of_degree = |degree| -> Vec<Found> {
+        if is_cohomology {
+            let cocycles = basis.cocycles_with(degree, coefficients).into_iter();
+            return cocycles
+                .map(|cocycle| Found {
+                    order: cocycle.order().cloned(),
+                    degree,
+                    terms: cocycle.cochain().terms().to_vec(),
+                    bounding: None,
+                })
+                .collect();
+        }
+        let is_integral = coefficients == Coefficients::Integers;
+        let generators = basis.generators_with(degree, coefficients).into_iter().enumerate();
+        generators
+            .map(|(i, generator)| Found {
+                order: generator.order().cloned(),
+                degree,
+                terms: generator.chain().terms().to_vec(),
+                bounding: is_integral.then(|| basis.certificate(degree, i)).flatten(),
+            })
+            .collect()
+    };
+    degrees.map(of_degree).collect()
+}
+
+/// A generator of homology or cohomology, on the cells of the complex that was asked.
+pub(super) struct Found {
+    order: Option<Integer>,
+    degree: usize,
+    terms: Vec<(CellId, Integer)>,
+    /// For a cycle of finite order m the chain with the boundary m times the cycle.
+    bounding: Option<Chain<Integer>>,
+}
+
+impl Found {
+    /// How many cells the cycle runs through, with multiplicity.
+    fn length(&self) -> Integer {
+        let mut length = Integer::ZERO;
+        for (_, coefficient) in &self.terms {
+            length += &coefficient.abs();
+        }
+        length
+    }
+}
+
+/// The generators of each degree as `[{"order":0,"length":n,"chain":[[coefficient,[vertices..]],..]},..]`, with `"bounding"`
+/// where the order is finite.
+pub(super) fn to_json(found: &[Vec<Found>], naming: &Naming<'_>) -> Value {
+    let object = |found: &Found| {
+        let mut object = json!({
+            "order": found.order.as_ref().map_or(Value::from(0), integer_to_json),
+            "length": integer_to_json(&found.length()),
+            "chain": naming.terms(found.degree, &found.terms),
+        });
+        if let Some(chain) = &found.bounding {
+            object["bounding"] = naming.terms(chain.degree(), chain.terms());
+        }
+        object
+    };
+    found.iter().map(|list| list.iter().map(object).collect::<Value>()).collect()
+}
+
+/// One line for each generator, with its cells if they are few.
+pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &Naming<'_>) -> String {
+    const MOST_CELLS: usize = 8;
+    let what = if is_cohomology { "cocycle" } else { "cycle" };
+    let mut page = String::new();
+    for (degree, list) in found.iter().enumerate() {
+        for (i, found) in list.iter().enumerate() {
+            let order = found.order.as_ref().map_or(String::new(), |order| format!(" of order {order}"));
+            let length = found.length();
+            let cells = if length == Integer::ONE { "cell" } else { "cells" };
+            page +=
+                &format!("    generator {i} of degree {degree}: a {what}{order}, length {length} {cells}");
+            if found.terms.len() <= MOST_CELLS {
+                let names = found.terms.iter().map(|(cell, x)| {
+                    let vertices: Vec<String> = naming
+                        .vertices(found.degree, cell.index())
+                        .iter()
+                        .map(|vertex| format!("v{vertex}"))
+                        .collect();
+                    let sign = match x.to_i64() {
+                        Some(1) => "+".to_owned(),
+                        Some(-1) => "-".to_owned(),
+                        _ => format!("{}{x} ", if x.signum() > 0 { "+" } else { "" }),
+                    };
+                    format!("{sign}{{{}}}", vertices.join(" "))
+                });
+                page += &format!(": {}", names.collect::<Vec<_>>().join(" "));
+            }
+            page.push('\n');
+        }
+    }
+    page
+}
+
+/// Writes generators as JSON, or as a picture in the format that the name tells.
+pub(super) fn save(
+    place: &Path,
+    found: &[Vec<Found>],
+    naming: &Naming<'_>,
+    whole: &ChainComplex,
+    object: &Value,
+) -> Result<(), Failure> {
+    if matches!(Format::from_path(place), None | Some(Format::Json)) {
+        return write_json(place, &json!({ "generators": object }));
+    }
+    let mut named = Vec::new();
+    for (degree, list) in found.iter().enumerate() {
+        for (i, found) in list.iter().enumerate() {
+            let order = found.order.as_ref().map_or("free".to_owned(), |order| format!("order_{order}"));
+            let chain = naming.to_model(whole, found.degree, &found.terms)?;
+            named.push((format!("H{degree}_{i}_{order}"), chain));
+        }
+    }
+    let model = naming.producer.picture(&named)?;
+    Ok(io::write_path(&model, place, None)?)
+}

@@ -1,0 +1,79 @@
+//! Harmonic cochains and Hodge decompositions.
+
+use crate::chains::{Naming, read_terms};
+use crate::failure::Failure;
+use coface::CellId;
+use coface::algebra::Sign;
+use coface::chains::{ChainComplex, Cochain};
+use coface::topology::{HodgeSpace, HomologyBasis, MetricComplex};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Harmonic cochains of all degrees, and a page that says how good they are.
+pub(super) fn basis(complex: &ChainComplex, naming: &Naming<'_>) -> Result<(Value, String), Failure> {
+    let basis = HomologyBasis::new(complex);
+    let metric = MetricComplex::new(complex);
+    let mut degrees = Vec::new();
+    let mut page = "  harmonic cochains, dual to the free generators\n".to_owned();
+    for degree in 0..complex.degree_count() {
+        let space = HodgeSpace::with_basis(&metric, degree, &basis)?;
+        let mut list = Vec::new();
+        for (i, harmonic) in space.harmonic_basis().iter().enumerate() {
+            list.push(json!({
+                "chain": terms(harmonic.cochain(), naming),
+                "norm": metric.norm(harmonic.cochain())?,
+                "closed_residual": harmonic.closed_residual(),
+                "coclosed_residual": harmonic.coclosed_residual(),
+            }));
+            page += &format!(
+                "    cochain {i} of degree {degree}: norm {:.6}, residuals {:.1e} closed, {:.1e} coclosed\n",
+                metric.norm(harmonic.cochain())?,
+                harmonic.closed_residual(),
+                harmonic.coclosed_residual()
+            );
+        }
+        degrees.push(Value::from(list));
+    }
+    Ok((degrees.into(), page))
+}
+
+/// The three parts of a cochain from a file.
+pub(super) fn decomposition(
+    complex: &ChainComplex,
+    naming: &Naming<'_>,
+    file: &Path,
+) -> Result<(Value, String), Failure> {
+    let (degree, values) = read_terms(file, Value::as_f64)?;
+    let in_file = |error: coface::Error| error.in_file(file.display().to_string());
+    let lists = values.iter().map(|(_, vertices)| &vertices[..]);
+    let (degree, cells) = naming.producer.oriented_cells(complex, lists, degree).map_err(in_file)?;
+    let signed = cells.into_iter().zip(&values).map(|((cell, sign), (value, _))| match sign {
+        Sign::Plus => (cell, *value),
+        Sign::Minus => (cell, -value),
+    });
+    let cochain = Cochain::new(complex, degree, signed).map_err(in_file)?;
+    let metric = MetricComplex::new(complex);
+    let parts = HodgeSpace::new(&metric, degree)?.decomposition(&cochain)?;
+    let norms = [&cochain, parts.exact(), parts.coexact(), parts.harmonic()].map(|part| metric.norm(part));
+    let [whole, exact, coexact, harmonic] = norms;
+    let (whole, exact, coexact, harmonic) = (whole?, exact?, coexact?, harmonic?);
+    let object = json!({
+        "degree": degree,
+        "exact": terms(parts.exact(), naming),
+        "coexact": terms(parts.coexact(), naming),
+        "harmonic": terms(parts.harmonic(), naming),
+        "norms": {"cochain": whole, "exact": exact, "coexact": coexact, "harmonic": harmonic},
+    });
+    let page = format!(
+        "  Hodge decomposition of {}, of degree {degree} and norm {whole:.6}\n    \
+         exact part: norm {exact:.6}\n    coexact part: norm {coexact:.6}\n    harmonic part: norm {harmonic:.6}\n",
+        file.display()
+    );
+    Ok((object, page))
+}
+
+fn terms(cochain: &Cochain<f64>, naming: &Naming<'_>) -> Value {
+    let term =
+        |(cell, value): &(CellId, f64)| json!([value, naming.vertices(cochain.degree(), cell.index())]);
+    cochain.terms().iter().map(term).collect()
+}

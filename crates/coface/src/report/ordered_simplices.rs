@@ -1,0 +1,115 @@
+//! Models as delta complexes, for products of cochains.
+
+use super::Producer;
+use super::producer::Cells;
+use crate::Error;
+use crate::algebra::RaggedArray;
+use crate::cellular::CellShape;
+use crate::simplicial::{DeltaComplex, FrozenComplex};
+
+/// The simplices of a model with ordered vertices, as products of cochains need them, and their names.
+#[derive(Clone, Debug)]
+pub struct OrderedSimplices {
+    complex: DeltaComplex,
+    names: Option<FrozenComplex>,
+}
+
+impl OrderedSimplices {
+    /// The delta complex.
+    pub fn complex(&self) -> &DeltaComplex {
+        &self.complex
+    }
+
+    /// The simplicial complex that it was made of, if there is one; cells have the same numbers in both.
+    pub fn simplicial(&self) -> Option<&FrozenComplex> {
+        self.names.as_ref()
+    }
+
+    /// The vertices of a simplex by their numbers in the file; of a gluing table, which is subdivided, the number of the
+    /// simplex in the subdivision.
+    ///
+    /// # Panics
+    /// If there is no such simplex.
+    pub fn name(&self, dimension: usize, simplex: usize) -> Vec<u32> {
+        self.names
+            .as_ref()
+            .map_or_else(|| vec![simplex as u32], |names| names.numbers(dimension, simplex).to_vec())
+    }
+}
+
+impl Producer {
+    /// The simplices of the model with their vertices in rising order; a gluing table is subdivided once, which orders
+    /// them.
+    ///
+    /// # Errors
+    /// [`InvalidInput`](crate::ErrorKind::InvalidInput) if a polygon is no triangle or a 3-cell no tetrahedron, and for
+    /// halfedge permutations and chain complexes, which have no ordered simplices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::io::{Model, Structure};
+    /// use coface::report::Producer;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let facets = RaggedArray::from_lists([[3, 1, 7]]);
+    /// let simplices = Producer::of(Model::from_structure(Structure::Facets(facets)))?.ordered_simplices()?;
+    /// assert_eq!(simplices.name(2, 0), [1, 3, 7]);
+    /// # Ok(()) }
+    /// ```
+    pub fn ordered_simplices(&self) -> Result<OrderedSimplices, Error> {
+        const CURE: &str = "triangulate the model first";
+        let frozen = match &self.cells {
+            Cells::Simplices(complex) => complex.clone(),
+            Cells::Gluings(gluings) => {
+                let complex = gluings.1.barycentric_subdivision()?.complex().clone();
+                return Ok(OrderedSimplices { complex, names: None });
+            }
+            Cells::Polygons(mesh) => {
+                let skeleton = (0..mesh.face_count()).find(|&f| self.cell_vertices(2, f).len() != 3);
+                if let Some(face) = skeleton {
+                    let sides = self.cell_vertices(2, face).len();
+                    return Err(Error::invalid(format!(
+                        "face f{face} has {sides} sides, so it is no simplex"
+                    ))
+                    .with_cure(CURE));
+                }
+                self.named_simplices(&[mesh.vertex_count(), mesh.edge_count(), mesh.face_count()])?
+            }
+            Cells::Solids(mesh) => {
+                if let Some(i) = mesh.shapes().iter().position(|&shape| shape != CellShape::Tetrahedron) {
+                    let name = mesh.shapes()[i].name();
+                    return Err(
+                        Error::invalid(format!("cell c{i} is a {name}, not a tetrahedron")).with_cure(CURE)
+                    );
+                }
+                let skeleton = mesh.skeleton();
+                self.named_simplices(&[
+                    skeleton.vertex_count(),
+                    skeleton.edge_count(),
+                    skeleton.face_count(),
+                    mesh.shapes().len(),
+                ])?
+            }
+            Cells::Halfedges(_) => {
+                return Err(Error::invalid("the faces of halfedge permutations have no ordered vertices")
+                    .with_cure("give the surface as a mesh of triangles or a facet list"));
+            }
+            Cells::Chains(_) => {
+                return Err(Error::invalid("a chain complex does not say how its cells are attached")
+                    .with_cure("give a facet list, a gluing table, or a mesh of triangles or tetrahedra"));
+            }
+        };
+        Ok(OrderedSimplices { complex: frozen.to_delta()?, names: Some(frozen) })
+    }
+
+    /// The simplicial complex of all cells, by the vertex numbers of the file.
+    fn named_simplices(&self, counts: &[usize]) -> Result<FrozenComplex, Error> {
+        let mut simplices = RaggedArray::new();
+        for (degree, &count) in counts.iter().enumerate() {
+            for cell in 0..count {
+                simplices.push(&self.cell_vertices(degree, cell));
+            }
+        }
+        FrozenComplex::from_facets(&simplices)
+    }
+}
