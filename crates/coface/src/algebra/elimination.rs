@@ -33,6 +33,13 @@ pub(super) struct Elimination {
     pub(super) pivots: Vec<Pivot>,
 }
 
+/// Which vectors of a matrix are recombined.
+#[derive(Clone, Copy, Debug)]
+enum Side {
+    Rows,
+    Columns,
+}
+
 /// The row and column operations so far: `left * original * right` is the present matrix.
 pub(super) struct Transforms {
     pub(super) left_rows: Vec<SparseVector>,
@@ -58,14 +65,16 @@ impl Transforms {
         add_multiple_of(&mut self.left_inverse_columns, r, factor, i);
     }
 
-    /// Columns replaced by combinations of them: column i of these by row i of the transform.
-    fn recombine_columns(&mut self, columns: &[u32], by: &HermiteTransform) {
-        for (vectors, combinations) in
-            [(&mut self.right_columns, &by.transform), (&mut self.right_inverse_rows, &by.inverse_columns)]
-        {
+    /// Rows or columns replaced by combinations of them: number i of these by row i of the transform.
+    fn recombine(&mut self, side: Side, numbers: &[u32], by: &HermiteTransform) {
+        let (own, inverse) = match side {
+            Side::Rows => (&mut self.left_rows, &mut self.left_inverse_columns),
+            Side::Columns => (&mut self.right_columns, &mut self.right_inverse_rows),
+        };
+        for (vectors, combinations) in [(own, &by.transform), (inverse, &by.inverse_columns)] {
             let old: Vec<SparseVector> =
-                columns.iter().map(|&j| std::mem::take(&mut vectors[j as usize])).collect();
-            for (&j, coefficients) in columns.iter().zip(combinations) {
+                numbers.iter().map(|&j| std::mem::take(&mut vectors[j as usize])).collect();
+            for (&j, coefficients) in numbers.iter().zip(combinations) {
                 let terms = coefficients.iter().zip(&old).filter(|(x, _)| !x.is_zero());
                 vectors[j as usize] = linear_combination(terms.map(|(x, vector)| (x, &vector[..])));
             }
@@ -155,45 +164,74 @@ impl Elimination {
         }
     }
 
-    /// Brings what is left to row echelon form by column operations with a small transform, then takes the units among
-    /// its pivots. So a remainder without units, whose elimination would make the transforms grow, becomes a triangle
-    /// as small as its torsion.
-    pub(super) fn triangulate(&mut self) {
+    /// Brings what is left to a diagonal by Hermite forms of columns and rows in turns, whose transforms are small. So a
+    /// remainder without units, whose elimination would make the transforms grow, becomes first a triangle as small as
+    /// its torsion, then a diagonal.
+    pub(super) fn diagonalize(&mut self) {
+        let mut side = Side::Columns;
+        while self.rows.iter().any(|row| row.len() > 1) || self.column_counts.iter().any(|&count| count > 1) {
+            self.triangulate(side);
+            side = match side {
+                Side::Columns => Side::Rows,
+                Side::Rows => Side::Columns,
+            };
+        }
+    }
+
+    /// Brings what is left to echelon form by operations on one side, then takes the units among its pivots.
+    fn triangulate(&mut self, side: Side) {
         let rows: Vec<u32> =
             (0..self.rows.len() as u32).filter(|&i| !self.rows[i as usize].is_empty()).collect();
         let mut columns: Vec<u32> =
             rows.iter().flat_map(|&i| self.rows[i as usize].iter().map(|&(j, _)| j)).collect();
         columns.sort_unstable();
         columns.dedup();
-        let Some(transforms) = self.transforms.as_mut().filter(|_| !rows.is_empty()) else { return };
-        let mut dense = vec![vec![Integer::ZERO; rows.len()]; columns.len()];
+        let Some(transforms) = self.transforms.as_mut() else { return };
+        let (vectors, places) = match side {
+            Side::Rows => (&rows, &columns),
+            Side::Columns => (&columns, &rows),
+        };
+        let mut dense = vec![vec![Integer::ZERO; places.len()]; vectors.len()];
         for (at, &i) in rows.iter().enumerate() {
             for (j, entry) in std::mem::take(&mut self.rows[i as usize]) {
                 let column = columns.binary_search(&j).expect("columns are those of the rows");
-                dense[column][at] = entry;
+                match side {
+                    Side::Rows => dense[at][column] = entry,
+                    Side::Columns => dense[column][at] = entry,
+                }
             }
         }
         let hermite = hermite_with_transform(dense);
-        transforms.recombine_columns(&columns, &hermite);
+        transforms.recombine(side, vectors, &hermite);
         let mut form = hermite.form;
         for k in 0..form.len() {
             let Some(at) = form[k].iter().position(|entry| !entry.is_zero()) else { continue };
             if form[k][at] != Integer::ONE {
                 continue;
             }
-            // No other column has an entry beside this pivot: they are reduced by it.
+            // No other vector has an entry at this place: they are reduced by this one.
             for (other, entry) in
                 form[k].iter().enumerate().skip(at + 1).filter(|(_, entry)| !entry.is_zero())
             {
-                transforms.subtract_row(rows[other], entry, rows[at]);
+                match side {
+                    Side::Rows => transforms.subtract_column(places[other], entry, places[at]),
+                    Side::Columns => transforms.subtract_row(places[other], entry, places[at]),
+                }
             }
             form[k].fill(Integer::ZERO);
-            self.pivots.push(Pivot { row: rows[at], column: columns[k], value: Integer::ONE });
+            let (row, column) = match side {
+                Side::Rows => (vectors[k], places[at]),
+                Side::Columns => (places[at], vectors[k]),
+            };
+            self.pivots.push(Pivot { row, column, value: Integer::ONE });
         }
         let mut new_rows = vec![SparseVector::new(); self.rows.len()];
-        for (entries, &column) in form.iter().zip(&columns) {
-            for (entry, &row) in entries.iter().zip(&rows).filter(|(entry, _)| !entry.is_zero()) {
-                new_rows[row as usize].push((column, entry.clone()));
+        for (entries, &vector) in form.into_iter().zip(vectors) {
+            for (entry, &place) in entries.into_iter().zip(places).filter(|(entry, _)| !entry.is_zero()) {
+                match side {
+                    Side::Rows => new_rows[vector as usize].push((place, entry)),
+                    Side::Columns => new_rows[place as usize].push((vector, entry)),
+                }
             }
         }
         let (pivots, transforms) = (std::mem::take(&mut self.pivots), self.transforms.take());

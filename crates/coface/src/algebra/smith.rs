@@ -249,8 +249,8 @@ impl DivisorChain {
 
 /// The Smith normal form with the unimodular matrices that make it, and their inverses.
 ///
-/// Unit pivots are eliminated first; the remainder is brought to Hermite form with a transform that lattice basis
-/// reduction keeps short, and only the triangle of its pivots above 1 is eliminated further.
+/// Unit pivots are eliminated first; the remainder is brought to a diagonal by Hermite forms of its columns and rows in
+/// turns, with transforms that lattice basis reduction keeps short.
 ///
 /// # Complexity
 /// As [`smith_form`] for the unit pivots; for a remainder of m columns about $m^4$ operations on integers of the size of
@@ -265,7 +265,7 @@ impl DivisorChain {
 pub fn smith_form_with_transforms<E: Entry>(matrix: &SparseMatrix<E>) -> SmithTransforms {
     let mut elimination = Elimination::new(matrix, true);
     elimination.finish_units();
-    elimination.triangulate();
+    elimination.diagonalize();
     elimination.finish();
     let (mut pivots, transforms) = elimination.into_parts();
     let mut transforms = transforms.expect("transforms were asked for");

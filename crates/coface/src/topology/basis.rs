@@ -3,7 +3,7 @@
 use super::adapted_basis::{AdaptedBasis, adapted_bases};
 use super::shortening;
 use super::{AbelianGroup, Coefficients, Homology};
-use crate::algebra::{Integer, SparseVector, WideMatrix, inner_product, linear_combination};
+use crate::algebra::{Integer, SparseVector, WideMatrix, combination, inner_product, linear_combination};
 use crate::chains::{Chain, ChainComplex, Cochain, Reduction};
 use crate::{CellId, Error, ErrorKind};
 
@@ -546,14 +546,13 @@ impl<'a> HomologyBasis<'a> {
         let sign = coefficients[at].clone();
         assert!(sign.is_unit(), "an exchange keeps a basis");
         let positions = first..first + coefficients.len();
-        let element = linear_combination(
-            coefficients.iter().zip(&basis.elements[positions]).map(|(x, element)| (x, &element[..])),
-        );
+        let terms = coefficients.iter().zip(&basis.elements[positions]).filter(|(x, _)| !x.is_zero());
+        let element = linear_combination(terms.map(|(x, element)| (x, &element[..])));
         basis.elements[first + at] = element;
         let new_dual = linear_combination([(&sign, &basis.duals[first + at][..])]);
         for (i, coefficient) in coefficients.iter().enumerate().filter(|&(i, x)| i != at && !x.is_zero()) {
             let dual = &mut basis.duals[first + i];
-            *dual = linear_combination([(&Integer::ONE, &dual[..]), (&-coefficient, &new_dual[..])]);
+            *dual = combination(&Integer::ONE, dual, &-coefficient, &new_dual);
         }
         basis.duals[first + at] = new_dual;
         if basis.order(first + at).is_some() && sign.signum() < 0 {

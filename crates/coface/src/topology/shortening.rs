@@ -3,17 +3,17 @@
 use super::HomologyBasis;
 use super::basis::to_vector;
 use super::short_loops::exchange_loops;
-use crate::algebra::{Integer, SparseMatrix, SparseVector, combination};
+use crate::algebra::{Integer, SparseMatrix, SparseVector, combination, linear_combination};
 
 /// Makes the generators of one degree shorter, in the number of cells with multiplicity, and keeps them a basis.
 ///
-/// Three means: loops of breadth-first trees take the place of longer ones (degree 1); the boundary of a cell is added
-/// where that makes a cycle shorter; a generator is added to or subtracted from another one. Cycles whose coefficients
-/// do not fit in 64 bits stay as they are.
+/// Four means: cycles with large coefficients are brought near zero by a rounded least squares solution; loops of breadth-first trees take the place of longer ones (degree 1); the boundary of a cell is added
+/// where that makes a cycle shorter; a generator is added to or subtracted from another one.
 pub(super) fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
     if degree == 0 || basis.generators(degree).is_empty() {
         return;
     }
+    relax(basis, degree);
     if degree == 1 {
         exchange_loops(basis);
     }
@@ -24,6 +24,103 @@ pub(super) fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
 /// The sum of the absolute values; `None` beyond 64 bits.
 pub(super) fn length(chain: &[(u32, Integer)]) -> Option<u64> {
     chain.iter().try_fold(0u64, |sum, (_, x)| sum.checked_add(x.to_i64()?.unsigned_abs()))
+}
+
+/// Makes cycles with large coefficients small: subtracts the boundary that is nearest among real chains, rounded.
+///
+/// The least squares problem is solved by conjugate gradients in floating point, for the cycle divided by a power of two;
+/// what is subtracted is an integral boundary, so only the size of the result depends on rounding.
+fn relax(basis: &mut HomologyBasis<'_>, degree: usize) {
+    /// Coefficients up to here are left to single steps.
+    const SMALL: i64 = 4;
+    const MOST_ROUNDS: usize = 64;
+    let Some(boundaries) =
+        basis.complex().boundary_matrix(degree + 1).filter(|matrix| matrix.entry_count() > 0)
+    else {
+        return;
+    };
+    for generator in 0..basis.generators(degree).len() {
+        let mut cycle = to_vector(basis.generators(degree)[generator].chain());
+        let mut size = largest(&cycle);
+        let is_large = size > Integer::from(SMALL);
+        for _ in 0..MOST_ROUNDS {
+            if size <= Integer::from(SMALL) {
+                break;
+            }
+            let nearer =
+                combination(&Integer::ONE, &cycle, &Integer::from(-1), &nearest_boundary(boundaries, &cycle));
+            let new_size = largest(&nearer);
+            if new_size >= size {
+                break;
+            }
+            (cycle, size) = (nearer, new_size);
+        }
+        if is_large {
+            basis.replace_chain(degree, generator, cycle);
+        }
+    }
+}
+
+/// The largest absolute value of a coefficient.
+fn largest(chain: &[(u32, Integer)]) -> Integer {
+    chain.iter().map(|(_, x)| x.abs()).max().unwrap_or(Integer::ZERO)
+}
+
+/// An integral boundary near a cycle: the coefficients of the nearest real one, rounded.
+fn nearest_boundary(boundaries: &SparseMatrix, cycle: &[(u32, Integer)]) -> SparseVector {
+    /// Bits of the cycle that floating point is given.
+    const BITS: usize = 40;
+    const MOST_STEPS: usize = 1000;
+    let shift = largest(cycle).bit_length().saturating_sub(BITS);
+    let mut unit = Integer::ONE;
+    for _ in 0..shift {
+        unit += &unit.clone();
+    }
+    let mut target = vec![0.0; boundaries.row_count()];
+    for (cell, x) in cycle {
+        target[*cell as usize] = x.div_rem_nearest(&unit).0.to_f64();
+    }
+    let apply = |y: &[f64]| -> Vec<f64> {
+        let mut image = vec![0.0; boundaries.row_count()];
+        for (column, y) in boundaries.columns().zip(y).filter(|(_, y)| **y != 0.0) {
+            column.iter().for_each(|(row, x)| image[row] += f64::from(x) * y);
+        }
+        image
+    };
+    let apply_transposed = |z: &[f64]| -> Vec<f64> {
+        boundaries.columns().map(|column| column.iter().map(|(row, x)| f64::from(x) * z[row]).sum()).collect()
+    };
+    // Conjugate gradients on the normal equations, with the residual of the least squares problem carried along.
+    let mut solution = vec![0.0; boundaries.column_count()];
+    let mut residual = target;
+    let mut gradient = apply_transposed(&residual);
+    let mut direction = gradient.clone();
+    let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
+    let mut size = square(&gradient);
+    let first = size;
+    for _ in 0..MOST_STEPS {
+        if size <= first * 1e-24 || size == 0.0 {
+            break;
+        }
+        let image = apply(&direction);
+        let step = size / square(&image);
+        solution.iter_mut().zip(&direction).for_each(|(x, d)| *x += step * d);
+        residual.iter_mut().zip(&image).for_each(|(r, q)| *r -= step * q);
+        gradient = apply_transposed(&residual);
+        let next = square(&gradient);
+        direction.iter_mut().zip(&gradient).for_each(|(d, g)| *d = g + next / size * *d);
+        size = next;
+    }
+    let mut terms: Vec<(Integer, SparseVector)> = Vec::new();
+    for (j, y) in solution.iter().enumerate() {
+        let rounded = y.round();
+        // Beyond 2^62 the solution is no longer one; such a step is left out.
+        if rounded != 0.0 && rounded.abs() < 4e18 {
+            let column = boundaries.column(j).iter().map(|(row, x)| (row as u32, x.into())).collect();
+            terms.push((&Integer::from(rounded as i64) * &unit, column));
+        }
+    }
+    linear_combination(terms.iter().map(|(x, column)| (x, &column[..])))
 }
 
 /// Adds boundaries of single cells as long as that makes cycles shorter.
