@@ -453,7 +453,9 @@ impl<'a> HomologyBasis<'a> {
         // (dual, factor, order of the summand)
         let mut summands: Vec<(&SparseVector, Integer, Option<Integer>)> = Vec::new();
         let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
-        for (position, dual) in basis.duals.iter().enumerate().take(basis.generators().end) {
+        // In the order of generators_with: those of this degree, then those from one below.
+        for position in (basis.rank..basis.duals.len()).chain(0..basis.rank) {
+            let dual = &basis.duals[position];
             let order = match position.checked_sub(basis.rank) {
                 None => &below[position],
                 Some(cycle) if cycle < basis.orders.len() => &basis.orders[cycle],
@@ -481,7 +483,6 @@ impl<'a> HomologyBasis<'a> {
                 }
             }
         }
-        // The order of generators_with: a generator and a chain over one below pair up by position within their kind.
         summands.sort_by_key(|(_, _, order)| (order.is_none(), order.clone()));
         let duals: Vec<SparseVector> = summands.iter().map(|(dual, ..)| (*dual).clone()).collect();
         let cochains = self.pulled_back(degree, &duals);

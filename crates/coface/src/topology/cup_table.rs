@@ -1,12 +1,12 @@
 //! The table of products of cohomology classes.
 
-use super::{CochainAlgebra, Cocycle, Coefficients, Generator, HomologyBasis};
+use super::{CochainAlgebra, Cocycle, Coefficients, HomologyBasis};
 use crate::Error;
 use crate::algebra::Integer;
 use crate::chains::Cochain;
 
-/// All products of a class of a basis of cohomology in one degree with one in another, by their values on cycles of the
-/// degree of the product.
+/// All products of a class of a basis of cohomology in one degree with one in another, in a basis of the degree of the
+/// product.
 ///
 /// # Examples
 /// See [`cup_product_table`].
@@ -15,7 +15,7 @@ pub struct CupProductTable {
     coefficients: Coefficients,
     first: Vec<Cocycle>,
     second: Vec<Cocycle>,
-    cycles: Vec<Generator>,
+    target: Vec<Cocycle>,
     values: Vec<Vec<Vec<Integer>>>,
 }
 
@@ -25,7 +25,7 @@ impl CupProductTable {
         self.coefficients
     }
 
-    /// The first factors: a basis of cohomology in their degree, modulo torsion over the integers.
+    /// The first factors: a basis of cohomology in their degree.
     pub fn first(&self) -> &[Cocycle] {
         &self.first
     }
@@ -35,35 +35,35 @@ impl CupProductTable {
         &self.second
     }
 
-    /// The cycles that the products are evaluated on: a basis of homology in the degree of the products, modulo torsion over
-    /// the integers.
-    pub fn cycles(&self) -> &[Generator] {
-        &self.cycles
+    /// The basis that products are expressed in.
+    pub fn target(&self) -> &[Cocycle] {
+        &self.target
     }
 
-    /// The value of the product of factors i and j on cycle k is at `[i][j][k]`; over Z/n from 0 to n - 1.
+    /// The coefficient of the product of factors i and j on cocycle k of the target is at `[i][j][k]`: from 0 to m - 1 for
+    /// one of finite order m, and over Z/n from 0 to n - 1.
     pub fn values(&self) -> &[Vec<Vec<Integer>>] {
         &self.values
     }
 
-    /// Whether all products are zero on all cycles.
+    /// Whether all products are zero.
     pub fn is_zero(&self) -> bool {
         self.values.iter().flatten().flatten().all(Integer::is_zero)
     }
 }
 
-/// The products of a basis of cohomology in degree `p` with a basis in degree `q`, as values on a basis of homology in degree
-/// p + q.
+/// The products of a basis of cohomology in degree `p` with a basis in degree `q`, in the basis of degree p + q that
+/// [`HomologyBasis::cocycles_with`] gives.
 ///
-/// Over a field the values determine the products. Over Z and Z/n the bases are those of the free summands, whose values on
-/// each other do not depend on the choice of cocycles; a product of finite order has the value zero on all of them and is
-/// seen over a prime field that divides its order.
+/// Over Z torsion takes part, as factor and as product. Over Z/n for n that is no prime the bases are those of the
+/// summands Z/n.
 ///
 /// # Errors
 /// None beyond a broken invariant: the bases belong to the complex.
 ///
 /// # Complexity
-/// That of a [`HomologyBasis`], and for each cycle the simplices on it with the cocycles that do not vanish on their faces.
+/// That of a [`HomologyBasis`], and for each cycle of the degree of the product the simplices on it with the cocycles that do
+/// not vanish on their faces; if there is torsion, one pass through the matching for each product.
 ///
 /// # References
 /// A. Hatcher, *Algebraic topology* (2002), section 3.2.
@@ -87,31 +87,38 @@ pub fn cup_product_table(
     coefficients: Coefficients,
 ) -> Result<CupProductTable, Error> {
     let basis = HomologyBasis::unshortened(cochains.chains());
-    let free = |degree| -> Vec<Cocycle> {
+    let cocycles = |degree| -> Vec<Cocycle> {
         let cocycles = basis.cocycles_with(degree, coefficients).into_iter();
-        cocycles.filter(|cocycle| cocycle.order().is_none()).collect()
+        cocycles
+            .filter(|cocycle| cocycle.order().is_none() || coefficients == Coefficients::Integers)
+            .collect()
     };
-    let (first, second) = (free(p), free(q));
-    let cycles: Vec<Generator> = basis
-        .generators_with(p + q, coefficients)
-        .into_iter()
-        .filter(|generator| generator.order().is_none())
-        .collect();
+    let (first, second, target) = (cocycles(p), cocycles(q), cocycles(p + q));
     let of = |cocycles: &[Cocycle]| -> Vec<Cochain<Integer>> {
         cocycles.iter().map(|cocycle| cocycle.cochain().clone()).collect()
     };
     let (left, right) = (of(&first), of(&second));
+    let mut values = vec![vec![Vec::with_capacity(target.len()); second.len()]; first.len()];
+    if target.iter().any(|cocycle| cocycle.order().is_some()) {
+        for (row, a) in values.iter_mut().zip(&left) {
+            for (entry, b) in row.iter_mut().zip(&right) {
+                *entry = basis.class_of_cocycle(&cochains.cup(a, b)?)?.coefficients().to_vec();
+            }
+        }
+        return Ok(CupProductTable { coefficients, first, second, target, values });
+    }
+    // Without torsion the cocycles are dual to cycles, and the values on these are the coefficients.
     let modulus = match coefficients {
         Coefficients::Modulo(n) => Some(n.to_string().parse::<Integer>()?),
         Coefficients::Integers | Coefficients::Rationals => None,
     };
-    let mut values = vec![vec![Vec::with_capacity(cycles.len()); second.len()]; first.len()];
-    for cycle in &cycles {
+    let generators = basis.generators_with(p + q, coefficients);
+    for cycle in generators.iter().filter(|generator| generator.order().is_none()) {
         let on_cycle = cochains.products_on(&left, &right, cycle.chain())?;
         for (list, value) in values.iter_mut().flatten().zip(on_cycle.into_iter().flatten()) {
             let value = value.unwrap_or_default();
             list.push(modulus.as_ref().map_or(value.clone(), |n| value.div_rem_floor(n).1));
         }
     }
-    Ok(CupProductTable { coefficients, first, second, cycles, values })
+    Ok(CupProductTable { coefficients, first, second, target, values })
 }
