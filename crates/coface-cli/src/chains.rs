@@ -41,6 +41,16 @@ impl Naming<'_> {
         }
     }
 
+    /// The name of a cell of the complex, as people read it.
+    pub(crate) fn word(&self, degree: usize, cell: usize) -> String {
+        let vertices = self.vertices(degree, cell);
+        if self.producer.names_cells_by_vertices() || degree < self.shift {
+            let vertices: Vec<String> = vertices.iter().map(|vertex| format!("v{vertex}")).collect();
+            return format!("{{{}}}", vertices.join(" "));
+        }
+        format!("{{cell {}}}", vertices[0])
+    }
+
     /// A chain of the complex as one of the model.
     pub(crate) fn to_model(
         &self,

@@ -161,6 +161,7 @@ fn plural(singular: &str) -> String {
         "tetrahedron" => "tetrahedra".to_owned(),
         "hexahedron" => "hexahedra".to_owned(),
         "simplex" => "simplices".to_owned(),
+        "class" => "classes".to_owned(),
         word => match word.split_once(" of ") {
             Some((head, rest)) => format!("{} of {rest}", plural(head)),
             None => format!("{word}s"),

@@ -167,7 +167,7 @@ impl Persistence {
             let essential = pairs.iter().filter(|pair| pair.is_essential()).count();
             let _ = writeln!(
                 page,
-                "\n    degree {degree}: {} that stays, {}",
+                "\n    degree {degree}: {} for ever, {}",
                 text::count(essential, "class"),
                 text::count(pairs.len() - essential, "pair")
             );
@@ -177,7 +177,7 @@ impl Persistence {
                 let _ = match (pair.death(), pair.death_cell()) {
                     (Some(death), Some(by)) => writeln!(
                         page,
-                        "      [{}, {death})  persistence {}, from {born} to {}",
+                        "      [{}, {death})  persistence {:.6}, from {born} to {}",
                         pair.birth(),
                         pair.persistence(),
                         cell(degree + 1, by.index())

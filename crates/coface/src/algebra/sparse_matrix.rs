@@ -228,6 +228,28 @@ impl WideMatrix {
         }
         Self::checked(row_count, column_starts, rows, entries)
     }
+
+    /// The matrix whose columns are these lists, each with strictly rising rows and no zero.
+    ///
+    /// # Errors
+    /// As [`Self::from_integer_columns`].
+    pub(crate) fn from_sorted_columns<'c>(
+        row_count: usize,
+        columns: impl ExactSizeIterator<Item = &'c [(u32, Integer)]> + Clone,
+    ) -> Result<Self, Error> {
+        let count = columns.clone().map(<[_]>::len).sum();
+        let mut column_starts = Vec::with_capacity(columns.len() + 1);
+        let (mut rows, mut entries) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        column_starts.push(0);
+        for column in columns {
+            for (row, entry) in column {
+                rows.push(*row);
+                entries.push(entry.clone());
+            }
+            column_starts.push(fits(rows.len(), "entries")?);
+        }
+        Self::checked(row_count, column_starts, rows, entries)
+    }
 }
 
 /// Takes the last entry away if it is zero and belongs to the column that begins at `start`.

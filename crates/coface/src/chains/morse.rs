@@ -258,8 +258,8 @@ impl<'a> MorseComplex<'a> {
     }
 
     fn to_matrix(&self, degree: usize, row_count: usize, sweep: &Sweep) -> WideMatrix {
-        let columns = (0..self.complex.cell_count(degree)).map(|cell| sweep.list(cell).to_vec());
-        WideMatrix::from_integer_columns(row_count, columns).expect("cells have 32-bit numbers")
+        let columns = (0..self.complex.cell_count(degree)).map(|cell| sweep.list(cell));
+        WideMatrix::from_sorted_columns(row_count, columns).expect("cells have 32-bit numbers")
     }
 }
 

@@ -110,8 +110,9 @@ impl Producer {
         Ok((found_degree.map_or(0, |(degree, _)| degree), cells))
     }
 
-    /// Whether cells are told by their vertices, not by their own numbers.
-    fn names_cells_by_vertices(&self) -> bool {
+    /// Whether cells are told by their vertices; those of halfedge permutations, gluing tables and chain complexes are told
+    /// by their own numbers.
+    pub fn names_cells_by_vertices(&self) -> bool {
         matches!(self.cells, Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_))
     }
 

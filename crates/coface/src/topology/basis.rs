@@ -6,6 +6,7 @@ use super::{AbelianGroup, Coefficients, Homology};
 use crate::algebra::{Integer, SparseVector, WideMatrix, combination, inner_product, linear_combination};
 use crate::chains::{Chain, ChainComplex, Cochain, Reduction};
 use crate::{CellId, Error, ErrorKind};
+use rayon::prelude::*;
 
 /// A cycle whose class generates a cyclic summand of homology.
 ///
@@ -191,7 +192,7 @@ impl<'a> HomologyBasis<'a> {
     pub fn unshortened(complex: &'a ChainComplex) -> Self {
         let reduction = Reduction::new(complex);
         let degrees = adapted_bases(&reduction);
-        let generators = degrees.iter().enumerate().map(|(degree, basis)| {
+        let generators = degrees.par_iter().enumerate().map(|(degree, basis)| {
             let positions = basis.generators();
             let reduced = basis.elements[positions.clone()].to_vec();
             let images = reduction.inclusions(degree, reduced);

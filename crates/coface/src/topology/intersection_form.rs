@@ -8,7 +8,7 @@ use crate::chains::{Chain, ChainComplex, Cochain};
 /// The intersection form of a closed oriented manifold of dimension 2k: what products of classes of degree k, modulo torsion,
 /// are on the fundamental cycle.
 ///
-/// Entry (i, j) is $(a_i \smile a_j)([M])$ for the cocycles $a_i$ of [`Self::basis`] and the cycle of
+/// Entry (i, j) is $(a_i \smile a_j)(\[M\])$ for the cocycles $a_i$ of [`Self::basis`] and the cycle of
 /// [`Self::fundamental_cycle`], with the product of [`CochainAlgebra`]. The opposite orientation changes all signs. Of a
 /// manifold the form is unimodular, by Poincare duality; of other pseudomanifolds it need not be.
 #[derive(Clone, Debug)]

@@ -21,6 +21,14 @@ pub(super) fn verdict(
 ) -> Result<Verdict, coface::Error> {
     let chain = naming.producer.chain(whole, &given.terms, given.degree)?;
     let cycle = naming.of_model(basis.complex(), &chain)?;
+    if let Some((face, x)) = basis.complex().boundary(&cycle)?.terms().first() {
+        let name = naming.word(cycle.degree() - 1, face.index());
+        return Err(coface::Error::new(
+            coface::ErrorKind::NotACycle,
+            format!("this is no cycle: its boundary has the coefficient {x} on {name}"),
+        )
+        .with_cure("give a chain whose boundary is zero"));
+    }
     let class = basis.class_of(&cycle)?;
     let orders: Vec<Value> = basis
         .generators(cycle.degree())

@@ -97,17 +97,12 @@ pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &Naming<'_
                 &format!("    generator {i} of degree {degree}: a {what}{order}, length {length} {cells}");
             if found.terms.len() <= MOST_CELLS {
                 let names = found.terms.iter().map(|(cell, x)| {
-                    let vertices: Vec<String> = naming
-                        .vertices(found.degree, cell.index())
-                        .iter()
-                        .map(|vertex| format!("v{vertex}"))
-                        .collect();
                     let sign = match x.to_i64() {
                         Some(1) => "+".to_owned(),
                         Some(-1) => "-".to_owned(),
                         _ => format!("{}{x} ", if x.signum() > 0 { "+" } else { "" }),
                     };
-                    format!("{sign}{{{}}}", vertices.join(" "))
+                    format!("{sign}{}", naming.word(found.degree, cell.index()))
                 });
                 page += &format!(": {}", names.collect::<Vec<_>>().join(" "));
             }

@@ -66,7 +66,7 @@ pub(crate) struct Homology {
     /// harmonic parts
     #[arg(long, value_name = "FILE", conflicts_with_all = ["relative", "reduced"])]
     decompose: Option<PathBuf>,
-    /// The map on integral homology of a simplicial map, a .json file with [[vertex,image],..], to the model --target
+    /// The map on integral homology of a simplicial map, a .json file with pairs [vertex, image], to the model --target
     #[arg(long, value_name = "FILE", requires = "target", conflicts_with_all = ["relative", "reduced"])]
     map: Option<PathBuf>,
     /// The target of --map

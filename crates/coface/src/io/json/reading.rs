@@ -14,8 +14,8 @@ const LISTED_NAMES: usize = 60;
 /// Reads the structure that a JSON file describes: see [the forms](crate::io::json).
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] for what is no JSON or none of the forms; [`ErrorKind::InvalidInput`] naming the facet,
-/// halfedge or entry that is wrong; [`ErrorKind::TooLarge`] for numbers beyond 32 bits; the errors of
+/// [`ErrorKind::Parse`](crate::ErrorKind::Parse) for what is no JSON or none of the forms; [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming the facet,
+/// halfedge or entry that is wrong; [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) for numbers beyond 32 bits; the errors of
 /// [`ChainComplex::new`]; for a list of objects, one that lists their names. All but the last name the line.
 ///
 /// # Complexity
@@ -45,7 +45,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// Reads the object of this name from a list of objects, as [`read`] reads one alone.
 ///
 /// # Errors
-/// [`ErrorKind::InvalidInput`] listing the names when there is none, or more than one, of this name; otherwise those of
+/// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) listing the names when there is none, or more than one, of this name; otherwise those of
 /// [`read`], also for faults in other objects of the list.
 ///
 /// # Complexity
