@@ -230,6 +230,11 @@ impl<'a> HomologyBasis<'a> {
         self.generators.get(degree).map_or(&[], Vec::as_slice)
     }
 
+    /// The generators of all degrees, without the rest.
+    pub fn into_generators(self) -> Vec<Vec<Generator>> {
+        self.generators
+    }
+
     /// The orders of the generators of one degree; `None` is infinite.
     pub fn orders(&self, degree: usize) -> Vec<Option<Integer>> {
         self.generators(degree).iter().map(|generator| generator.order.clone()).collect()

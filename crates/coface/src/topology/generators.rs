@@ -25,8 +25,7 @@ use crate::chains::ChainComplex;
 /// # Ok(()) }
 /// ```
 pub fn generators(complex: &ChainComplex) -> Vec<Vec<Generator>> {
-    let basis = HomologyBasis::new(complex);
-    (0..complex.degree_count()).map(|degree| basis.generators(degree).to_vec()).collect()
+    HomologyBasis::new(complex).into_generators()
 }
 
 #[cfg(test)]

@@ -153,11 +153,19 @@ fn mixed(number: u64) -> u64 {
 
 /// A breadth-first tree of one component, with the marks summed up from the root.
 struct Tree {
-    /// The edge and the vertex towards the root; [`NONE`] for the root and for vertices not reached.
-    parent: Vec<(u32, u32)>,
-    depth: Vec<u32>,
-    free: Vec<u64>,
+    nodes: Vec<Node>,
     torsion: Vec<Vec<i64>>,
+}
+
+/// A vertex of the tree.
+#[derive(Clone, Copy)]
+struct Node {
+    /// The edge and the vertex towards the root; [`NONE`] for the root and for vertices not reached.
+    edge: u32,
+    parent: u32,
+    /// [`NONE`] for vertices not reached.
+    depth: u32,
+    free: u64,
 }
 
 const NONE: u32 = u32::MAX;
@@ -169,25 +177,23 @@ impl Tree {
     fn new(graph: &Graph<'_>, root: u32, marks: &Marks) -> Self {
         let count = graph.starts.len() - 1;
         let mut tree = Self {
-            parent: vec![(NONE, NONE); count],
-            depth: vec![NONE; count],
-            free: vec![0; count],
+            nodes: vec![Node { edge: NONE, parent: NONE, depth: NONE, free: 0 }; count],
             torsion: vec![vec![0; count]; marks.torsion.len()],
         };
-        tree.depth[root as usize] = 0;
+        tree.nodes[root as usize].depth = 0;
         let mut queue = vec![root];
         let mut at = 0;
         while let Some(&vertex) = queue.get(at) {
             at += 1;
+            let Node { depth, free, .. } = tree.nodes[vertex as usize];
             for &(edge, to) in graph.arcs(vertex) {
-                if tree.depth[to as usize] != NONE {
+                let node = &mut tree.nodes[to as usize];
+                if node.depth != NONE {
                     continue;
                 }
-                tree.depth[to as usize] = tree.depth[vertex as usize] + 1;
-                tree.parent[to as usize] = (edge, vertex);
                 let sign = graph.sign_towards(edge, to);
                 let step = marks.free[edge as usize].wrapping_mul(sign as u64);
-                tree.free[to as usize] = tree.free[vertex as usize].wrapping_add(step);
+                *node = Node { edge, parent: vertex, depth: depth + 1, free: free.wrapping_add(step) };
                 for (sums, (values, order)) in tree.torsion.iter_mut().zip(&marks.torsion) {
                     sums[to as usize] =
                         (sums[vertex as usize] + sign * values[edge as usize]).rem_euclid(*order);
@@ -207,18 +213,17 @@ impl Tree {
             let (mut mark, mut residues, reach) = match *column.rows() {
                 [a, b] => {
                     let (from, to) = if column.entries() == [-1, 1] { (a, b) } else { (b, a) };
-                    let is_in_tree = [from, to].iter().any(|&end| self.parent[end as usize].0 == edge as u32);
-                    if is_in_tree || self.depth[from as usize] == NONE {
+                    let (start, end) = (self.nodes[from as usize], self.nodes[to as usize]);
+                    let is_in_tree = start.edge == edge as u32 || end.edge == edge as u32;
+                    if is_in_tree || start.depth == NONE {
                         continue;
                     }
-                    let mark = self.free[from as usize]
-                        .wrapping_add(marks.free[edge])
-                        .wrapping_sub(self.free[to as usize]);
+                    let mark = start.free.wrapping_add(marks.free[edge]).wrapping_sub(end.free);
                     let residue = |(sums, (values, order)): (&Vec<i64>, &(Vec<i64>, i64))| {
                         (sums[from as usize] + values[edge] - sums[to as usize]).rem_euclid(*order)
                     };
                     let residues: Vec<i64> = self.torsion.iter().zip(&marks.torsion).map(residue).collect();
-                    (mark, residues, self.depth[from as usize] + self.depth[to as usize] + 1)
+                    (mark, residues, start.depth + end.depth + 1)
                 }
                 _ => (marks.free[edge], marks.torsion.iter().map(|(values, _)| values[edge]).collect(), 1),
             };
@@ -251,12 +256,13 @@ impl Tree {
                 _ => (b, a),
             };
             while back != ahead {
-                if self.depth[back as usize] > self.depth[ahead as usize] {
-                    let (edge, parent) = self.parent[back as usize];
+                let (behind, before) = (self.nodes[back as usize], self.nodes[ahead as usize]);
+                if behind.depth > before.depth {
+                    let Node { edge, parent, .. } = behind;
                     terms.push((edge, graph.sign_towards(edge, back).into()));
                     back = parent;
                 } else {
-                    let (edge, parent) = self.parent[ahead as usize];
+                    let Node { edge, parent, .. } = before;
                     terms.push((edge, graph.sign_towards(edge, parent).into()));
                     ahead = parent;
                 }
