@@ -10,33 +10,33 @@ use crate::algebra::{Integer, SparseMatrix, SparseVector, WideMatrix};
 /// A breadth-first tree from a vertex of the longest generator gives, with each edge that is not in it, the loop that
 /// the edge closes, without the common tail of its two sides. The dual cocycles, as annotations of the edges, tell its
 /// class. It takes the place of a longer generator on which its coefficient is 1 or -1: then they remain a basis. The
-/// number of trees falls with the size of the graph.
+/// number of trees falls with the size of the graph, and so does that of exchanges with the number of generators.
 ///
 /// # References
 /// J. Erickson and K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005), for loops of shortest-path
 /// trees; O. Busaryev, S. Cabello, C. Chen, T. Dey and Y. Wang, *Annotating simplices with a homology basis and its
 /// applications* (2012).
 pub(super) fn exchange_loops(basis: &mut HomologyBasis<'_>) {
-    /// Vertices, edges and pairs of generators that all trees together may visit.
+    /// Vertices and edges that all trees together may visit.
     const WORK: usize = 12_000_000;
-    const MOST_TREES: usize = 64;
+    const MOST_TREES: usize = 16;
     /// Trees in a row without any gain, after which no more are grown.
-    const MOST_VAIN_TREES: usize = 3;
+    const MOST_VAIN_TREES: usize = 2;
+    /// Terms that all changes of basis together may touch.
+    const MOST_TERMS: usize = 40_000_000;
     let Some(graph) = basis.complex().boundary_matrix(1).and_then(Graph::new) else { return };
     let annotations = basis.annotations(1);
     let Some(marks) = Marks::new(basis, &annotations) else { return };
     let mut exchanges = Exchanges::new(basis);
     let mut is_used = vec![false; graph.starts.len() - 1];
-    let generator_count = basis.generators(1).len();
-    let work_of_a_tree = graph.arcs.len() + is_used.len() + generator_count * generator_count;
-    let tree_count = (WORK / work_of_a_tree).clamp(1, MOST_TREES);
+    let tree_count = (WORK / (graph.arcs.len() + is_used.len()).max(1)).clamp(1, MOST_TREES);
     let mut vain_count = 0;
     for _ in 0..tree_count {
         let Some(root) = exchanges.next_root(basis, &graph, &mut is_used) else { break };
         let tree = Tree::new(&graph, root, &marks);
         let mut is_shorter = false;
         for candidate in tree.loops(&graph, &marks) {
-            if exchanges.longest() <= candidate.len() as u64 {
+            if exchanges.longest() <= candidate.len() as u64 || exchanges.term_count > MOST_TERMS {
                 break;
             }
             let class = exchanges.in_present_basis(&annotations, &candidate, basis);
@@ -275,6 +275,8 @@ impl Tree {
 
 /// What was exchanged so far.
 struct Exchanges {
+    /// Terms touched so far, a measure of time that is the same on every machine.
+    term_count: usize,
     /// (generator, coefficients of its new cycle in the basis before).
     done: Vec<(usize, SparseVector)>,
     /// The present lengths; `None` for cycles with coefficients beyond 64 bits, which stay.
@@ -285,7 +287,7 @@ impl Exchanges {
     fn new(basis: &HomologyBasis<'_>) -> Self {
         let generators = basis.generators(1).iter();
         let lengths = generators.map(|generator| length(&to_vector(generator.chain()))).collect();
-        Self { done: Vec::new(), lengths }
+        Self { term_count: 0, done: Vec::new(), lengths }
     }
 
     fn longest(&self) -> u64 {
@@ -303,7 +305,7 @@ impl Exchanges {
 
     /// The class of a loop in the basis as it is now.
     fn in_present_basis(
-        &self,
+        &mut self,
         annotations: &WideMatrix,
         candidate: &[(u32, Integer)],
         basis: &HomologyBasis<'_>,
@@ -315,10 +317,12 @@ impl Exchanges {
                 class[generator] += &(sign * value);
             }
         }
+        self.term_count += self.done.len() + class.len();
         for (at, coefficients) in &self.done {
             if class[*at].is_zero() {
                 continue;
             }
+            self.term_count += coefficients.len();
             let own = coefficients.iter().find(|(i, _)| *i as usize == *at).map(|(_, x)| x);
             let new = &class[*at] * own.expect("the coefficient of the generator replaced is a unit");
             for (i, x) in coefficients {
@@ -353,7 +357,10 @@ impl Exchanges {
             return false;
         };
         let sparse = class.iter().enumerate().filter(|(_, x)| !x.is_zero());
-        self.done.push((at, sparse.map(|(i, x)| (i as u32, x.clone())).collect()));
+        let sparse: SparseVector = sparse.map(|(i, x)| (i as u32, x.clone())).collect();
+        // Each dual that changes is as long as the basis, at worst.
+        self.term_count += sparse.len() * class.len();
+        self.done.push((at, sparse));
         self.lengths[at] = Some(candidate.len() as u64);
         basis.exchange(1, at, class, candidate);
         true
