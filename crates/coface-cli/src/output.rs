@@ -1,5 +1,6 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
+use crate::arguments::Common;
 use crate::failure::Failure;
 use coface::io::replace_file;
 use serde_json::Value;
@@ -45,4 +46,25 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 /// Writes one JSON object to a file, with a line end.
 pub(crate) fn write_json(path: &Path, value: &Value) -> Result<(), Failure> {
     write_file(path, format!("{value}\n").as_bytes())
+}
+
+/// Whether a file is one of JSON by its name.
+pub(crate) fn is_json(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+}
+
+/// Gives an answer as the command line asks: to the file of -o, as the object or as the page without colors by its
+/// extension; and on standard output as the object with --json, as the page if no file was named.
+pub(crate) fn give(common: &Common, object: &Value, page: &str) -> Result<(), Failure> {
+    if let Some(path) = &common.output {
+        match is_json(path) {
+            true => write_json(path, object)?,
+            false => write_file(path, anstream::adapter::strip_str(page).to_string().as_bytes())?,
+        }
+    }
+    match (common.json, &common.output) {
+        (true, _) => print_json(object),
+        (false, Some(_)) => Ok(()),
+        (false, None) => print_text(page),
+    }
 }

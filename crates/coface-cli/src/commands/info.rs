@@ -3,7 +3,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_json, print_text, write_file, write_json};
+use crate::output::{give, is_json};
 use crate::progress::Progress;
 use crate::text;
 use clap::Args;
@@ -69,14 +69,7 @@ impl Info {
         } else {
             json!({ "reports": objects })
         };
-        if let Some(path) = &common.output {
-            write_report(path, &object, &page)?;
-        }
-        if common.json {
-            print_json(&object)?;
-        } else if common.output.is_none() {
-            print_text(&page)?;
-        }
+        give(common, &object, &page)?;
         if failed { Err(Failure::Said) } else { Ok(()) }
     }
 
@@ -108,16 +101,4 @@ struct Named {
     name: String,
     format: Format,
     report: Report,
-}
-
-fn is_json(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
-}
-
-/// Writes the object, or the page without colors, as the extension says.
-fn write_report(path: &Path, object: &Value, page: &str) -> Result<(), Failure> {
-    if is_json(path) {
-        return write_json(path, object);
-    }
-    write_file(path, anstream::adapter::strip_str(page).to_string().as_bytes())
 }

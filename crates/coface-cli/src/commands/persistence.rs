@@ -3,7 +3,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::{Function, read_values};
-use crate::output::{print_json, print_text, write_file, write_json};
+use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use crate::{input, text};
 use clap::Args;
@@ -69,9 +69,11 @@ enum Output {
 impl Persistence {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let output = common.output.as_deref().map(|path| {
-            let is_json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
-            let format =
-                if is_json { Some(Output::Json) } else { DiagramFormat::from_path(path).map(Output::Text) };
+            let format = if is_json(path) {
+                Some(Output::Json)
+            } else {
+                DiagramFormat::from_path(path).map(Output::Text)
+            };
             let unknown = || {
                 Failure::new(format!(
                     "{}: a diagram is written as .pers, .txt, .csv or .json; name the file so",

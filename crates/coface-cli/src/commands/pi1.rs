@@ -3,7 +3,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_json, print_text, write_json};
+use crate::output::{give, write_json};
 use crate::progress::Progress;
 use crate::text;
 use clap::Args;
@@ -147,17 +147,8 @@ impl Pi1 {
         let components: Vec<Value> =
             components.map(|(i, group)| object(group, number(groups.base(i)))).collect();
         let object = json!({ "file": name, "simplified": self.simplify, "components": components });
-        if let Some(place) = &common.output {
-            write_json(place, &object)?;
-        }
-        if common.json {
-            return print_json(&object);
-        }
-        if common.output.is_some() {
-            return Ok(());
-        }
         let bases: Vec<u32> = (0..shown.len()).map(|i| number(groups.base(i))).collect();
-        print_text(&page(&name, &shown, &bases))
+        give(common, &object, &page(&name, &shown, &bases))
     }
 
     fn show(&self, presentation: &Presentation, effort: Effort) -> Shown {

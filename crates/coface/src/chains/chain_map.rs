@@ -161,23 +161,16 @@ impl ChainMap {
 mod tests {
     use super::*;
     use crate::algebra::Integer;
-    use crate::chains::random_complexes;
+    use crate::chains::{closed_cells, random_complexes};
     use proptest::prelude::*;
 
     proptest! {
         #[test]
-        fn inclusions_and_projections_are_chain_maps(complex in random_complexes(), size in 0usize..40) {
-            // All cells up to a number that are closed under faces: those whose faces are kept.
-            let mut cells: Vec<Vec<CellId>> = Vec::new();
-            for degree in 0..complex.degree_count() {
-                let is_kept = |cell: &usize| {
-                    *cell < size && complex.boundary_matrix(degree).is_none_or(|matrix| {
-                        matrix.column(*cell).rows().iter().all(|&row| cells[degree - 1].contains(&CellId::new(row as usize)))
-                    })
-                };
-                let level = (0..complex.cell_count(degree)).filter(is_kept).map(CellId::new).collect();
-                cells.push(level);
-            }
+        fn inclusions_and_projections_are_chain_maps(
+            complex in random_complexes(),
+            sizes in prop::collection::vec(0usize..40, 4),
+        ) {
+            let cells = closed_cells(&complex, &sizes);
             let inclusion = ChainMap::inclusion(&complex, &cells).unwrap();
             let projection = ChainMap::projection(&complex, &cells).unwrap();
             let both = inclusion.then(&projection).unwrap();

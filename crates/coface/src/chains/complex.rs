@@ -123,6 +123,7 @@ impl ChainComplex {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::CellId;
     use proptest::prelude::*;
     use std::collections::BTreeSet;
 
@@ -162,6 +163,23 @@ pub(crate) mod tests {
             });
             ChainComplex::new(matrices.collect()).unwrap()
         })
+    }
+
+    /// Cells that are closed under faces: in each degree k those below a number, `sizes[k]` if there is one, all whose
+    /// faces are kept.
+    pub(crate) fn closed_cells(complex: &ChainComplex, sizes: &[usize]) -> Vec<Vec<CellId>> {
+        let mut cells: Vec<Vec<CellId>> = Vec::new();
+        for degree in 0..complex.degree_count() {
+            let has_faces = |cell: usize| {
+                complex.boundary_matrix(degree).is_none_or(|matrix| {
+                    let faces = matrix.column(cell).rows().iter();
+                    faces.map(|&row| CellId::new(row as usize)).all(|face| cells[degree - 1].contains(&face))
+                })
+            };
+            let count = complex.cell_count(degree).min(sizes.get(degree).copied().unwrap_or(usize::MAX));
+            cells.push((0..count).filter(|&cell| has_faces(cell)).map(CellId::new).collect());
+        }
+        cells
     }
 
     #[test]

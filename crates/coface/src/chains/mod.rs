@@ -33,4 +33,4 @@ pub use reduction::Reduction;
 pub use two_skeleton::TwoSkeleton;
 
 #[cfg(test)]
-pub(crate) use complex::tests::random_complexes;
+pub(crate) use complex::tests::{closed_cells, random_complexes};

@@ -10,7 +10,7 @@ mod sequence;
 use crate::arguments::Common;
 use crate::chains::{GivenChain, Naming};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, write_json};
+use crate::output::give;
 use crate::progress::Progress;
 use crate::{input, text};
 use clap::Args;
@@ -163,16 +163,7 @@ impl Homology {
             page += &words;
         }
         drop(progress);
-        if let Some(place) = &common.output {
-            write_json(place, &object)?;
-        }
-        if common.json {
-            return print_json(&object);
-        }
-        if common.output.is_some() {
-            return Ok(());
-        }
-        print_text(&page)
+        give(common, &object, &page)
     }
 
     /// The pair with a subcomplex, if one is named.
