@@ -110,3 +110,31 @@ fn tables_become_no_meshes() {
     let generators = coface_reading(&["homology", "--json", "-", "--generators"], table).json();
     assert_eq!(generators["generators"][1][0]["order"], 0);
 }
+
+/// A table becomes a facet list with the same homology, and each new vertex says which cell of the table it lies in.
+#[test]
+fn tables_become_simplicial_complexes() {
+    let folder = tempfile::tempdir().unwrap();
+    let [table, facets, labels] =
+        ["lens.isosig", "facets.json", "labels.json"].map(|name| folder.path().join(name));
+    std::fs::write(&table, "cMcabbjxr\n").unwrap();
+    let run = coface(&[
+        "convert",
+        argument(&table),
+        "--triangulate",
+        "-o",
+        argument(&facets),
+        "--labels",
+        argument(&labels),
+    ]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let report = coface(&["info", argument(&facets), "--json"]).json();
+    assert_eq!((&report["manifold"]["verdict"], &report["orientable"]), (&json!("yes"), &json!(true)));
+    assert_eq!(report["homology"][1]["torsion"], json!([5]));
+    let labels: Value = serde_json::from_str(&std::fs::read_to_string(&labels).unwrap()).unwrap();
+    let carriers = labels["carriers"].as_array().unwrap();
+    assert_eq!(carriers.len() as u64, report["f_vector"][0].as_u64().unwrap());
+    assert_eq!(carriers.iter().filter(|carrier| carrier[0] == 0).count(), 1);
+    let mesh = coface(&["convert", argument(&facets), "--triangulate", "--to", "json"]);
+    assert!(mesh.fails_with(1).contains("gluing tables"), "{}", mesh.stderr);
+}

@@ -3,11 +3,12 @@
 use crate::arguments::{Common, format_of_name};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_bytes, print_json, remark};
+use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::Error;
 use coface::io::{self, Format, Model};
+use coface::report::triangulated;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -23,6 +24,12 @@ pub(crate) struct Convert {
     /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig
     #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
     to: Option<Format>,
+    /// Make a gluing table a facet list: its first barycentric subdivision, or the second where that is needed
+    #[arg(long)]
+    triangulate: bool,
+    /// With --triangulate: for each new vertex the cell [degree, number] of the table that it lies in, as JSON
+    #[arg(long, value_name = "FILE", requires = "triangulate")]
+    labels: Option<PathBuf>,
 }
 
 impl Convert {
@@ -40,7 +47,18 @@ impl Convert {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
         }
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.format, &progress)?;
+        let mut loaded = input::read(&self.input, common.format, &progress)?;
+        if self.triangulate {
+            progress.stage("subdividing");
+            let (model, carriers) =
+                triangulated(&loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
+            loaded.model = model;
+            if let Some(place) = &self.labels {
+                let carriers: Value =
+                    carriers.iter().map(|(degree, cell)| json!([degree, cell.index()])).collect();
+                write_json(place, &json!({ "carriers": carriers }))?;
+            }
+        }
         let Some(path) = target else {
             progress.stage("writing");
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.

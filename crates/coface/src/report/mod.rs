@@ -23,6 +23,7 @@ mod problem;
 mod producer;
 mod simplices;
 mod simplicial;
+mod triangulation;
 
 pub use cycles::Term;
 pub use facts::{Answer, BoundaryPart, Kind, Report, Skin, Witness};
@@ -32,5 +33,6 @@ pub use pair::Pair;
 pub use problem::{Problem, ProblemKind};
 pub use producer::Producer;
 pub use simplices::{model_of_simplices, simplicial_complex};
+pub use triangulation::triangulated;
 
 use labels::Labels;
