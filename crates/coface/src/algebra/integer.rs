@@ -209,6 +209,12 @@ impl From<i64> for Integer {
     }
 }
 
+impl From<u64> for Integer {
+    fn from(value: u64) -> Self {
+        Self::from_big(IBig::from(value))
+    }
+}
+
 impl From<i32> for Integer {
     fn from(value: i32) -> Self {
         Self(Repr::Small(i64::from(value)))

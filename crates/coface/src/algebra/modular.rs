@@ -1,6 +1,6 @@
 //! Rank and a determinant of an integer matrix from its residues modulo many primes.
 
-use super::{Integer, SparseVector};
+use super::{Field, Integer, Odd, SparseVector, large_primes};
 use rayon::prelude::*;
 
 /// The rank of a matrix, and a non-zero minor of that size, positive.
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 /// # Complexity
 /// With b the bits of that bound, b / 30 dense eliminations of 32-bit residues, in parallel.
 pub(super) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usize, Integer) {
-    let mut first_prime = next_prime_below(1 << 31);
+    let mut first_prime = large_primes().next().expect("there are odd primes");
     'search: loop {
         let mut whole = Residues::new(rows, column_count, first_prime);
         let (pivot_rows, pivot_columns) = whole.eliminate().pivots;
@@ -20,13 +20,9 @@ pub(super) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usi
         let is_full = rank == rows.len().min(column_count);
         let minor = submatrix(rows, &pivot_rows, &pivot_columns);
         let bits = hadamard_bits(rows, rank + 1) + 1;
-        let mut primes = Vec::with_capacity(bits / 30 + 1);
-        let mut prime = 1 << 31;
-        while primes.len() * 30 < bits {
-            prime = next_prime_below(prime);
-            primes.push(prime);
-        }
-        let residues: Vec<(u64, bool)> = primes
+        // Each of them has more than 30 bits.
+        let primes: Vec<u32> = large_primes().take(bits.div_ceil(30)).collect();
+        let residues: Vec<(u32, bool)> = primes
             .par_iter()
             .map(|&prime| {
                 let determinant = Residues::new(&minor, rank, prime).eliminate().determinant;
@@ -41,10 +37,12 @@ pub(super) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usi
         }
         let (mut value, mut product) = (Integer::ZERO, Integer::ONE);
         for (&prime, &(determinant, _)) in primes.iter().zip(&residues) {
-            let difference = (determinant + prime - residue(&value, prime)) % prime;
-            let step = difference * inverse(residue(&product, prime), prime) % prime;
-            value += &(&product * &Integer::from(step as i64));
-            product *= &Integer::from(prime as i64);
+            let field = Odd::new(prime);
+            let missing = field.class(&(&Integer::from(i64::from(determinant)) - &value));
+            let product_here = field.class(&product).expect("the primes differ");
+            let step = missing.map_or(0, |missing| field.product(missing, field.inverse(product_here)));
+            value += &(&product * &Integer::from(i64::from(step)));
+            product *= &Integer::from(i64::from(prime));
         }
         let opposite = &product - &value;
         return (rank, value.min(opposite));
@@ -53,7 +51,7 @@ pub(super) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usi
 
 /// A dense matrix modulo a prime below 2^31.
 struct Residues {
-    prime: u64,
+    prime: u32,
     column_count: usize,
     rows: Vec<Vec<u32>>,
 }
@@ -63,15 +61,16 @@ struct Eliminated {
     /// The rows and the columns of a minor that is not zero modulo the prime.
     pivots: (Vec<u32>, Vec<u32>),
     /// The determinant modulo the prime, if the matrix is square.
-    determinant: u64,
+    determinant: u32,
 }
 
 impl Residues {
-    fn new(rows: &[SparseVector], column_count: usize, prime: u64) -> Self {
+    fn new(rows: &[SparseVector], column_count: usize, prime: u32) -> Self {
+        let field = Odd::new(prime);
         let dense = |row: &SparseVector| {
             let mut values = vec![0; column_count];
             for (j, entry) in row {
-                values[*j as usize] = residue(entry, prime) as u32;
+                values[*j as usize] = field.class(entry).unwrap_or(0);
             }
             values
         };
@@ -79,9 +78,9 @@ impl Residues {
     }
 
     fn eliminate(&mut self) -> Eliminated {
-        let prime = self.prime;
+        let (field, prime) = (Odd::new(self.prime), u64::from(self.prime));
         let mut order: Vec<u32> = (0..self.rows.len() as u32).collect();
-        let (mut pivot_columns, mut determinant) = (Vec::new(), 1);
+        let (mut pivot_columns, mut determinant) = (Vec::new(), 1u64);
         for column in 0..self.column_count {
             let rank = pivot_columns.len();
             let Some(at) = (rank..self.rows.len()).find(|&i| self.rows[i][column] != 0) else { continue };
@@ -92,9 +91,9 @@ impl Residues {
             }
             let (above, below) = self.rows.split_at_mut(rank + 1);
             let pivot_row = &above[rank][column..];
-            let pivot = u64::from(pivot_row[0]);
-            determinant = determinant * pivot % prime;
-            let reciprocal = inverse(pivot, prime);
+            let pivot = pivot_row[0];
+            determinant = determinant * u64::from(pivot) % prime;
+            let reciprocal = u64::from(field.inverse(pivot));
             for row in below {
                 if row[column] == 0 {
                     continue;
@@ -110,7 +109,7 @@ impl Residues {
             determinant = 0;
         }
         order.truncate(pivot_columns.len());
-        Eliminated { pivots: (order, pivot_columns), determinant }
+        Eliminated { pivots: (order, pivot_columns), determinant: determinant as u32 }
     }
 }
 
@@ -135,36 +134,4 @@ fn hadamard_bits(rows: &[SparseVector], size: usize) -> usize {
         .collect();
     doubled.sort_unstable_by(|a, b| b.cmp(a));
     doubled.iter().take(size).sum::<usize>().div_ceil(2) + 1
-}
-
-/// The residue from 0 to `prime` - 1.
-fn residue(value: &Integer, prime: u64) -> u64 {
-    match value.to_i64() {
-        Some(small) => small.rem_euclid(prime as i64) as u64,
-        None => {
-            let rest = value.div_rem_floor(&Integer::from(prime as i64)).1;
-            rest.to_i64().expect("a remainder is below its divisor") as u64
-        }
-    }
-}
-
-/// The inverse modulo a prime, by Fermat's theorem.
-fn inverse(value: u64, prime: u64) -> u64 {
-    let (mut base, mut exponent, mut power) = (value, prime - 2, 1);
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            power = power * base % prime;
-        }
-        base = base * base % prime;
-        exponent >>= 1;
-    }
-    power
-}
-
-/// The largest prime below `limit`, which is above 2^30; there are 50 million of them between 2^30 and 2^31.
-fn next_prime_below(limit: u64) -> u64 {
-    let is_prime = |n: u64| {
-        !n.is_multiple_of(2) && (3u64..).step_by(2).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d))
-    };
-    (0..limit).rev().find(|&n| is_prime(n)).expect("there is a prime below any number above 2")
 }

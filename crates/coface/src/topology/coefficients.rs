@@ -1,5 +1,6 @@
 //! The ring in which a question about homology is asked.
 
+use crate::algebra::is_prime;
 use crate::{Error, ErrorKind};
 use std::fmt;
 use std::str::FromStr;
@@ -57,14 +58,6 @@ impl fmt::Display for Coefficients {
             Self::Modulo(n) => write!(f, "Z/{n}"),
         }
     }
-}
-
-/// Whether `n` is prime, by trial division up to the square root.
-fn is_prime(n: u64) -> bool {
-    n >= 2
-        && (2..)
-            .take_while(|&d: &u64| d.checked_mul(d).is_some_and(|square| square <= n))
-            .all(|d| !n.is_multiple_of(d))
 }
 
 #[cfg(test)]

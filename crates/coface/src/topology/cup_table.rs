@@ -109,7 +109,7 @@ pub fn cup_product_table(
     }
     // Without torsion the cocycles are dual to cycles, and the values on these are the coefficients.
     let modulus = match coefficients {
-        Coefficients::Modulo(n) => Some(n.to_string().parse::<Integer>()?),
+        Coefficients::Modulo(n) => Some(Integer::from(n)),
         Coefficients::Integers | Coefficients::Rationals => None,
     };
     let generators = basis.generators_with(p + q, coefficients);

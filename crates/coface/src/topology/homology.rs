@@ -147,7 +147,7 @@ fn change_coefficients(integral: &Homology, coefficients: Coefficients) -> Homol
         Coefficients::Integers => group.clone(),
         Coefficients::Rationals => AbelianGroup::new(group.betti(), Vec::new()),
         Coefficients::Modulo(n) => {
-            let modulus: Integer = n.to_string().parse().expect("digits are an integer");
+            let modulus = Integer::from(n);
             let below = k.checked_sub(1).map_or(&[][..], |k| integral.groups[k].torsion());
             let orders = group.torsion().iter().chain(below).map(|order| order.gcd(&modulus)).collect();
             // In invariant factors the summands Z/n gather at the end.

@@ -1,8 +1,7 @@
 //! Which cells have coboundaries that are a basis of all coboundaries.
 
-use crate::algebra::{Integer, smith_form};
+use crate::algebra::{Field, Integer, Odd, large_primes, smith_form};
 use crate::chains::MorseComplex;
-use crate::topology::persistence::{Field, Odd, large_primes};
 
 /// Cells of `degree - 1` whose coboundaries are a basis, over the rational numbers, of all coboundaries of that degree;
 /// rising. The answer is exact.

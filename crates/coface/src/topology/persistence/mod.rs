@@ -10,7 +10,6 @@
 //!   **diagonal**, depend on how ties are broken; the others do not.
 
 mod diagram;
-mod field;
 mod filtration;
 mod reduction;
 
@@ -20,5 +19,3 @@ mod tests;
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use filtration::Filtration;
 pub use reduction::persistence;
-
-pub(super) use field::{Field, Odd, large_primes};

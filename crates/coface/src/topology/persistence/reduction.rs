@@ -1,8 +1,7 @@
 //! Persistent homology by reduction of coboundaries.
 
-use super::field::{Binary, Field, Odd, is_prime};
 use super::{Filtration, PersistenceDiagram, PersistencePair};
-use crate::algebra::{SparseMatrix, UnionFind};
+use crate::algebra::{Binary, Field, Odd, SparseMatrix, UnionFind, is_prime};
 use crate::chains::ChainComplex;
 use crate::topology::Coefficients;
 use crate::{Error, ErrorKind};
@@ -62,7 +61,7 @@ pub fn persistence(
 
 fn prime(coefficients: Coefficients) -> Result<u32, Error> {
     let number = match coefficients {
-        Coefficients::Modulo(n) => u32::try_from(n).ok().filter(|&n| n < 1 << 31 && is_prime(n)),
+        Coefficients::Modulo(n) => u32::try_from(n).ok().filter(|&n| n < 1 << 31 && is_prime(n.into())),
         Coefficients::Integers | Coefficients::Rationals => None,
     };
     number.ok_or_else(|| {

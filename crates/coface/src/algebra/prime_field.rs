@@ -1,20 +1,9 @@
 //! Arithmetic of prime fields on the entries of sparse columns, where zero is never stored.
 
-use crate::algebra::Integer;
-
-/// Whether a number is prime, by trial division up to the square root.
-pub(super) fn is_prime(n: u32) -> bool {
-    let divisors = (2..).take_while(|&d: &u32| u64::from(d) * u64::from(d) <= u64::from(n));
-    n >= 2 && divisors.into_iter().all(|d| !n.is_multiple_of(d))
-}
-
-/// The odd primes below 2^31, falling.
-pub(in crate::topology) fn large_primes() -> impl Iterator<Item = u32> {
-    (3..1 << 31).rev().filter(|&n| is_prime(n))
-}
+use super::Integer;
 
 /// A prime field, by what elimination needs of its nonzero elements.
-pub(in crate::topology) trait Field {
+pub(crate) trait Field {
     /// A nonzero element. For the field of two elements there is just one, which takes no memory.
     type Unit: Copy + Ord;
 
@@ -32,7 +21,7 @@ pub(in crate::topology) trait Field {
 }
 
 /// The field of two elements.
-pub(super) struct Binary;
+pub(crate) struct Binary;
 
 impl Field for Binary {
     type Unit = ();
@@ -51,23 +40,24 @@ impl Field for Binary {
 }
 
 /// The field of p elements, p an odd prime below 2^31.
-pub(in crate::topology) struct Odd {
+pub(crate) struct Odd {
     prime: u32,
 }
 
 impl Odd {
     /// The field of this prime.
-    pub(in crate::topology) fn new(prime: u32) -> Self {
+    pub(crate) fn new(prime: u32) -> Self {
         Self { prime }
     }
 
     /// The class of an integer of any size; `None` for zero.
-    pub(in crate::topology) fn class(&self, value: &Integer) -> Option<u32> {
+    pub(crate) fn class(&self, value: &Integer) -> Option<u32> {
         let rest = value.div_rem_floor(&Integer::from(i64::from(self.prime))).1.to_i64();
         rest.map(|rest| rest as u32).filter(|&rest| rest != 0)
     }
 
-    fn inverse(&self, a: u32) -> u32 {
+    /// The inverse.
+    pub(crate) fn inverse(&self, a: u32) -> u32 {
         // Almost all entries of boundary matrices are units of Z.
         if a == 1 || a == self.prime - 1 {
             return a;
