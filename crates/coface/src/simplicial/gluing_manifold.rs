@@ -2,49 +2,13 @@
 
 use super::collapse::{is_seen_as_ball, is_seen_as_sphere};
 use super::manifold::homology_sizes;
-use super::{FaceClasses, GluingTable};
+use super::{FaceClasses, GluingTable, Verdict};
 use crate::Error;
 use std::fmt;
 
-/// Whether the space of a gluing table is a manifold, with or without boundary.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum GluingVerdict {
-    /// It is: every vertex link is a sphere or a ball, and no class is folded.
-    Yes(GluingCertificate),
-    /// It is not, for the reason that the witness names.
-    No(GluingWitness),
-    /// The link of the witness was not recognized, and none is known to be bad.
-    Unknown(GluingWitness),
-}
-
-impl GluingVerdict {
-    /// Yes, no, or `None` for unknown.
-    pub fn to_bool(&self) -> Option<bool> {
-        match self {
-            Self::Yes(_) => Some(true),
-            Self::No(_) => Some(false),
-            Self::Unknown(_) => None,
-        }
-    }
-
-    /// The word of the report: "yes", "no" or "unknown".
-    pub fn as_str(&self) -> &'static str {
-        match self {
-            Self::Yes(_) => "yes",
-            Self::No(_) => "no",
-            Self::Unknown(_) => "unknown",
-        }
-    }
-
-    /// The witness of "no" and "unknown".
-    pub fn witness(&self) -> Option<&GluingWitness> {
-        match self {
-            Self::Yes(_) => None,
-            Self::No(witness) | Self::Unknown(witness) => Some(witness),
-        }
-    }
-}
+/// Whether the space of a gluing table is a manifold, with or without boundary: yes if every vertex link is a sphere or a ball
+/// and no class is folded.
+pub type GluingVerdict = Verdict<GluingCertificate, GluingWitness>;
 
 /// What a table was seen to be when its space is a manifold.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,52 +7,15 @@
 
 use super::collapse::{is_seen_as_ball, is_seen_as_sphere};
 use super::orientation::maximal_below_top;
-use super::{FrozenComplex, Simplex, SimplicialComplex};
+use super::{FrozenComplex, Simplex, SimplicialComplex, Verdict};
 use crate::Error;
 use crate::algebra::{RaggedArray, UnionFind, smith_form};
 use crate::chains::{ChainComplex, MorseComplex};
 use rayon::prelude::*;
 use std::fmt;
 
-/// Whether a complex is a combinatorial manifold, with or without boundary.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ManifoldVerdict {
-    /// It is: every link is a sphere or a ball.
-    Yes(ManifoldCertificate),
-    /// It is not: the link of the witness is neither.
-    No(ManifoldWitness),
-    /// The link of the witness was not recognized, and none is known to be bad.
-    Unknown(ManifoldWitness),
-}
-
-impl ManifoldVerdict {
-    /// Yes, no, or `None` for unknown.
-    pub fn to_bool(&self) -> Option<bool> {
-        match self {
-            Self::Yes(_) => Some(true),
-            Self::No(_) => Some(false),
-            Self::Unknown(_) => None,
-        }
-    }
-
-    /// The word of the report: "yes", "no" or "unknown".
-    pub fn as_str(&self) -> &'static str {
-        match self {
-            Self::Yes(_) => "yes",
-            Self::No(_) => "no",
-            Self::Unknown(_) => "unknown",
-        }
-    }
-
-    /// The witness of "no" and "unknown".
-    pub fn witness(&self) -> Option<&ManifoldWitness> {
-        match self {
-            Self::Yes(_) => None,
-            Self::No(witness) | Self::Unknown(witness) => Some(witness),
-        }
-    }
-}
+/// Whether a complex is a combinatorial manifold, with or without boundary: yes if every link is a sphere or a ball.
+pub type ManifoldVerdict = Verdict<ManifoldCertificate, ManifoldWitness>;
 
 /// What a complex was seen to be when it is a manifold.
 #[derive(Clone, Debug, PartialEq, Eq)]

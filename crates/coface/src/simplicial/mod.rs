@@ -46,6 +46,7 @@ mod tree_bulk;
 mod tree_link;
 mod tree_walk;
 mod two_skeleton;
+mod verdict;
 
 pub use complex::SimplicialComplex;
 pub use construction::{Composite, VertexPairs};
@@ -64,3 +65,4 @@ pub use neighborhood::SimplexSet;
 pub use orientation::{OddFacetCycle, Orientability, Orientation, orientability, relative_orientation};
 pub use simplex::Simplex;
 pub use subcomplex::Purity;
+pub use verdict::Verdict;
