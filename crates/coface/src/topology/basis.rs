@@ -2,135 +2,11 @@
 
 use super::adapted_basis::{AdaptedBasis, adapted_bases};
 use super::shortening;
-use super::{AbelianGroup, Coefficients, Homology};
-use crate::algebra::{Integer, SparseVector, WideMatrix, combination, inner_product, linear_combination};
-use crate::chains::{Chain, ChainComplex, Cochain, Reduction};
+use super::{AbelianGroup, Bounding, Coefficients, Generator, Homology, HomologyClass};
+use crate::algebra::{Integer, SparseVector, combination, linear_combination};
+use crate::chains::{Chain, ChainComplex, Reduction};
 use crate::{CellId, Error, ErrorKind};
 use rayon::prelude::*;
-
-/// A cycle whose class generates a cyclic summand of homology.
-///
-/// # Examples
-/// See [`generators`](super::generators).
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Generator {
-    order: Option<Integer>,
-    chain: Chain<Integer>,
-}
-
-impl Generator {
-    /// The order of its class: `None` when no multiple bounds. Over a field or Z/n, `None` when the summand is the whole
-    /// ring.
-    pub fn order(&self) -> Option<&Integer> {
-        self.order.as_ref()
-    }
-
-    /// The cycle, on the cells of the complex. Over Z/n its coefficients are read modulo n.
-    pub fn chain(&self) -> &Chain<Integer> {
-        &self.chain
-    }
-
-    /// The sum of the absolute values of the coefficients: the number of cells, counted as often as the cycle runs
-    /// through them.
-    pub fn length(&self) -> Integer {
-        let mut length = Integer::ZERO;
-        for (_, coefficient) in self.chain.terms() {
-            length += &coefficient.abs();
-        }
-        length
-    }
-}
-
-/// A closed cochain whose class generates a cyclic summand of cohomology.
-///
-/// # Examples
-/// See [`HomologyBasis::cocycles`].
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Cocycle {
-    order: Option<Integer>,
-    cochain: Cochain<Integer>,
-}
-
-impl Cocycle {
-    /// The order of its class: `None` when no multiple is a coboundary. Over a field or Z/n, `None` when the summand is
-    /// the whole ring.
-    pub fn order(&self) -> Option<&Integer> {
-        self.order.as_ref()
-    }
-
-    /// The cochain, on the cells of the complex. Over Z/n its values are read modulo n.
-    pub fn cochain(&self) -> &Cochain<Integer> {
-        &self.cochain
-    }
-}
-
-/// The class of a cycle: its coefficients on the generators of its degree.
-///
-/// # Examples
-/// See [`HomologyBasis::class_of`].
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct HomologyClass {
-    coefficients: Vec<Integer>,
-    orders: Vec<Option<Integer>>,
-}
-
-impl HomologyClass {
-    /// The coefficient of each generator, in their order: from 0 to m - 1 for a generator of finite order m, any
-    /// integer for a free one.
-    pub fn coefficients(&self) -> &[Integer] {
-        &self.coefficients
-    }
-
-    /// Whether the class is zero: whether the cycle bounds.
-    pub fn is_zero(&self) -> bool {
-        self.coefficients.iter().all(Integer::is_zero)
-    }
-
-    /// The least positive number whose product with the class is zero; `None` if there is none.
-    pub fn order(&self) -> Option<Integer> {
-        let mut multiple = Integer::ONE;
-        for (coefficient, order) in self.coefficients.iter().zip(&self.orders) {
-            match order {
-                _ if coefficient.is_zero() => {}
-                None => return None,
-                Some(order) => {
-                    let own = order.exact_quotient(&order.gcd(coefficient)).expect("a gcd divides");
-                    let gcd = multiple.gcd(&own);
-                    multiple *= &own.exact_quotient(&gcd).expect("a gcd divides");
-                }
-            }
-        }
-        Some(multiple)
-    }
-}
-
-/// Whether a cycle bounds, with the proof.
-///
-/// # Examples
-/// See [`HomologyBasis::bounding`].
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Bounding {
-    /// It does: it is the boundary of this chain.
-    Bounds(Chain<Integer>),
-    /// It does not, but a multiple does.
-    MultipleBounds {
-        /// The least positive multiple that bounds, at least 2.
-        multiple: Integer,
-        /// The chain whose boundary is that multiple.
-        chain: Chain<Integer>,
-    },
-    /// No multiple bounds.
-    Never {
-        /// A closed cochain, which vanishes on all boundaries.
-        cocycle: Cochain<Integer>,
-        /// Its value on the cycle, not zero.
-        value: Integer,
-    },
-}
 
 /// A basis of the integral homology of a complex in all degrees, with what it takes to tell the class of any cycle.
 ///
@@ -168,9 +44,9 @@ pub enum Bounding {
 /// ```
 #[derive(Clone, Debug)]
 pub struct HomologyBasis<'a> {
-    complex: &'a ChainComplex,
-    reduction: Reduction<'a>,
-    degrees: Vec<AdaptedBasis>,
+    pub(super) complex: &'a ChainComplex,
+    pub(super) reduction: Reduction<'a>,
+    pub(super) degrees: Vec<AdaptedBasis>,
     generators: Vec<Vec<Generator>>,
 }
 
@@ -178,8 +54,8 @@ impl<'a> HomologyBasis<'a> {
     /// Finds the basis.
     ///
     /// Generators are made short: loops are exchanged against shorter ones of breadth-first trees while they stay a
-    /// basis, cycles of any degree lose cells by adding boundaries and each other. They need not be shortest; none can
-    /// be made shorter by adding the boundary of one cell or one other generator.
+    /// basis, cycles of any degree lose cells by adding boundaries and each other. The search is bounded by steps, and
+    /// the result need not be shortest.
     pub fn new(complex: &'a ChainComplex) -> Self {
         let mut basis = Self::unshortened(complex);
         for degree in 0..complex.degree_count() {
@@ -318,91 +194,6 @@ impl<'a> HomologyBasis<'a> {
         }
     }
 
-    /// Cocycles whose classes are a basis of integral cohomology in one degree: those of finite order first, then free
-    /// ones. Free cocycle i has the value 1 on the free generator i of homology and 0 on all other generators; one of
-    /// finite order m is, up to coboundaries, 1/m of the coboundary of the dual of a torsion generator one degree below.
-    ///
-    /// # Complexity
-    /// One pass through the pairs of the matching and the values that are not zero.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface::simplicial::known_spaces::circle;
-    /// use coface::topology::HomologyBasis;
-    /// # fn main() -> Result<(), coface::Error> {
-    /// let circle = circle(5)?.chain_complex()?;
-    /// let basis = HomologyBasis::new(&circle);
-    /// let (cocycle, around) = (&basis.cocycles(1)[0], &basis.generators(1)[0]);
-    /// assert_eq!(cocycle.cochain().pairing(around.chain())?, Some(1.into()));
-    /// # Ok(()) }
-    /// ```
-    pub fn cocycles(&self, degree: usize) -> Vec<Cocycle> {
-        self.cocycles_with(degree, Coefficients::Integers)
-    }
-
-    /// The class of a closed cochain in the basis of [`Self::cocycles`]: coefficients from 0 to m - 1 on cocycles of finite
-    /// order m, then those on free cocycles.
-    ///
-    /// # Errors
-    /// [`ErrorKind::NotInComplex`] if the cochain has a cell that is not here, [`ErrorKind::NotACycle`] naming a cell in
-    /// its coboundary.
-    ///
-    /// # Complexity
-    /// One pass through the pairs of the matching and the values that are not zero.
-    ///
-    /// # Examples
-    /// The coboundary of one end of an edge takes the value 1 on the other, closed, edge of a circle of two edges too:
-    /// ```
-    /// use coface::CellId;
-    /// use coface::algebra::{Integer, SparseMatrix};
-    /// use coface::chains::{ChainComplex, Cochain};
-    /// use coface::topology::HomologyBasis;
-    /// # fn main() -> Result<(), coface::Error> {
-    /// let ends = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, 1), (1, 1, -1)])?;
-    /// let circle = ChainComplex::new(vec![ends])?;
-    /// let basis = HomologyBasis::new(&circle);
-    /// let both = Cochain::new(&circle, 1, [0, 1].map(|e| (CellId::new(e), Integer::ONE)))?;
-    /// assert_eq!(basis.class_of_cocycle(&both)?.coefficients()[0].abs(), 2.into());
-    /// # Ok(()) }
-    /// ```
-    pub fn class_of_cocycle(&self, cocycle: &Cochain<Integer>) -> Result<HomologyClass, Error> {
-        let degree = cocycle.degree();
-        let coboundary = self.complex.coboundary(cocycle)?;
-        if let Some((cell, value)) = coboundary.terms().first() {
-            return Err(Error::new(
-                ErrorKind::NotACycle,
-                format!(
-                    "the cochain of degree {degree} is not closed: its coboundary has the value {value} on cell {cell} of degree {}",
-                    degree + 1
-                ),
-            )
-            .with_cure("give a cochain whose coboundary is zero"));
-        }
-        let Some(basis) = self.degrees.get(degree) else {
-            return Ok(HomologyClass { coefficients: Vec::new(), orders: Vec::new() });
-        };
-        let mut columns = vec![SparseVector::new(); self.complex.cell_count(degree)];
-        for (cell, value) in cocycle.terms() {
-            columns[cell.index()].push((0, value.clone()));
-        }
-        let values = WideMatrix::from_integer_columns(1, columns).expect("cells have 32-bit numbers");
-        let (restricted, _) = self.reduction.restriction_and_cohomotopy(degree, &values);
-        let restricted = restricted.transpose();
-        let restricted: SparseVector =
-            restricted.column(0).terms().map(|(cell, x)| (cell as u32, x.clone())).collect();
-        let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
-        let torsion = below.iter().enumerate().filter(|(_, order)| !order.is_unit());
-        let torsion = torsion.map(|(position, order)| (position, Some(order.clone())));
-        let free = (basis.rank + basis.orders.len()..basis.elements.len()).map(|position| (position, None));
-        let (positions, orders): (Vec<usize>, Vec<Option<Integer>>) = torsion.chain(free).unzip();
-        let value = |(&position, order): (&usize, &Option<Integer>)| {
-            let x = inner_product(&restricted, &basis.elements[position]);
-            order.as_ref().map_or(x.clone(), |order| x.div_rem_floor(order).1)
-        };
-        let coefficients = positions.iter().zip(&orders).map(value).collect();
-        Ok(HomologyClass { coefficients, orders })
-    }
-
     /// Cycles whose classes are a basis of homology with coefficients in one degree.
     ///
     /// Over Q they are the free generators, over Z the generators. Over Z/n a generator of order m adds a summand of
@@ -414,7 +205,7 @@ impl<'a> HomologyBasis<'a> {
             Coefficients::Rationals => {
                 return own.filter(|generator| generator.order.is_none()).cloned().collect();
             }
-            Coefficients::Modulo(n) => modulus(n),
+            Coefficients::Modulo(n) => Integer::from(n),
         };
         let reduce = |chain: &Chain<Integer>, factor: &Integer| {
             let terms =
@@ -446,92 +237,6 @@ impl<'a> HomologyBasis<'a> {
         // Smaller orders first, whole summands last, as over the integers.
         list.sort_by_key(|generator| (generator.order.is_none(), generator.order.clone()));
         list
-    }
-
-    /// Cocycles whose classes are a basis of cohomology with coefficients in one degree; over a field they are dual to
-    /// [`Self::generators_with`]: the matrix of values is the identity.
-    pub fn cocycles_with(&self, degree: usize, coefficients: Coefficients) -> Vec<Cocycle> {
-        let Some(basis) = self.degrees.get(degree) else { return Vec::new() };
-        let modulus = match coefficients {
-            Coefficients::Modulo(n) => Some(modulus(n)),
-            _ => None,
-        };
-        // (dual, factor, order of the summand)
-        let mut summands: Vec<(&SparseVector, Integer, Option<Integer>)> = Vec::new();
-        let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
-        // In the order of generators_with: those of this degree, then those from one below.
-        for position in (basis.rank..basis.duals.len()).chain(0..basis.rank) {
-            let dual = &basis.duals[position];
-            let order = match position.checked_sub(basis.rank) {
-                None => &below[position],
-                Some(cycle) if cycle < basis.orders.len() => &basis.orders[cycle],
-                Some(_) => {
-                    summands.push((dual, Integer::ONE, None));
-                    continue;
-                }
-            };
-            match &modulus {
-                // Over Z the torsion of cohomology comes from one degree below.
-                None => {
-                    if position < basis.rank && !order.is_unit() && coefficients == Coefficients::Integers {
-                        summands.push((dual, Integer::ONE, Some(order.clone())));
-                    }
-                }
-                Some(n) => {
-                    let common = order.gcd(n);
-                    if !common.is_unit() {
-                        let factor = match position < basis.rank {
-                            true => Integer::ONE,
-                            false => n.exact_quotient(&common).expect("a gcd divides"),
-                        };
-                        summands.push((dual, factor, (common != *n).then_some(common)));
-                    }
-                }
-            }
-        }
-        summands.sort_by_key(|(_, _, order)| (order.is_none(), order.clone()));
-        let duals: Vec<SparseVector> = summands.iter().map(|(dual, ..)| (*dual).clone()).collect();
-        let cochains = self.pulled_back(degree, &duals);
-        let cocycle =
-            |((_, factor, order), cochain): ((&SparseVector, Integer, Option<Integer>), Cochain<Integer>)| {
-                let cochain = match &modulus {
-                    None => cochain,
-                    Some(n) => {
-                        let terms = cochain.terms().iter();
-                        let terms = terms.map(|(cell, x)| (*cell, (x * &factor).div_rem_nearest(n).1));
-                        Cochain::new(self.complex, degree, terms).expect("the cells are those of a cochain")
-                    }
-                };
-                Cocycle { order, cochain }
-            };
-        summands.into_iter().zip(cochains).map(cocycle).collect()
-    }
-
-    /// Cochains of the reduced complex as cochains of the original one.
-    fn pulled_back(&self, degree: usize, duals: &[SparseVector]) -> Vec<Cochain<Integer>> {
-        if duals.is_empty() {
-            return Vec::new();
-        }
-        let values = WideMatrix::from_integer_columns(self.reduction.cell_count(degree), duals.to_vec())
-            .expect("cells have 32-bit numbers")
-            .transpose();
-        let pulled = self.reduction.pullback(degree, &values).transpose();
-        let cochain = |i: usize| {
-            let terms = pulled.column(i).terms().map(|(cell, x)| (CellId::new(cell), x.clone()));
-            Cochain::new(self.complex, degree, terms).expect("a pullback has the cells of the complex")
-        };
-        (0..duals.len()).map(cochain).collect()
-    }
-
-    /// The values of the dual basis on all cells of a degree: column c holds (number of the generator, value) of cell c.
-    /// For generators of finite order the values are meant modulo that order.
-    pub(super) fn annotations(&self, degree: usize) -> WideMatrix {
-        let basis = &self.degrees[degree];
-        let duals = basis.duals[basis.generators()].to_vec();
-        let values = WideMatrix::from_integer_columns(self.reduction.cell_count(degree), duals)
-            .expect("cells have 32-bit numbers")
-            .transpose();
-        self.reduction.pullback(degree, &values)
     }
 
     /// Replaces a generator by another cycle of the same class.
@@ -600,10 +305,6 @@ fn class(basis: &AdaptedBasis, coordinates: &[Integer]) -> HomologyClass {
     HomologyClass { coefficients: reduced.collect(), orders }
 }
 
-fn modulus(n: u64) -> Integer {
-    n.to_string().parse().expect("digits are an integer")
-}
-
 pub(super) fn to_vector(chain: &Chain<Integer>) -> SparseVector {
     chain.terms().iter().map(|(cell, x)| (cell.to_u32(), x.clone())).collect()
 }
@@ -616,9 +317,15 @@ fn to_chain(complex: &ChainComplex, degree: usize, terms: SparseVector) -> Chain
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::random_complexes;
-    use crate::topology::{cohomology, homology, homology_with};
+    use crate::chains::{Cochain, random_complexes};
+    use crate::topology::{Cocycle, cohomology, homology, homology_with};
     use proptest::prelude::*;
+
+    /// Integers for one test, over and over.
+    fn cycled(numbers: &[i64]) -> impl FnMut() -> Integer + '_ {
+        let mut numbers = numbers.iter().cycle();
+        move || Integer::from(*numbers.next().unwrap())
+    }
 
     fn value(cochain: &Cochain<Integer>, chain: &Chain<Integer>) -> Integer {
         cochain.pairing(chain).unwrap().unwrap_or(Integer::ZERO)
@@ -685,8 +392,7 @@ mod tests {
         ) {
             let basis = HomologyBasis::new(&complex);
             for degree in 0..complex.degree_count() {
-                let mut numbers = numbers.iter().cycle();
-                let mut next = || Integer::from(*numbers.next().unwrap());
+                let mut next = cycled(&numbers);
                 let (mut sum, mut expected) = (Cochain::zero(degree), Vec::new());
                 for cocycle in basis.cocycles(degree) {
                     let x = next();
@@ -709,17 +415,17 @@ mod tests {
         fn bases_with_coefficients_are_dual(complex in random_complexes(), n in 2u64..13) {
             let basis = HomologyBasis::new(&complex);
             let coefficients = Coefficients::Modulo(n);
-            let is_zero = |x: &Integer| modulus(n).divides(x);
+            let is_zero = |x: &Integer| Integer::from(n).divides(x);
             let groups = homology_with(&complex, coefficients);
             let is_prime = (2..n).all(|d| n % d != 0);
             for degree in 0..complex.degree_count() {
                 let generators = basis.generators_with(degree, coefficients);
                 let cocycles = basis.cocycles_with(degree, coefficients);
-                let whole = |order: Option<&Integer>| Some(order.cloned().unwrap_or_else(|| modulus(n)));
+                let whole = |order: Option<&Integer>| Some(order.cloned().unwrap_or_else(|| Integer::from(n)));
                 let group = &groups.groups()[degree];
                 let expected = AbelianGroup::new(
                     0,
-                    group.torsion().iter().cloned().chain((0..group.betti()).map(|_| modulus(n))).collect(),
+                    group.torsion().iter().cloned().chain((0..group.betti()).map(|_| Integer::from(n))).collect(),
                 );
                 let list: Vec<_> = generators.iter().map(|g| whole(g.order())).collect();
                 prop_assert_eq!(&orders(list.iter().map(Option::as_ref)), &expected);
@@ -749,8 +455,7 @@ mod tests {
         ) {
             let basis = HomologyBasis::new(&complex);
             for degree in 0..complex.degree_count() {
-                let mut numbers = numbers.iter().cycle();
-                let mut next = || Integer::from(*numbers.next().unwrap());
+                let mut next = cycled(&numbers);
                 let mut expected = Vec::new();
                 let mut cycle = Chain::zero(degree);
                 for generator in basis.generators(degree) {

@@ -15,6 +15,7 @@
 
 mod adapted_basis;
 mod basis;
+mod cocycles;
 mod coefficients;
 mod cup;
 mod cup_table;
@@ -24,6 +25,7 @@ mod generators;
 mod group;
 mod hodge;
 mod homology;
+mod homology_class;
 mod homology_map;
 mod intersection_form;
 mod long_exact_sequence;
@@ -31,7 +33,7 @@ mod persistence;
 mod short_loops;
 mod shortening;
 
-pub use basis::{Bounding, Cocycle, Generator, HomologyBasis, HomologyClass};
+pub use basis::HomologyBasis;
 pub use coefficients::Coefficients;
 pub use cup::CochainAlgebra;
 pub use cup_table::{CupProductTable, cup_product_table};
@@ -45,6 +47,7 @@ pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
 pub use homology::{Homology, cohomology, homology, homology_with};
+pub use homology_class::{Bounding, Cocycle, Generator, HomologyClass};
 pub use homology_map::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;

@@ -209,8 +209,8 @@ impl Descent<'_> {
     }
 }
 
-/// Adds generators to each other as long as that makes one shorter. The number of passes is bounded, and so is the number
-/// of generators that are compared with each other.
+/// Adds generators to free ones as long as that makes one shorter. The number of passes is bounded, and so is the number of
+/// generators that are compared with each other.
 fn combine(basis: &mut HomologyBasis<'_>, degree: usize) {
     const MOST_GENERATORS: usize = 256;
     const MOST_PASSES: usize = 16;
@@ -218,32 +218,46 @@ fn combine(basis: &mut HomologyBasis<'_>, degree: usize) {
     if count > MOST_GENERATORS {
         return;
     }
-    let is_free = |basis: &HomologyBasis<'_>, i: usize| basis.generators(degree)[i].order().is_none();
-    let mut chains: Vec<SparseVector> =
-        basis.generators(degree).iter().map(|generator| to_vector(generator.chain())).collect();
+    let generators = basis.generators(degree).iter();
+    let mut chains: Vec<SparseVector> = generators.map(|generator| to_vector(generator.chain())).collect();
+    let first_free = basis.generators(degree).iter().filter(|generator| generator.order().is_some()).count();
     for _ in 0..MOST_PASSES {
         let mut is_shorter = false;
-        for i in (0..count).filter(|&i| is_free(basis, i)).collect::<Vec<_>>() {
+        for i in first_free..count {
             for j in (0..count).filter(|&j| j != i) {
                 let Some(present) = length(&chains[i]) else { continue };
-                for sign in [1, -1].map(Integer::from) {
-                    let sum = combination(&Integer::ONE, &chains[i], &sign, &chains[j]);
-                    if length(&sum).is_some_and(|length| length < present) {
-                        let mut coefficients = vec![Integer::ZERO; count];
-                        coefficients[i] = Integer::ONE;
-                        coefficients[j] = sign;
-                        basis.exchange(degree, i, &coefficients, sum.clone());
-                        chains[i] = sum;
-                        is_shorter = true;
-                        break;
-                    }
-                }
+                let better = [1, -1].into_iter().find(|&sign| {
+                    length_of_sum(&chains[i], sign, &chains[j]).is_some_and(|length| length < present)
+                });
+                let Some(sign) = better.map(Integer::from) else { continue };
+                let sum = combination(&Integer::ONE, &chains[i], &sign, &chains[j]);
+                let mut coefficients = vec![Integer::ZERO; count];
+                (coefficients[i], coefficients[j]) = (Integer::ONE, sign);
+                basis.exchange(degree, i, &coefficients, sum.clone());
+                chains[i] = sum;
+                is_shorter = true;
             }
         }
         if !is_shorter {
             break;
         }
     }
+}
+
+/// The length of the first chain plus `sign` times the second; `None` beyond 64 bits.
+fn length_of_sum(first: &[(u32, Integer)], sign: i64, second: &[(u32, Integer)]) -> Option<u64> {
+    let (mut sum, mut others) = (length(second)?, second.iter().peekable());
+    for (cell, x) in first {
+        while others.next_if(|(other, _)| other < cell).is_some() {}
+        let x = x.to_i64()?;
+        let y = match others.next_if(|(other, _)| other == cell) {
+            Some((_, y)) => y.to_i64()?,
+            None => 0,
+        };
+        let together = x.checked_add(sign.checked_mul(y)?)?;
+        sum = sum.checked_add(together.unsigned_abs())?.checked_sub(y.unsigned_abs())?;
+    }
+    Some(sum)
 }
 
 #[cfg(test)]
