@@ -7,7 +7,6 @@ use coface::report::Producer;
 use coface::topology::Filtration;
 use coface::{Error, VertexId};
 use serde_json::Value;
-use std::collections::HashMap;
 use std::path::Path;
 
 /// A function on vertices.
@@ -53,16 +52,11 @@ impl Function {
     }
 
     /// The value of each vertex, in the order of the 0-cells.
-    pub(crate) fn values(
-        &self,
-        producer: &Producer,
-        count: usize,
-        positions: &Positions,
-    ) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn values(&self, producer: &Producer, count: usize) -> Result<Vec<f64>, Failure> {
         let numbers = (0..count).map(|vertex| producer.cell_vertices(0, vertex)[0] as usize);
         Ok(match self {
             Self::Coordinate(axis) => {
-                numbers.map(|number| positions.point(VertexId::new(number))[*axis]).collect()
+                numbers.map(|number| producer.positions().point(VertexId::new(number))[*axis]).collect()
             }
             Self::Number => numbers.map(|number| number as f64).collect(),
             Self::File(path) => {
@@ -117,12 +111,8 @@ pub(crate) fn read_values(
     };
     if let Some(cells) = document.get("cells") {
         let cells = cells.as_array().ok_or_else(shape)?;
-        let mut wanted: HashMap<Vec<u32>, f64> = HashMap::new();
-        for cell in cells {
-            let (vertices, value) = listed_cell(cell).ok_or_else(shape)?;
-            wanted.insert(vertices, value);
-        }
-        return values_of_cells(wanted, producer, complex).map_err(fault);
+        let listed: Option<Vec<(Vec<u32>, f64)>> = cells.iter().map(listed_cell).collect();
+        return values_of_cells(&listed.ok_or_else(shape)?, producer, complex).map_err(fault);
     }
     let lists = document.get("values").unwrap_or(&document).as_array().ok_or_else(shape)?;
     let list = |list: &Value| list.as_array()?.iter().map(Value::as_f64).collect::<Option<Vec<f64>>>();
@@ -130,34 +120,26 @@ pub(crate) fn read_values(
     Filtration::new(complex, values).map_err(fault)
 }
 
-/// A cell as `[[vertices..],value]`; its vertices in rising order.
+/// A cell as `[[vertices..],value]`.
 fn listed_cell(cell: &Value) -> Option<(Vec<u32>, f64)> {
     let [vertices, value] = &cell.as_array()?[..] else { return None };
     let number = |vertex: &Value| u32::try_from(vertex.as_u64()?).ok();
-    let mut vertices = vertices.as_array()?.iter().map(number).collect::<Option<Vec<u32>>>()?;
-    vertices.sort_unstable();
+    let vertices = vertices.as_array()?.iter().map(number).collect::<Option<Vec<u32>>>()?;
     Some((vertices, value.as_f64()?))
 }
 
 fn values_of_cells(
-    mut wanted: HashMap<Vec<u32>, f64>,
+    listed: &[(Vec<u32>, f64)],
     producer: &Producer,
     complex: &ChainComplex,
 ) -> Result<Filtration, Error> {
-    let mut value = |degree, cell| {
-        let mut vertices = producer.cell_vertices(degree, cell);
-        vertices.sort_unstable();
-        wanted.remove(&vertices)
-    };
-    let given: Vec<Vec<Option<f64>>> = (0..complex.degree_count())
-        .map(|degree| (0..complex.cell_count(degree)).map(|cell| value(degree, cell)).collect())
-        .collect();
-    if let Some(missing) = wanted.into_keys().min() {
-        return Err(Error::new(
-            coface::ErrorKind::NotInComplex,
-            format!("the cell {missing:?} is not in the model"),
-        )
-        .with_cure("name cells by the vertex numbers of the model, from 0"));
+    let mut given: Vec<Vec<Option<f64>>> =
+        complex.f_vector().iter().map(|&count| vec![None; count]).collect();
+    let lists = listed.iter().map(|(vertices, _)| &vertices[..]);
+    for (cells, (_, value)) in producer.cells_with_vertices(complex, lists, None)?.iter().zip(listed) {
+        for (degree, cell) in cells {
+            given[*degree][cell.index()] = Some(*value);
+        }
     }
     Filtration::from_cofaces(complex, &given)
 }

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::progress::Progress;
 use coface::io::{self, Format, Model};
+use coface::report::Producer;
 use std::path::Path;
 
 /// A model with where it came from.
@@ -37,4 +38,16 @@ pub(crate) fn read(path: &Path, format: Option<Format>, progress: &Progress) -> 
     };
     let format = model.format().unwrap_or(Format::Json);
     Ok(Loaded { name, format, model })
+}
+
+/// Reads a model and identifies its cells: its name for people, and the producer.
+pub(crate) fn produce(
+    path: &Path,
+    format: Option<Format>,
+    progress: &Progress,
+) -> Result<(String, Producer), Failure> {
+    let Loaded { name, model, .. } = read(path, format, progress)?;
+    progress.stage("identifying cells");
+    let producer = Producer::of(model).map_err(|error| error.in_file(name.clone()))?;
+    Ok((name, producer))
 }

@@ -133,7 +133,7 @@ fn wrong_inputs_are_named() {
     assert!(message(&["--function", "z"]).contains("no positions"));
     assert!(message(&["--function", "no-such-file"]).contains("no-such-file"));
     assert!(values(3).contains("cell c1 of degree 1 enters at 2, before its face c2"), "{}", values(3));
-    assert!(values(4).contains("[1, 7] is not in the model"), "{}", values(4));
+    assert!(values(4).contains("there is no cell [1, 7] in the model"), "{}", values(4));
     assert!(values(5).contains("broken.json"), "{}", values(5));
     assert!(values(6).contains("no values of cells"), "{}", values(6));
     assert!(values(7).contains("has no value"), "{}", values(7));

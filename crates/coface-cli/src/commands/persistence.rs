@@ -84,18 +84,14 @@ impl Persistence {
         });
         let output = output.transpose()?;
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.format, &progress)?;
-        let name = loaded.name;
-        progress.stage("identifying cells");
-        let positions = loaded.model.positions().clone();
-        let producer = Producer::of(loaded.model).map_err(|error| error.in_file(name.clone()))?;
+        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
         let complex = producer.chain_complex()?;
         progress.stage("sorting cells");
         let (function, filtration) = match &self.values {
             Some(path) => (path.display().to_string(), read_values(path, &producer, &complex)?),
             None => {
-                let function = Function::choose(self.function.as_deref(), &positions)?;
-                let values = function.values(&producer, complex.cell_count(0), &positions)?;
+                let function = Function::choose(self.function.as_deref(), producer.positions())?;
+                let values = function.values(&producer, complex.cell_count(0))?;
                 let star = if self.upper_star { Filtration::upper_star } else { Filtration::lower_star };
                 (function.name(), star(&complex, &values).map_err(|error| error.in_file(name.clone()))?)
             }

@@ -12,7 +12,7 @@ use coface::algebra::{RaggedArray, Word};
 use coface::chains::ChainComplex;
 use coface::geometry::Positions;
 use coface::io::{Model, write_path};
-use coface::report::{Producer, integer_to_json};
+use coface::report::integer_to_json;
 use coface::topology::{
     EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation, Simplification,
     SubgroupClass, homology,
@@ -108,11 +108,7 @@ impl Counts {
 impl Pi1 {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.format, &progress)?;
-        let name = loaded.name;
-        progress.stage("identifying cells");
-        let positions = loaded.model.positions().clone();
-        let producer = Producer::of(loaded.model).map_err(|error| error.in_file(name.clone()))?;
+        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
         let skeleton = producer.two_skeleton().map_err(|error| error.in_file(name.clone()))?;
         let number = |vertex: VertexId| producer.cell_vertices(0, vertex.index())[0];
         progress.stage("walking around faces");
@@ -140,7 +136,7 @@ impl Pi1 {
                 .flat_map(|(component, group)| group.generators.iter().map(move |word| (component, word)));
             let loops: Vec<Vec<VertexId>> =
                 loops.map(|(component, word)| groups.loop_vertices(component, word)).collect();
-            write_loops(path, &loops, positions, &number)?;
+            write_loops(path, &loops, producer.positions().clone(), &number)?;
         }
         drop(progress);
         let components = shown.iter().enumerate();

@@ -6,8 +6,8 @@ use crate::algebra::{Integer, Sign};
 use crate::cellular::CellShape;
 use crate::chains::{Chain, ChainComplex};
 use crate::io::{Group, GroupKind, Model};
-use crate::{CellId, Error, ErrorKind, VertexId};
-use std::collections::{BTreeMap, HashMap};
+use crate::{CellId, Error, VertexId};
+use std::collections::BTreeMap;
 
 /// A term of a chain: a coefficient and the vertices of a cell, in an order that gives it an orientation.
 pub type Term = (Integer, Vec<u32>);
@@ -20,7 +20,7 @@ impl Producer {
     /// the degree must be given.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] naming a cell that is not there, [`ErrorKind::InvalidInput`] for cells of different
+    /// [`NotInComplex`](crate::ErrorKind::NotInComplex) naming a cell that is not there, [`InvalidInput`](crate::ErrorKind::InvalidInput) for cells of different
     /// degrees and for a 3-cell that is no tetrahedron and not named in its own order.
     ///
     /// # Complexity
@@ -68,34 +68,11 @@ impl Producer {
         lists: impl Iterator<Item = &'t [u32]> + Clone,
         degree: Option<usize>,
     ) -> Result<(usize, Vec<(CellId, Sign)>), Error> {
-        let mut wanted: HashMap<Vec<u32>, Option<(usize, usize)>> =
-            lists.clone().map(|vertices| (in_order(vertices), None)).collect();
-        let degrees = match degree {
-            Some(degree) => degree..degree + 1,
-            None if wanted.is_empty() => return Ok((0, Vec::new())),
-            None if self.names_cells_by_vertices() => 0..complex.degree_count(),
-            None => {
-                return Err(Error::invalid("cells without vertices are told by their degree and number")
-                    .with_cure("give the chain as {\"degree\":1,\"chain\":[[1,[0]],..]}"));
-            }
-        };
+        let found = self.cells_with_vertices(complex, lists.clone(), degree)?;
         let mut found_degree: Option<(usize, &[u32])> = degree.map(|degree| (degree, &[][..]));
-        for degree in degrees {
-            for cell in 0..complex.cell_count(degree) {
-                if let Some(found) = wanted.get_mut(&in_order(&self.cell_vertices(degree, cell))) {
-                    found.get_or_insert((degree, cell));
-                }
-            }
-        }
-        let mut cells = Vec::new();
-        for vertices in lists {
-            let Some((degree, cell)) = wanted[&in_order(vertices)] else {
-                return Err(Error::new(
-                    ErrorKind::NotInComplex,
-                    format!("there is no cell {vertices:?} in the model"),
-                )
-                .with_cure("name cells by the vertex numbers of the model, from 0"));
-            };
+        let mut cells = Vec::with_capacity(found.len());
+        for (vertices, candidates) in lists.zip(found) {
+            let (degree, _) = candidates[0];
             match found_degree {
                 Some((other, first)) if other != degree => {
                     return Err(Error::invalid(format!(
@@ -105,15 +82,14 @@ impl Producer {
                 }
                 _ => found_degree = Some((degree, vertices)),
             }
-            cells.push((CellId::new(cell), self.relative_sign(degree, cell, vertices)?));
+            // Of polygons around the same vertices, the one with this order.
+            let mut signs = candidates.iter().map(|&(degree, cell)| {
+                Ok::<_, Error>((cell, self.relative_sign(degree, cell.index(), vertices)?))
+            });
+            let first = signs.next().expect("a list that no cell has is an error");
+            cells.push(first.or_else(|fault| signs.find_map(Result::ok).ok_or(fault))?);
         }
         Ok((found_degree.map_or(0, |(degree, _)| degree), cells))
-    }
-
-    /// Whether cells are told by their vertices; those of halfedge permutations, gluing tables and chain complexes are told
-    /// by their own numbers.
-    pub fn names_cells_by_vertices(&self) -> bool {
-        matches!(self.cells, Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_))
     }
 
     /// The orientation of a cell against the order of these vertices.
@@ -153,7 +129,7 @@ impl Producer {
     /// the chain is a cycle; polygons are turned by the sign, and other multiplicities are not shown.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if the cells have no vertices or the vertices no positions, or a cell has no picture:
+    /// [`InvalidInput`](crate::ErrorKind::InvalidInput) if the cells have no vertices or the vertices no positions, or a cell has no picture:
     /// simplices of dimension 4 and up.
     pub fn picture(&self, chains: &[(String, Chain<Integer>)]) -> Result<Model, Error> {
         if self.positions.dimension() == 0 || !self.names_cells_by_vertices() {
@@ -251,12 +227,6 @@ impl Producer {
     }
 }
 
-fn in_order(vertices: &[u32]) -> Vec<u32> {
-    let mut sorted = vertices.to_vec();
-    sorted.sort_unstable();
-    sorted
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -307,6 +277,14 @@ mod tests {
         assert_eq!(chain([2, 3, 0, 1]).unwrap().to_string(), "c0");
         assert_eq!(chain([1, 0, 3, 2]).unwrap().to_string(), "-c0");
         assert!(chain([0, 2, 1, 3]).unwrap_err().to_string().contains("does not run around"));
+        // Another polygon around the same four vertices is told by its order.
+        let positions =
+            crate::geometry::Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1., 0., 1.]).unwrap();
+        let both = RaggedArray::from_lists([[0, 1, 2, 3], [0, 2, 1, 3]]);
+        let two = Producer::of(Model::from_polygons(positions, both).unwrap()).unwrap();
+        let bow =
+            two.chain(&two.chain_complex().unwrap(), &[(Integer::ONE, vec![1, 3, 0, 2])], None).unwrap();
+        assert_eq!(bow.to_string(), "c1");
         let picture = producer.picture(&[("face".into(), chain([1, 0, 3, 2]).unwrap())]).unwrap();
         assert_eq!(picture.polygons().list(0), [3, 2, 1, 0]);
         assert_eq!(picture.groups()[0].members(), [0]);

@@ -16,6 +16,7 @@ mod gluings;
 mod halfedges;
 mod json;
 mod labels;
+mod lookup;
 mod ordered_simplices;
 mod pair;
 mod polygons;

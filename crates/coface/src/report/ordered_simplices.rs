@@ -2,10 +2,10 @@
 
 use super::Producer;
 use super::producer::Cells;
-use crate::Error;
+use super::simplices::{require_tetrahedra, require_triangles};
 use crate::algebra::RaggedArray;
-use crate::cellular::CellShape;
 use crate::simplicial::{DeltaComplex, FrozenComplex};
+use crate::{Error, FaceId};
 
 /// The simplices of a model with ordered vertices, as products of cochains need them, and their names.
 #[derive(Clone, Debug)]
@@ -57,7 +57,6 @@ impl Producer {
     /// # Ok(()) }
     /// ```
     pub fn ordered_simplices(&self) -> Result<OrderedSimplices, Error> {
-        const CURE: &str = "triangulate the model first";
         let frozen = match &self.cells {
             Cells::Simplices(complex) => complex.clone(),
             Cells::Gluings(gluings) => {
@@ -65,23 +64,11 @@ impl Producer {
                 return Ok(OrderedSimplices { complex, names: None });
             }
             Cells::Polygons(mesh) => {
-                let skeleton = (0..mesh.face_count()).find(|&f| self.cell_vertices(2, f).len() != 3);
-                if let Some(face) = skeleton {
-                    let sides = self.cell_vertices(2, face).len();
-                    return Err(Error::invalid(format!(
-                        "face f{face} has {sides} sides, so it is no simplex"
-                    ))
-                    .with_cure(CURE));
-                }
+                require_triangles((0..mesh.face_count()).map(|face| mesh.face(FaceId::new(face)).len()))?;
                 self.named_simplices(&[mesh.vertex_count(), mesh.edge_count(), mesh.face_count()])?
             }
             Cells::Solids(mesh) => {
-                if let Some(i) = mesh.shapes().iter().position(|&shape| shape != CellShape::Tetrahedron) {
-                    let name = mesh.shapes()[i].name();
-                    return Err(
-                        Error::invalid(format!("cell c{i} is a {name}, not a tetrahedron")).with_cure(CURE)
-                    );
-                }
+                require_tetrahedra(mesh.shapes())?;
                 let skeleton = mesh.skeleton();
                 self.named_simplices(&[
                     skeleton.vertex_count(),

@@ -5,8 +5,7 @@ use super::producer::Cells;
 use crate::algebra::RaggedArray;
 use crate::chains::ChainComplex;
 use crate::io::{Model, Structure};
-use crate::{CellId, Error, ErrorKind};
-use std::collections::HashMap;
+use crate::{CellId, Error};
 
 /// A complex relative to a subcomplex that a user named: the boundary, or the cells of another model.
 ///
@@ -71,29 +70,18 @@ impl Pair {
     /// The complex of a producer modulo the cells of a model with the same vertex numbers, and their faces.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] naming a cell of the model that the producer does not have;
-    /// [`ErrorKind::InvalidInput`] if the model has no cells that are told by their vertices.
+    /// [`NotInComplex`](crate::ErrorKind::NotInComplex) naming a cell of the model that the producer does not have;
+    /// [`InvalidInput`](crate::ErrorKind::InvalidInput) if the model has no cells that are told by their vertices.
     pub fn with_model(producer: &Producer, complex: &ChainComplex, model: &Model) -> Result<Self, Error> {
-        if let Cells::Gluings(_) = &producer.cells {
-            return Err(Error::invalid("the cells of a gluing table are not told by their vertices")
-                .with_cure("a gluing table is taken relative to its boundary only"));
+        if !producer.names_cells_by_vertices() {
+            return Err(Error::invalid("the cells of the model are not told by their vertices")
+                .with_cure("take it relative to its boundary, or give it as facets, polygons or cells"));
         }
-        let lists = cells_of(model)?;
         let mut part = nothing(complex);
-        let mut wanted: HashMap<Vec<u32>, bool> = lists.iter().map(|list| (in_order(list), false)).collect();
-        for (degree, part) in part.iter_mut().enumerate() {
-            for (cell, marked) in part.iter_mut().enumerate() {
-                if let Some(found) = wanted.get_mut(&in_order(&producer.cell_vertices(degree, cell))) {
-                    (*found, *marked) = (true, true);
-                }
-            }
-        }
-        if let Some(list) = lists.iter().find(|list| !wanted[&in_order(list)]) {
-            return Err(Error::new(
-                ErrorKind::NotInComplex,
-                format!("the cell {list:?} of the subcomplex is not in the model"),
-            )
-            .with_cure("name cells by the vertex numbers of the model, from 0"));
+        for (degree, cell) in
+            producer.cells_with_vertices(complex, cells_of(model)?.iter(), None)?.into_iter().flatten()
+        {
+            part[degree][cell.index()] = true;
         }
         Self::modulo(complex, part)
     }
@@ -131,7 +119,7 @@ impl Pair {
     /// The cells of the subcomplex by degree, as numbers in the whole complex.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] if `whole` is not the complex that the pair was made of.
+    /// [`NotInComplex`](crate::ErrorKind::NotInComplex) if `whole` is not the complex that the pair was made of.
     pub fn subcomplex(&self, whole: &ChainComplex) -> Result<Vec<Vec<CellId>>, Error> {
         whole.complement(&self.kept)
     }
@@ -144,12 +132,6 @@ impl Pair {
 
 fn nothing(complex: &ChainComplex) -> Vec<Vec<bool>> {
     complex.f_vector().iter().map(|&count| vec![false; count]).collect()
-}
-
-fn in_order(vertices: &[u32]) -> Vec<u32> {
-    let mut sorted = vertices.to_vec();
-    sorted.sort_unstable();
-    sorted
 }
 
 /// The cells of a model that are given by vertices.
@@ -171,6 +153,7 @@ fn cells_of(model: &Model) -> Result<RaggedArray, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ErrorKind;
     use crate::topology::homology;
 
     fn producer(facets: &[Vec<u32>]) -> Producer {

@@ -81,6 +81,11 @@ impl Producer {
         Ok(Self { cells, labels, positions })
     }
 
+    /// The positions of the vertices by their numbers in the file; empty when it has none.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
     /// The chain complex of the cells, in the order of their numbers.
     ///
     /// # Errors

@@ -41,17 +41,8 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
         }
         None => {}
     }
-    const CURE: &str = "triangulate the model first";
-    if let Some(i) = model.polygons.iter().position(|polygon| polygon.len() != 3) {
-        let sides = model.polygons.list(i).len();
-        return Err(
-            Error::invalid(format!("face f{i} has {sides} sides, so it is no simplex")).with_cure(CURE)
-        );
-    }
-    if let Some(i) = model.shapes.iter().position(|&shape| shape != CellShape::Tetrahedron) {
-        let name = model.shapes[i].name();
-        return Err(Error::invalid(format!("cell c{i} is a {name}, not a tetrahedron")).with_cure(CURE));
-    }
+    require_triangles(model.polygons.iter().map(<[u32]>::len))?;
+    require_tetrahedra(&model.shapes)?;
     let mut facets = Vec::new();
     facets.extend(model.cells.iter());
     facets.extend(model.polygons.iter());
@@ -60,6 +51,29 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
     facets.extend(vertices.iter().map(|vertex| &vertex[..]));
     SimplicialComplex::from_facets(facets)
 }
+
+/// That the polygons with these numbers of sides are simplices.
+pub(super) fn require_triangles(side_counts: impl Iterator<Item = usize>) -> Result<(), Error> {
+    match side_counts.enumerate().find(|&(_, sides)| sides != 3) {
+        None => Ok(()),
+        Some((i, sides)) => {
+            Err(Error::invalid(format!("face f{i} has {sides} sides, so it is no simplex")).with_cure(CURE))
+        }
+    }
+}
+
+/// That cells of these shapes are simplices.
+pub(super) fn require_tetrahedra(shapes: &[CellShape]) -> Result<(), Error> {
+    match shapes.iter().enumerate().find(|&(_, &shape)| shape != CellShape::Tetrahedron) {
+        None => Ok(()),
+        Some((i, shape)) => {
+            let name = shape.name();
+            Err(Error::invalid(format!("cell c{i} is a {name}, not a tetrahedron")).with_cure(CURE))
+        }
+    }
+}
+
+const CURE: &str = "triangulate the model first";
 
 /// A set of simplices of `source` as a model of its own: with the positions of the vertices it uses, renumbered without
 /// gaps, where `source` has positions and no simplex is beyond dimension 3; else, and if `as_facets`, as a facet list with

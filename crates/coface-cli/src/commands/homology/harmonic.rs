@@ -10,24 +10,22 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Harmonic cochains of all degrees, and a page that says how good they are.
-pub(super) fn basis(complex: &ChainComplex, naming: &Naming<'_>) -> Result<(Value, String), Failure> {
-    let basis = HomologyBasis::new(complex);
-    let metric = MetricComplex::new(complex);
+pub(super) fn cochains(basis: &HomologyBasis<'_>, naming: &Naming<'_>) -> Result<(Value, String), Failure> {
+    let metric = MetricComplex::new(basis.complex());
     let mut degrees = Vec::new();
     let mut page = "  harmonic cochains, dual to the free generators\n".to_owned();
-    for degree in 0..complex.degree_count() {
-        let space = HodgeSpace::with_basis(&metric, degree, &basis)?;
+    for degree in 0..basis.complex().degree_count() {
         let mut list = Vec::new();
-        for (i, harmonic) in space.harmonic_basis().iter().enumerate() {
+        for (i, harmonic) in metric.harmonic_cochains(degree, basis)?.iter().enumerate() {
+            let norm = metric.norm(harmonic.cochain())?;
             list.push(json!({
                 "chain": terms(harmonic.cochain(), naming),
-                "norm": metric.norm(harmonic.cochain())?,
+                "norm": norm,
                 "closed_residual": harmonic.closed_residual(),
                 "coclosed_residual": harmonic.coclosed_residual(),
             }));
             page += &format!(
-                "    cochain {i} of degree {degree}: norm {:.6}, residuals {:.1e} closed, {:.1e} coclosed\n",
-                metric.norm(harmonic.cochain())?,
+                "    cochain {i} of degree {degree}: norm {norm:.6}, residuals {:.1e} closed, {:.1e} coclosed\n",
                 harmonic.closed_residual(),
                 harmonic.coclosed_residual()
             );

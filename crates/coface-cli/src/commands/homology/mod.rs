@@ -83,10 +83,7 @@ impl Homology {
         let given: Vec<GivenChain> =
             self.cycle.iter().map(|argument| GivenChain::read(argument)).collect::<Result<_, _>>()?;
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.format, &progress)?;
-        let name = loaded.name;
-        progress.stage("identifying cells");
-        let producer = Producer::of(loaded.model).map_err(|error| error.in_file(name.clone()))?;
+        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
         let whole = producer.chain_complex()?;
         let pair = self.pair(&producer, &whole, &progress)?;
         let complex = pair.as_ref().map_or(&whole, Pair::chains);
@@ -94,7 +91,8 @@ impl Homology {
         let complex = augmented.as_ref().unwrap_or(complex);
         let naming = Naming { producer: &producer, pair: pair.as_ref(), shift: usize::from(self.reduced) };
         progress.stage("computing homology");
-        let basis = (self.generators.is_some() || !given.is_empty()).then(|| HomologyBasis::new(complex));
+        let needs_basis = self.generators.is_some() || self.harmonic || !given.is_empty();
+        let basis = needs_basis.then(|| HomologyBasis::new(complex));
         let integral = basis.as_ref().map_or_else(|| homology(complex), HomologyBasis::homology);
         let groups = self.groups(&integral);
         let mut object = json!({
@@ -143,9 +141,9 @@ impl Homology {
             object["intersection_form"] = value;
             page += &words;
         }
-        if self.harmonic {
+        if let Some(basis) = basis.as_ref().filter(|_| self.harmonic) {
             progress.stage("solving for harmonic cochains");
-            let (value, words) = harmonic::basis(complex, &naming)?;
+            let (value, words) = harmonic::cochains(basis, &naming)?;
             object["harmonic"] = value;
             page += &words;
         }
