@@ -1,19 +1,29 @@
 //! Integral homology with generators on the original cells.
 
-use super::homology::group_to_text;
+use super::homology::{ask_model, group_to_text};
 use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::Integer;
 use coface::chains::ChainComplex;
-use coface::report::Producer;
 use coface::simplicial::FrozenComplex;
 use coface::topology::{Generator, generators};
 use std::path::Path;
 
 /// Complexes of higher dimension, random ones, and some with large torsion.
-const COMPLEXES: &[&str] =
-    &["t4_6", "t4_8", "t4_10", "t4_12", "lm_100x4000", "lm_200x10000", "sum_31", "sum_50"];
+const COMPLEXES: &[&str] = &[
+    "t4_6",
+    "t4_8",
+    "t4_10",
+    "t4_12",
+    "grid4_6",
+    "grid4_8",
+    "grid4_10",
+    "lm_100x4000",
+    "lm_200x10000",
+    "sum_31",
+    "sum_50",
+];
 
 pub(super) const SURFACE: Task = Task {
     name: "generators",
@@ -34,13 +44,7 @@ pub(super) const COMPLEX: Task = Task {
 };
 
 fn of_model(path: &Path, clock: &mut Clock) -> Result<String, Error> {
-    let model = Mesh::read_raw(path)?.into_model()?;
-    let size = model.polygons().len() + model.cells().len();
-    let (found, _complex) = clock.time(size, || {
-        let complex = Producer::of(model)?.into_chain_complex()?;
-        Ok::<_, Error>((generators(&complex), complex))
-    })?;
-    Ok(to_text(&found))
+    Ok(to_text(&ask_model(path, clock, generators)?))
 }
 
 fn of_lists(path: &Path, clock: &mut Clock) -> Result<String, Error> {

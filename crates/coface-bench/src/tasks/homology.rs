@@ -4,6 +4,7 @@ use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::Integer;
+use coface::chains::ChainComplex;
 use coface::report::Producer;
 use coface::topology::{Homology, homology};
 use std::path::Path;
@@ -30,14 +31,23 @@ pub(super) const REDUCTION: Task = Task {
 };
 
 fn from_model(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    Ok(to_text(&ask_model(path, clock, homology)?))
+}
+
+/// The answer to a question about the chain complex of a loaded model, which is made within the clock.
+pub(super) fn ask_model<T>(
+    path: &Path,
+    clock: &mut Clock,
+    question: impl FnOnce(&ChainComplex) -> T,
+) -> Result<T, Error> {
     let model = Mesh::read_raw(path)?.into_model()?;
     let size = model.polygons().len() + model.cells().len();
     // As the program does it: the model is given away, and its arrays go into the complex.
-    let (groups, _complex) = clock.time(size, || {
+    let (answer, _complex) = clock.time(size, || {
         let complex = Producer::of(model)?.into_chain_complex()?;
-        Ok::<_, Error>((homology(&complex), complex))
+        Ok::<_, Error>((question(&complex), complex))
     })?;
-    Ok(to_text(&groups))
+    Ok(answer)
 }
 
 /// The Betti numbers, and the torsion where there is some.
