@@ -47,7 +47,7 @@ impl Pair {
     /// gluing table, the facets without gluing and their faces.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] if the complex is not that of the producer.
+    /// [`Shape`](crate::ErrorKind::Shape) if the complex is not that of the producer.
     pub fn with_boundary(producer: &Producer, complex: &ChainComplex) -> Result<Self, Error> {
         if let Cells::Gluings(gluings) = &producer.cells {
             // A facet glued to another of its simplex may cancel in the matrix, and so do the ends of a loop.
