@@ -10,6 +10,8 @@
 //!   all do, whether they can be turned to, and gives an odd cycle of faces if not.
 //! * [`SurfaceType`] is a compact connected surface by orientability, genus and number of boundary loops;
 //!   [`SurfaceSurvey`] has all of this at once.
+//! * A [`GeneralizedMap`] is any compact surface, orientable or not, as polygons whose sides are glued in pairs; its
+//!   [`OrientationDoubleCover`] has every face twice.
 //! * A [`HalfedgeMesh`] is a closed oriented surface as two permutations, `next` and `twin`.
 
 mod boundary;
@@ -17,6 +19,7 @@ mod classification;
 mod components;
 pub(crate) mod dual_graph;
 pub(crate) mod edge_identification;
+mod generalized_map;
 mod halfedge;
 pub(crate) mod manifold;
 mod orientation;
@@ -27,6 +30,7 @@ mod two_skeleton;
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
 pub use components::Components;
+pub use generalized_map::{FaceOrientation, GeneralizedMap, OrientationDoubleCover};
 pub use halfedge::HalfedgeMesh;
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
 pub use orientation::{OddFaceCycle, SurfaceOrientation};
