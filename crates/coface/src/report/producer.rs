@@ -63,7 +63,7 @@ impl Producer {
             Some(Structure::Facets(facets)) => of_facets(facets)?,
             Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),
             Some(Structure::Halfedges { next, twin }) => {
-                (Cells::Halfedges(HalfedgeMesh::from_permutations(next, twin)?), Labels::default())
+                (Cells::Halfedges(HalfedgeMesh::from_permutations(&next, &twin)?), Labels::default())
             }
             Some(Structure::Gluings(table)) => {
                 let faces = table.faces()?;

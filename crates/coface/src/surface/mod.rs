@@ -12,7 +12,8 @@
 //!   [`SurfaceSurvey`] has all of this at once.
 //! * A [`GeneralizedMap`] is any compact surface, orientable or not, as polygons whose sides are glued in pairs; its
 //!   [`OrientationDoubleCover`] has every face twice.
-//! * A [`HalfedgeMesh`] is a closed oriented surface as two permutations, `next` and `twin`.
+//! * A [`HalfedgeMesh`] is an oriented surface as a permutation `next` of its halfedges, two to an edge; `halfedge/` has
+//!   its words.
 
 mod boundary;
 mod classification;

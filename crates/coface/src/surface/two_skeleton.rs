@@ -3,7 +3,7 @@
 use super::{HalfedgeMesh, PolygonMesh};
 use crate::algebra::{RaggedArray, Sign};
 use crate::chains::TwoSkeleton;
-use crate::{EdgeId, FaceId, HalfedgeId};
+use crate::{EdgeId, FaceId};
 
 impl PolygonMesh {
     /// The vertices, edges and faces with their rims, numbered as in [`Self::chain_complex`].
@@ -34,8 +34,8 @@ impl PolygonMesh {
 }
 
 impl HalfedgeMesh {
-    /// The vertices, edges and faces with their rims, numbered as in [`Self::chain_complex`]. A rim starts with the
-    /// smallest halfedge of its face.
+    /// The vertices, edges and faces with their rims, numbered as they are, outer faces left out. The step of a rim along
+    /// halfedge h is stored as the number h. A rim starts with the first halfedge of its face.
     ///
     /// # Complexity
     /// Linear.
@@ -50,32 +50,15 @@ impl HalfedgeMesh {
     /// # Ok(()) }
     /// ```
     pub fn two_skeleton(&self) -> TwoSkeleton {
-        let [vertex_count, edge_count, _] = self.f_vector();
-        let halfedges = || (0..self.halfedge_count()).map(HalfedgeId::new);
-        let mut ends = Vec::with_capacity(2 * edge_count);
-        for h in halfedges().filter(|&h| h < self.twin(h)) {
-            ends.extend([self.source(h).to_u32(), self.target(h).to_u32()]);
-        }
         let mut rims = RaggedArray::new();
         let mut rim = Vec::new();
-        // Faces are numbered by their smallest halfedges, so each is new when its number comes up.
-        for first in halfedges() {
-            if self.face(first).index() < rims.len() {
-                continue;
-            }
+        for face in (0..self.face_count()).map(FaceId::new) {
             rim.clear();
-            let mut h = first;
-            loop {
-                let sign = if h < self.twin(h) { Sign::Plus } else { Sign::Minus };
-                rim.push(packed(self.edge(h), sign));
-                h = self.next(h);
-                if h == first {
-                    break;
-                }
-            }
+            rim.extend(self.face_halfedges(face).map(|h| h.to_u32()));
             rims.push(&rim);
         }
-        TwoSkeleton::new(vertex_count, ends, rims).expect("the halfedges of a face are a closed path")
+        TwoSkeleton::new(self.vertex_count(), self.edge_ends().to_vec(), rims)
+            .expect("the halfedges of a face are a closed path")
     }
 }
 
