@@ -364,3 +364,35 @@ fn convert_says_which_groups_it_leaves_out() {
     assert_eq!(remarks("named.off"), "remark: OFF does not keep groups: 1 left out\n");
     assert_eq!(remarks("again.obj"), "");
 }
+
+#[test]
+fn convert_repairs_on_request_and_says_what_it_did() {
+    // A book of three pages, and at vertex 2 (counted from 1) a triangle that touches in it alone.
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 2 0\nv 0 3 0\nv 2 0 0\nv 2 1 0\n\
+                g pages\nf 1 2 3\nf 1 2 4\nf 2 1 5\ng tip\nf 2 6 7\n";
+    let (folder, path) = file("book.obj", text);
+    let target = folder.path().join("repaired.obj");
+    let convert = |options: &[&str]| {
+        let arguments = [&["convert", argument(&path), "--json", "-o", argument(&target)], options].concat();
+        coface(&arguments)
+    };
+    assert_eq!(convert(&[]).json().get("repair"), None);
+    assert!(convert(&["--orient"]).fails_with(1).contains("lies in 3 faces"));
+    let object = convert(&["--split-edges", "pairs", "--orient"]).json();
+    let expected = json!({"edges_split": [[0, 1]], "vertices_split": [0, 1], "faces_turned": [],
+                          "copies": [[7, 0], [8, 1], [9, 1]]});
+    assert_eq!(object["repair"], expected);
+    let report = coface(&["info", "--json", argument(&target)]).json();
+    assert_eq!((&report["f_vector"], &report["components"]), (&json!([10, 11, 4]), &json!(3)));
+    assert_eq!(report["manifold"]["verdict"], "yes");
+    assert!(std::fs::read_to_string(&target).unwrap().contains("g tip"));
+    let object = convert(&["--split-vertices"]).json();
+    assert_eq!(object["repair"]["vertices_split"], json!([1]));
+    let object = convert(&["--split-edges", "apart", "--split-vertices"]).json();
+    assert_eq!(object["repair"]["copies"].as_array().unwrap().len(), 5);
+    // On standard output the model stands alone; what was done is a remark.
+    let printed = coface(&["convert", argument(&path), "--split-vertices", "--to", "off"]);
+    assert!(printed.stdout.starts_with("OFF"), "{}", printed.stdout);
+    assert!(printed.stderr.contains("vertices split: 1"), "{}", printed.stderr);
+    coface(&["convert", argument(&path), "--split-edges", "some", "--to", "off"]).fails_with(2);
+}

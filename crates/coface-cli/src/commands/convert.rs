@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use coface::Error;
 use coface::io::{self, Format, Model};
-use coface::report::triangulated;
+use coface::report::{RepairRequest, repaired, triangulated};
+use coface::surface::{FacesAtEdge, MeshRepair};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -30,6 +31,22 @@ pub(crate) struct Convert {
     /// With --triangulate: for each new vertex the cell [degree, number] of the table that it lies in, as JSON
     #[arg(long, value_name = "FILE", requires = "triangulate")]
     labels: Option<PathBuf>,
+    /// Give each fan of faces its own copy of a vertex where several fans meet
+    #[arg(long)]
+    split_vertices: bool,
+    /// Split edges in three or more faces: apart (each face gets the edge for itself) or pairs (coherent pairs stay together)
+    #[arg(long, value_name = "HOW")]
+    split_edges: Option<Together>,
+    /// Turn faces so that all agree
+    #[arg(long)]
+    orient: bool,
+}
+
+/// The faces that stay together at an edge that is split.
+#[derive(Clone, Copy, ValueEnum)]
+enum Together {
+    Apart,
+    Pairs,
 }
 
 impl Convert {
@@ -59,12 +76,21 @@ impl Convert {
                 write_json(place, &json!({ "carriers": carriers }))?;
             }
         }
+        let repair = self.request().map(|request| {
+            progress.stage("repairing");
+            let (model, repair) =
+                repaired(&loaded.model, request).map_err(|error| error.in_file(loaded.name.clone()))?;
+            loaded.model = model;
+            Ok::<MeshRepair, Failure>(repair)
+        });
+        let repair = repair.transpose()?;
         let Some(path) = target else {
             progress.stage("writing");
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
             let mut bytes = Vec::new();
             io::write(&loaded.model, &mut bytes, format)?;
             drop(progress);
+            remark_on_repair(repair.as_ref(), common);
             remark_on_groups(&loaded.model, format, common);
             return print_bytes(|out| out.write_all(&bytes));
         };
@@ -73,16 +99,54 @@ impl Convert {
         drop(progress);
         remark_on_groups(&loaded.model, format, common);
         if common.json {
-            return print_json(&json!({
+            let mut object = json!({
                 "file": loaded.name,
                 "format": loaded.format.name(),
                 "output": path.display().to_string(),
                 "output_format": format.name(),
                 "counts": counts(&loaded.model),
-            }));
+            });
+            if let Some(repair) = &repair {
+                object["repair"] = repair_to_json(repair);
+            }
+            return print_json(&object);
         }
+        remark_on_repair(repair.as_ref(), common);
         Ok(())
     }
+
+    /// The repairs that were asked for, if any.
+    fn request(&self) -> Option<RepairRequest> {
+        let mut request = RepairRequest::default();
+        request.split_edges = self.split_edges.map(|together| match together {
+            Together::Apart => FacesAtEdge::Apart,
+            Together::Pairs => FacesAtEdge::CoherentPairs,
+        });
+        request.split_vertices = self.split_vertices;
+        request.orient = self.orient;
+        (request != RepairRequest::default()).then_some(request)
+    }
+}
+
+/// Says what was repaired, where repair was asked for.
+fn remark_on_repair(repair: Option<&MeshRepair>, common: &Common) {
+    let Some(repair) = repair.filter(|_| !common.quiet) else { return };
+    let (edges, vertices) = (repair.edges_split().len(), repair.vertices_split().len());
+    remark(&format!(
+        "edges split: {edges}; vertices split: {vertices}; faces turned: {}",
+        repair.faces_turned().len()
+    ));
+}
+
+/// What was repaired: edges and vertices by the vertices of the input, copies with what they are copies of.
+fn repair_to_json(repair: &MeshRepair) -> Value {
+    let copies = repair.vertex_sources().iter().enumerate().filter(|(copy, source)| *copy != source.index());
+    json!({
+        "edges_split": repair.edges_split().iter().map(|edge| json!(edge.map(|end| end.index()))).collect::<Value>(),
+        "vertices_split": repair.vertices_split().iter().map(|vertex| vertex.index()).collect::<Value>(),
+        "faces_turned": repair.faces_turned().iter().map(|&face| repair.mesh().polygon_of_face(face)).collect::<Value>(),
+        "copies": copies.map(|(copy, source)| json!([copy, source.index()])).collect::<Value>(),
+    })
 }
 
 /// Says that the format has no room for the groups of the model, where that is so.

@@ -22,6 +22,7 @@ mod pair;
 mod polygons;
 mod problem;
 mod producer;
+mod repair;
 mod simplices;
 mod simplicial;
 mod triangulation;
@@ -33,6 +34,7 @@ pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
 pub use problem::{Problem, ProblemKind};
 pub use producer::Producer;
+pub use repair::{RepairRequest, repaired};
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use triangulation::triangulated;
 

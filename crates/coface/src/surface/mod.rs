@@ -14,6 +14,7 @@
 //!   [`OrientationDoubleCover`] has every face twice.
 //! * A [`HalfedgeMesh`] is an oriented surface as a permutation `next` of its halfedges, two to an edge; `halfedge/` has
 //!   its words.
+//! * A [`MeshRepair`] makes a soup a surface, on request only: it splits vertices and edges and turns faces, and says so.
 
 mod boundary;
 mod classification;
@@ -26,6 +27,7 @@ pub(crate) mod manifold;
 mod orientation;
 mod polygon_mesh;
 pub(crate) mod range_sort;
+mod repair;
 mod two_skeleton;
 
 pub use boundary::BoundaryLoop;
@@ -36,3 +38,4 @@ pub use halfedge::HalfedgeMesh;
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
 pub use orientation::{OddFaceCycle, SurfaceOrientation};
 pub use polygon_mesh::PolygonMesh;
+pub use repair::{FacesAtEdge, MeshRepair};

@@ -217,7 +217,7 @@ impl PolygonMesh {
     }
 
     /// The loose edges that the mesh was made with, as pairs.
-    fn loose_pairs(&self) -> Vec<[u32; 2]> {
+    pub(super) fn loose_pairs(&self) -> Vec<[u32; 2]> {
         self.edges.corner_edges[self.polygons.item_count()..]
             .iter()
             .map(|&edge| self.ends(edge as usize))
@@ -231,10 +231,24 @@ impl PolygonMesh {
             let corners = polygons.start(face)..polygons.start(face + 1);
             polygons.items_mut()[corners].reverse();
         }
-        let edges = identify_edges(self.vertex_count, &polygons, &self.loose_pairs())
-            .expect("a mesh whose faces are turned around is as sound as before");
+        self.with_corners(self.vertex_count, polygons, &self.loose_pairs())
+    }
+
+    /// The same faces with these vertices at their corners, and these loose edges in the place of those it was made with.
+    ///
+    /// # Panics
+    /// Unless faces that differ still differ, and none repeats a vertex.
+    pub(super) fn with_corners(
+        &self,
+        vertex_count: usize,
+        polygons: RaggedArray,
+        loose_edges: &[[u32; 2]],
+    ) -> Self {
+        let edges = identify_edges(vertex_count, &polygons, loose_edges)
+            .expect("faces that are turned around, or get vertices of their own, are as sound as before");
+        assert!(edges.duplicates.is_empty(), "faces that differ still differ");
         Self {
-            vertex_count: self.vertex_count,
+            vertex_count,
             polygons,
             edges,
             polygon_of_face: self.polygon_of_face.clone(),
