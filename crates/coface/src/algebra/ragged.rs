@@ -85,6 +85,41 @@ impl RaggedArray {
         array
     }
 
+    /// The positions of items by their keys below `key_count`: list k has those with key k, rising.
+    ///
+    /// # Panics
+    /// If a key is not below `key_count`, or from 2^32 items on.
+    ///
+    /// # Complexity
+    /// Linear: a counting sort.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// let places = RaggedArray::grouped(3, [2, 0, 2].into_iter());
+    /// assert_eq!(places.list(2), [0, 2]);
+    /// assert!(places.list(1).is_empty());
+    /// ```
+    pub fn grouped(key_count: usize, keys: impl Iterator<Item = u32> + Clone) -> Self {
+        let mut starts = vec![0u32; key_count + 1];
+        let mut count = 0u32;
+        for key in keys.clone() {
+            starts[key as usize + 1] += 1;
+            count = count.checked_add(1).expect("fewer than 2^32 items");
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let mut items = vec![0; count as usize];
+        for (position, key) in keys.enumerate() {
+            let place = &mut next[key as usize];
+            items[*place as usize] = position as u32;
+            *place += 1;
+        }
+        Self { items, starts: Starts::Listed(starts) }
+    }
+
     /// The number of lists.
     pub fn len(&self) -> usize {
         match &self.starts {

@@ -33,7 +33,7 @@ mod two_skeleton;
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
 pub use components::Components;
-pub use generalized_map::{FaceOrientation, GeneralizedMap, OrientationDoubleCover};
+pub use generalized_map::{FaceOrientation, GeneralizedMap, OrientationDoubleCover, SlicedMap};
 pub use halfedge::HalfedgeMesh;
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
 pub use orientation::{OddFaceCycle, SurfaceOrientation};

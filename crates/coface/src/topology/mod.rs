@@ -11,6 +11,8 @@
 //! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
 //! * The **cup product** of cochains is that of a [`CochainAlgebra`]; on a closed oriented manifold it gives the
 //!   [`intersection_form`].
+//! * A [`TreeCotree`] of a surface gives loops; cut along them, in a [`CutSurface`], each component is a disk, its
+//!   [`FundamentalDomain`], whose boundary spells the relator of the fundamental group.
 //! * All answers about one complex go through the acyclic matching of [`crate::chains::MorseComplex`], then Smith normal form.
 
 mod adapted_basis;
@@ -32,6 +34,7 @@ mod long_exact_sequence;
 mod persistence;
 mod short_loops;
 mod shortening;
+mod surfaces;
 
 pub use basis::HomologyBasis;
 pub use coefficients::Coefficients;
@@ -52,3 +55,4 @@ pub use homology_map::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
+pub use surfaces::{CutSurface, EdgeRole, FundamentalDomain, TreeCotree, TreeCotreeComponent};

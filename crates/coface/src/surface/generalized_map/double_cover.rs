@@ -71,13 +71,14 @@ impl GeneralizedMap {
         let lift_of_vertex = |flag: u32, sheet: u32| {
             2 * self.flag_vertex(flag).to_u32() + (u32::from(colors[flag as usize]) ^ (flag & 1) ^ sheet)
         };
-        let is_first = |side: HalfedgeId| self.mate(side).is_none_or(|mate| side < mate);
+        let is_first = |side: HalfedgeId| self.first_side(self.edge(side)) == side;
         let lift_of_edge = |side: HalfedgeId, sheet: u32| {
             let turned = u32::from(!is_first(side) && !self.agrees(side));
             2 * self.edge(side).to_u32() + (sheet ^ turned)
         };
         let mut ends = vec![0; 4 * edge_count];
-        for side in self.sides().filter(|&side| is_first(side)) {
+        for edge in (0..edge_count).map(EdgeId::new) {
+            let side = self.first_side(edge);
             let along = self.step(side) & 1;
             for sheet in [0, 1] {
                 let edge = lift_of_edge(side, sheet);

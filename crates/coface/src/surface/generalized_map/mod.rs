@@ -2,8 +2,10 @@
 
 mod double_cover;
 mod involutions;
+mod slicing;
 
 pub use double_cover::OrientationDoubleCover;
+pub use slicing::SlicedMap;
 
 use super::SurfaceType;
 use crate::algebra::{Sign, UnionFind};
@@ -44,6 +46,8 @@ pub struct GeneralizedMap {
     face_of: Vec<u32>,
     /// The mate of each side; the side itself on the boundary.
     mates: Vec<u32>,
+    /// The first side of each edge.
+    first_sides: Vec<u32>,
 }
 
 /// How the faces of a surface can be turned.
@@ -101,8 +105,8 @@ impl GeneralizedMap {
             }
             face_of.resize(face_of.len() + rim.len(), face as u32);
         }
-        let mates = mates(&skeleton, &face_of)?;
-        let map = Self { skeleton, face_of, mates };
+        let (mates, first_sides) = mates(&skeleton, &face_of)?;
+        let map = Self { skeleton, face_of, mates, first_sides };
         map.check_fans()?;
         Ok(map)
     }
@@ -190,6 +194,11 @@ impl GeneralizedMap {
     pub fn mate(&self, side: HalfedgeId) -> Option<HalfedgeId> {
         let mate = self.mates[side.index()];
         (mate != side.to_u32()).then_some(HalfedgeId::from_u32(mate))
+    }
+
+    /// The first side of an edge; the second one, if there is one, is its mate.
+    pub fn first_side(&self, edge: EdgeId) -> HalfedgeId {
+        HalfedgeId::from_u32(self.first_sides[edge.index()])
     }
 
     /// Whether a side and its mate run in opposite directions, so that their faces agree there. A side on the boundary
@@ -355,6 +364,13 @@ impl GeneralizedMap {
             .collect()
     }
 
+    /// The arc of the dual graph that crosses an edge: the faces on its first and on its second side, which can be the same
+    /// face. `None` on the boundary.
+    pub fn dual_arc(&self, edge: EdgeId) -> Option<[FaceId; 2]> {
+        let side = self.first_side(edge);
+        Some([self.face(side), self.face(self.mate(side)?)])
+    }
+
     /// The number of components; each isolated vertex is one.
     pub fn component_count(&self) -> usize {
         let mut partition = UnionFind::new(self.skeleton.vertex_count());
@@ -376,18 +392,7 @@ impl GeneralizedMap {
             if std::mem::replace(&mut has_fan[vertex.index()], true) {
                 return Err(self.several_fans(vertex));
             }
-            // Both ways, without a list: this is the hot loop of the constructor.
-            for first_step in [1, 2] {
-                let (mut at, mut step) = (flag, first_step);
-                loop {
-                    seen[at as usize] = true;
-                    let after = self.alpha(step, at);
-                    if after == at || seen[after as usize] {
-                        break;
-                    }
-                    (at, step) = (after, 3 - step);
-                }
-            }
+            self.walk_fan(flag, |_| false, |member| seen[member as usize] = true);
         }
         Ok(())
     }
@@ -420,8 +425,8 @@ impl GeneralizedMap {
     }
 }
 
-/// The mate of each side; the side itself where there is none.
-fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<Vec<u32>, Error> {
+/// The mate of each side, the side itself where there is none; and the first side of each edge.
+fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
     const NONE: u32 = u32::MAX;
     let steps = skeleton.faces().items();
     let mut first = vec![NONE; skeleton.edge_count()];
@@ -438,7 +443,7 @@ fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<Vec<u32>, Error> {
         }
     }
     match first.iter().position(|&side| side == NONE) {
-        None => Ok(mates),
+        None => Ok((mates, first)),
         Some(edge) => {
             let [a, b] = skeleton.edge(EdgeId::new(edge));
             Err(Error::new(

@@ -81,7 +81,7 @@ impl Forest {
     /// Trees that span all components, rooted at the given vertex first and then at the first vertex of each other one.
     fn new(skeleton: &TwoSkeleton, first: Option<VertexId>) -> Self {
         let (count, ends) = (skeleton.vertex_count(), skeleton.edge_ends());
-        let (starts, steps_at) = grouped(count, ends.iter().copied());
+        let steps_at = RaggedArray::grouped(count, ends.iter().copied());
         let mut forest = Self {
             roots: Vec::new(),
             tree: vec![NONE; count],
@@ -98,8 +98,7 @@ impl Forest {
             forest.tree[root as usize] = tree;
             queue.push_back(root);
             while let Some(vertex) = queue.pop_front() {
-                let here = starts[vertex as usize] as usize..starts[vertex as usize + 1] as usize;
-                for &step in &steps_at[here] {
+                for &step in steps_at.list(vertex as usize) {
                     let next = ends[(step ^ 1) as usize] as usize;
                     if forest.tree[next] == NONE {
                         forest.tree[next] = tree;
@@ -132,33 +131,11 @@ impl Forest {
     }
 }
 
-/// The positions of items by their keys: those with key k are `positions[starts[k]..starts[k + 1]]`, rising.
-fn grouped(key_count: usize, keys: impl Iterator<Item = u32> + Clone) -> (Vec<u32>, Vec<u32>) {
-    let mut starts = vec![0u32; key_count + 1];
-    let mut count = 0;
-    for key in keys.clone() {
-        starts[key as usize + 1] += 1;
-        count += 1;
-    }
-    for i in 1..starts.len() {
-        starts[i] += starts[i - 1];
-    }
-    let mut next = starts.clone();
-    let mut positions = vec![0; count];
-    for (position, key) in keys.enumerate() {
-        let place = &mut next[key as usize];
-        positions[*place as usize] = position as u32;
-        *place += 1;
-    }
-    (starts, positions)
-}
-
 /// The work in progress: which edges have words.
 struct Words<'a> {
     faces: &'a RaggedArray,
     /// The faces at each edge, each as often as it runs over it.
-    face_starts: Vec<u32>,
-    faces_at: Vec<u32>,
+    faces_at: RaggedArray,
     /// The number of the word of each edge; none if it has no word yet.
     of_edge: Vec<u32>,
     /// How many steps of each face have no word.
@@ -172,17 +149,16 @@ struct Words<'a> {
 
 impl<'a> Words<'a> {
     fn new(faces: &'a RaggedArray, edge_count: usize) -> Self {
-        let (face_starts, mut faces_at) = grouped(edge_count, faces.items().iter().map(|step| step >> 1));
+        let mut faces_at = RaggedArray::grouped(edge_count, faces.items().iter().map(|step| step >> 1));
         let mut face_of = Vec::with_capacity(faces.item_count());
         for (face, rim) in faces.iter().enumerate() {
             face_of.extend(std::iter::repeat_n(face as u32, rim.len()));
         }
-        for position in &mut faces_at {
+        for position in faces_at.items_mut() {
             *position = face_of[*position as usize];
         }
         Self {
             faces,
-            face_starts,
             faces_at,
             of_edge: vec![NONE; edge_count],
             unknown: faces.iter().map(|rim| rim.len() as u32).collect(),
@@ -194,7 +170,7 @@ impl<'a> Words<'a> {
     }
 
     fn faces_of(&self, edge: u32) -> &[u32] {
-        &self.faces_at[self.face_starts[edge as usize] as usize..self.face_starts[edge as usize + 1] as usize]
+        self.faces_at.list(edge as usize)
     }
 
     fn is_known(&self, edge: u32) -> bool {
@@ -203,8 +179,7 @@ impl<'a> Words<'a> {
 
     fn set(&mut self, edge: u32, word: u32) {
         self.of_edge[edge as usize] = word;
-        for at in self.face_starts[edge as usize]..self.face_starts[edge as usize + 1] {
-            let face = self.faces_at[at as usize];
+        for &face in self.faces_at.list(edge as usize) {
             self.unknown[face as usize] -= 1;
             if self.unknown[face as usize] == 1 {
                 self.ready.push_back(face);
@@ -280,8 +255,11 @@ impl<'a> Words<'a> {
         let edges: Vec<u32> = (0..self.of_edge.len() as u32).filter(|&edge| !self.is_known(edge)).collect();
         let lengths = edges.iter().map(|&edge| forest.loop_length(edge, ends));
         let longest = lengths.clone().max().unwrap_or(0) as usize;
-        let (_, positions) = grouped(longest + 1, lengths);
-        positions.into_iter().map(|position| edges[position as usize]).collect()
+        RaggedArray::grouped(longest + 1, lengths)
+            .into_items()
+            .into_iter()
+            .map(|position| edges[position as usize])
+            .collect()
     }
 
     /// The edges that a maximum spanning tree of the dual graph crosses: faces are its nodes, and the outside is one more,

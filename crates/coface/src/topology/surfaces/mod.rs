@@ -1,0 +1,19 @@
+//! Surfaces cut open: spanning trees, loops, cut graphs, fundamental domains.
+//!
+//! # Words and conventions
+//! * The **dual graph** of a surface has the faces as nodes and an arc for each edge with a face on either side; loops and
+//!   several arcs between two nodes are kept.
+//! * A [`TreeCotree`] splits the edges: a spanning **tree** of the vertices, a spanning **cotree** of the dual graph that
+//!   crosses none of its edges, and the **generators**, which are left. A generator closes up along the tree to a
+//!   loop at the base; these loops generate the fundamental group.
+//! * The **cut graph** is all edges that the cotree does not cross. What remains of a component cut along it is a disk, its
+//!   **fundamental domain**; a [`FundamentalDomain`] is the polygon that its boundary is, with a letter for each generator.
+//! * On a component with boundary one boundary edge belongs to the cotree: through it one gets to the outside. So there
+//!   are $1 - \chi$ generators, and they generate freely. On a closed component there are $2 - \chi$, with one relator.
+
+mod cut_surface;
+mod shortest_paths;
+mod tree_cotree;
+
+pub use cut_surface::{CutSurface, FundamentalDomain};
+pub use tree_cotree::{EdgeRole, TreeCotree, TreeCotreeComponent};
