@@ -6,6 +6,7 @@
 mod boundary_matrices;
 mod edges;
 mod generators;
+mod halfedges;
 mod homology;
 mod info;
 mod manifold;
@@ -44,6 +45,7 @@ pub(crate) const ALL: &[Task] = &[
     reading::OFF,
     reading::PLY,
     edges::TASK,
+    halfedges::TASK,
     manifold::TASK,
     boundary_matrices::TASK,
     homology::SURFACE,

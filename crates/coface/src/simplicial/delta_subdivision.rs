@@ -22,7 +22,7 @@ pub struct Subdivision {
 
 impl Subdivision {
     /// The subdivision into a complex with these carriers of its vertices.
-    pub(super) fn new(complex: DeltaComplex, carriers: Vec<Carrier>) -> Self {
+    pub(crate) fn new(complex: DeltaComplex, carriers: Vec<Carrier>) -> Self {
         Self { complex, carriers: IdVec::from_vec(carriers) }
     }
 

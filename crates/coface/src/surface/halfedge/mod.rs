@@ -9,16 +9,24 @@
 //! * Each boundary loop is filled with an **outer face**. Outer faces have the last numbers; counts and chain complexes
 //!   leave them out. A vertex on the boundary lies in one corner of one outer face.
 //!
+//! * The **inner** halfedges are those around faces that are not outer; [`InnerHalfedges`] shows only them, so that a
+//!   boundary edge has one.
+//!
 //! # Files
-//! [`HalfedgeMesh`] is in `mesh`; `polygons` makes it from polygons, `boundary` fills loops with
-//! outer faces, `circulators` walks around its cells, `check` verifies its invariants.
+//! `mesh` has [`HalfedgeMesh`] with its cells and counts. `polygons` and `sources` make it from other structures, `export`
+//! makes other structures of it; `boundary` fills loops with outer faces; `circulators` walks around cells; `check`
+//! verifies the invariants.
 
 mod boundary;
 mod check;
 mod circulators;
+mod export;
+mod inner;
 mod mesh;
 mod polygons;
+mod sources;
 
+pub use inner::InnerHalfedges;
 pub use mesh::HalfedgeMesh;
 
 #[cfg(test)]
