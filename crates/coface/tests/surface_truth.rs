@@ -8,8 +8,8 @@ use coface::ErrorKind;
 use coface::cellular::{CellMesh, cell_volumes};
 use coface::geometry::{Positions, enclosed_volume, polygon_area};
 use coface::io::{Model, read_path};
-use coface::surface::PolygonMesh;
-use coface::topology::homology;
+use coface::surface::{GeneralizedMap, PolygonMesh};
+use coface::topology::{CutSurface, TreeCotree, homology};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -187,5 +187,46 @@ fn cell_meshes_are_what_the_manifest_says() -> Result<(), Error> {
         checked += 1;
     }
     assert!(data().is_none() || checked >= 4, "{checked} files");
+    Ok(())
+}
+
+#[test]
+fn real_surfaces_are_cut_to_disks() -> Result<(), Error> {
+    for (record, model) in models("surfaces/") {
+        let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &loose_edges(&model))?;
+        let map = match GeneralizedMap::new(mesh.two_skeleton()) {
+            Ok(map) => map,
+            Err(error) => {
+                assert_eq!(error.kind(), ErrorKind::NonManifold);
+                check(&record, "manifold", false);
+                continue;
+            }
+        };
+        check(&record, "manifold", true);
+        check(&record, "boundary_loops", map.boundary_loops().len());
+        check(&record, "components", map.component_count());
+        let surfaces = map.surfaces();
+        check(&record, "orientable", surfaces.iter().all(|surface| surface.is_orientable()));
+        check(&record, "genus", surfaces.iter().map(|surface| surface.genus()).sum::<usize>());
+        let trees = TreeCotree::new(&map);
+        let cut = CutSurface::new(&map, &trees);
+        let mut sides = 0;
+        for (part, domain) in trees.components().iter().zip(cut.domains()) {
+            assert_eq!(domain.euler_characteristic(), 1);
+            sides += domain.side_count();
+            let Some(relator) = domain.relator() else { continue };
+            let mut count = vec![0; part.generators().len()];
+            relator.letters().iter().for_each(|letter| count[letter.unsigned_abs() as usize - 1] += 1);
+            assert!(count.iter().all(|&count| count == 2), "each generator is on the boundary twice");
+        }
+        // All surfaces here have free first homology.
+        let rank: usize = trees.components().iter().map(|part| part.generators().len()).sum();
+        check(&record, "torsion", "none");
+        assert_eq!(rank as u64, record["betti"][1].as_u64().expect("the record has Betti numbers"));
+        let sliced = map.slice(&cut.cut_graph(&map))?;
+        assert_eq!(sliced.map().boundary_loops().iter().map(Vec::len).sum::<usize>(), sides);
+        assert!(sliced.map().surfaces().iter().all(|surface| surface.to_string() == "disk"));
+        assert_eq!(sliced.map().component_count(), trees.components().len());
+    }
     Ok(())
 }

@@ -31,13 +31,13 @@ impl GeneralizedMap {
     /// let other_end = vec![1, 0, 3, 2, 5, 4, 7, 6];
     /// let corner = vec![7, 2, 1, 4, 3, 6, 5, 0];
     /// let mate = vec![4, 5, 2, 3, 0, 1, 6, 7];
-    /// let (band, _) = GeneralizedMap::from_involutions([other_end, corner, mate])?;
+    /// let (band, _) = GeneralizedMap::from_involutions(&[other_end, corner, mate])?;
     /// assert_eq!(band.surfaces()[0].to_string(), "Moebius band");
     /// # Ok(()) }
     /// ```
-    pub fn from_involutions(involutions: [Vec<u32>; 3]) -> Result<(Self, Vec<u32>), Error> {
-        check(&involutions)?;
-        let [other_end, corner, mate] = &involutions;
+    pub fn from_involutions(involutions: &[Vec<u32>; 3]) -> Result<(Self, Vec<u32>), Error> {
+        check(involutions)?;
+        let [other_end, corner, mate] = involutions;
         let count = other_end.len();
         // Faces: sides in the order of a walk from the smallest flag.
         let mut numbers = vec![UNSEEN; count];

@@ -76,7 +76,7 @@ impl GeneralizedMap {
         for side in self.sides() {
             let edge = self.edge(side);
             if is_cut[edge.index()] && self.mate(side).is_some_and(|mate| mate < side) {
-                faces.items_mut()[side.index()] = 2 * edge_sources.len() as u32 | (self.step(side) & 1);
+                faces.items_mut()[side.index()] = 2 * edge_sources.len() as u32 + (self.step(side) & 1);
                 edge_sources.push(edge);
             }
         }

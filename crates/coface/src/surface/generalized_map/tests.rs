@@ -22,7 +22,7 @@ fn polygon(letters: &[i32]) -> GeneralizedMap {
         let found = (0..sides).find(|&s| s != flag / 2 && letters[s as usize].abs() == letter.abs());
         found.map_or(flag, |s| 2 * s + ((flag & 1) ^ u32::from(letters[s as usize] != letter)))
     });
-    GeneralizedMap::from_involutions([other_end, corner.collect(), mate.collect()]).unwrap().0
+    GeneralizedMap::from_involutions(&[other_end, corner.collect(), mate.collect()]).unwrap().0
 }
 
 /// All invariants, told by the flags alone.
@@ -109,7 +109,7 @@ fn faults_name_the_cells() {
 #[test]
 fn faults_of_involutions_name_the_flag() {
     let fault = |a: &[u32], b: &[u32], c: &[u32]| {
-        GeneralizedMap::from_involutions([a.to_vec(), b.to_vec(), c.to_vec()])
+        GeneralizedMap::from_involutions(&[a.to_vec(), b.to_vec(), c.to_vec()])
             .unwrap_err()
             .message()
             .to_owned()
@@ -152,7 +152,7 @@ proptest! {
         prop_assert_eq!(genus, mesh.genus());
         let flags = 0..2 * map.side_count() as u32;
         let involutions = [0, 1, 2].map(|i| flags.clone().map(|flag| map.alpha(i, flag)).collect());
-        let (again, numbers) = GeneralizedMap::from_involutions(involutions).unwrap();
+        let (again, numbers) = GeneralizedMap::from_involutions(&involutions).unwrap();
         for flag in flags {
             for i in 0..3 {
                 prop_assert_eq!(

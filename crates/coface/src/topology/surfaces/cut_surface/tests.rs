@@ -210,7 +210,7 @@ proptest! {
             }
             start += size;
         }
-        let map = GeneralizedMap::from_involutions([other_end, corner, mate]).unwrap().0;
+        let map = GeneralizedMap::from_involutions(&[other_end, corner, mate]).unwrap().0;
         check(&map, &TreeCotree::new(&map));
         let base = VertexId::new(base % map.skeleton().vertex_count());
         let greedy = TreeCotree::greedy(&map, Some(base), None).unwrap();
