@@ -32,6 +32,7 @@ pub(crate) fn report(name: &str, format: &str, report: &Report, limit: usize) ->
     orientation(&mut page, report);
     homology(&mut page, "homology over Z", report.homology(), "H_");
     measures(&mut page, report);
+    data(&mut page, report, limit);
     problems(&mut page, report, limit);
     page.finished()
 }
@@ -434,6 +435,30 @@ fn measures(page: &mut Page, report: &Report) {
             (_, true) => "negative: the faces look inward",
         };
         page.fact("signed volume", PLAIN, &number(volume), gloss);
+    }
+}
+
+/// The named numbers on cells.
+fn data(page: &mut Page, report: &Report, limit: usize) {
+    let label = |i: usize| if i == 0 { "data" } else { "" };
+    for (i, data) in report.data().iter().take(limit.saturating_mul(2)).enumerate() {
+        let thing = match (data.components(), data.is_integral()) {
+            (1, true) => "an integer".to_owned(),
+            (1, false) => "a real number".to_owned(),
+            (components, true) => format!("{components} integers"),
+            (components, false) => format!("{components} real numbers"),
+        };
+        let range = match data.range() {
+            Some([least, largest]) if data.is_integral() => format!(", {least} to {largest}"),
+            Some([least, largest]) => format!(", {} to {}", number(least), number(largest)),
+            None => String::new(),
+        };
+        let name: String = data.name().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        page.fact(label(i), PLAIN, &format!("{name} on {}", data.kind()), &format!("{thing} each{range}"));
+    }
+    let rest = report.data().len().saturating_sub(limit.saturating_mul(2));
+    if rest > 0 {
+        page.fact("", GLOSS, &format!("and {rest} more (--all lists all)"), "");
     }
 }
 

@@ -16,7 +16,8 @@ const SAMPLES: [(Format, &str); 9] = [
     (
         Format::Ply,
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-         element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+         property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+         0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n",
     ),
     (
         Format::Stl,
@@ -36,7 +37,8 @@ const SAMPLES: [(Format, &str); 9] = [
     (
         Format::Vtk,
         "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0\n1 0 0\n0 1 0\n\
-         0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
+         0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nSCALARS a int 1\nLOOKUP_TABLE default\n7\n\
+         POINT_DATA 4\nFIELD data 2\nb 1 4 float\n0.5 1 nan -2\nc 2 4 int\n0 1 2 3 4 5 6 7\n",
     ),
     (Format::Json, "{\"facets\":[[0,1,2]]}"),
     (Format::Isosig, "# figure 8\ncPcbbbiht\n"),
@@ -103,7 +105,7 @@ fn every_sample_is_read_and_recognized() {
 }
 
 /// What to put for what in a sample, and what the message must say.
-const FAULTS: [(Format, &str, &str, &str); 48] = [
+const FAULTS: [(Format, &str, &str, &str); 53] = [
     (Format::Off, "3 0 1 2", "3 0 1 3", "3"),
     (Format::Off, "3 0 1 2", "3 0 1 -2", "-2"),
     (Format::Off, "3 0 1 2", "3 0 1 1", "repeat"),
@@ -142,6 +144,11 @@ const FAULTS: [(Format, &str, &str, &str); 48] = [
     (Format::Vtk, "POINTS 4", "POINTS 4000000000000", ""),
     (Format::Vtk, "CELLS 1 5\n4 ", "CELLS 1 5000000000\n4000000000 ", ""),
     (Format::Vtk, "0 1 0", "0 nan 0", "NaN"),
+    (Format::Ply, "0 1 0 3", "0 1 0 red", "red"),
+    (Format::Vtk, "CELL_DATA 1", "CELL_DATA 2", "data on 2 cells, but there are 1"),
+    (Format::Vtk, "default\n7", "default\nseven", "seven"),
+    (Format::Vtk, "b 1 4", "b 1 3", "3 rows"),
+    (Format::Vtk, "c 2 4", "c 4000000000 4", ""),
     (Format::Json, "[0,1,2]", "[0,1,-2]", "facet 0 is -2"),
     (Format::Json, "[0,1,2]", "[0,1,1.5]", "1.5"),
     (Format::Json, "[0,1,2]", "[0,1,1]", "facet 0 repeats vertex 1"),

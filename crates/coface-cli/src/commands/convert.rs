@@ -91,13 +91,13 @@ impl Convert {
             io::write(&loaded.model, &mut bytes, format)?;
             drop(progress);
             remark_on_repair(repair.as_ref(), common);
-            remark_on_groups(&loaded.model, format, common);
+            remark_on_losses(&loaded.model, format, common);
             return print_bytes(|out| out.write_all(&bytes));
         };
         progress.stage(format!("writing {}", path.display()));
         io::write_path(&loaded.model, path, Some(format)).map_err(|error: Error| error)?;
         drop(progress);
-        remark_on_groups(&loaded.model, format, common);
+        remark_on_losses(&loaded.model, format, common);
         if common.json {
             let mut object = json!({
                 "file": loaded.name,
@@ -149,11 +149,16 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
     })
 }
 
-/// Says that the format has no room for the groups of the model, where that is so.
-fn remark_on_groups(model: &Model, format: Format, common: &Common) {
-    let count = model.groups().len();
-    if count > 0 && !format.keeps_groups() && !common.quiet {
-        remark(&format!("{} does not keep groups: {count} left out", format.title()));
+/// Says that the format has no room for the groups or the data of the model, where that is so.
+fn remark_on_losses(model: &Model, format: Format, common: &Common) {
+    let losses = [
+        ("groups", model.groups().len(), format.keeps_groups()),
+        ("data on cells", model.data().len(), format.keeps_data()),
+    ];
+    for (what, count, is_kept) in losses {
+        if count > 0 && !is_kept && !common.quiet {
+            remark(&format!("{} does not keep {what}: {count} left out", format.title()));
+        }
     }
 }
 
@@ -164,5 +169,6 @@ fn counts(model: &Model) -> Value {
         "lines": model.lines().len(),
         "polygons": model.polygons().len(),
         "cells": model.cells().len(),
+        "data": model.data().len(),
     })
 }

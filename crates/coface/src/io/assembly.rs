@@ -1,5 +1,7 @@
 //! A mesh as it is put together from typed elements.
 
+use super::CellData;
+use super::data::without_repeated_names;
 use super::lists::Lists;
 use super::model::{Group, GroupKind, Model, repeated_vertex};
 use crate::cellular::CellShape;
@@ -63,6 +65,7 @@ pub(crate) struct Assembly {
     /// Whether a vertex lies inside an edge, face or cell of an element of higher order.
     is_inner: Vec<bool>,
     reduced_count: u64,
+    data: Vec<CellData>,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -148,6 +151,21 @@ impl Assembly {
         })
     }
 
+    /// The number of elements of a kind, or of vertices.
+    pub(crate) fn count_of(&self, kind: GroupKind) -> usize {
+        match kind {
+            GroupKind::Vertices => self.vertex_count,
+            GroupKind::Lines => self.lines.len(),
+            GroupKind::Polygons => self.polygons.len(),
+            GroupKind::Cells => self.cells.len(),
+        }
+    }
+
+    /// Adds numbers on all vertices or elements of a kind as they are now.
+    pub(crate) fn add_data(&mut self, data: CellData) {
+        self.data.push(data);
+    }
+
     /// Puts a vertex or an element into the group of this number.
     pub(crate) fn add_to_group(&mut self, kind: GroupKind, number: i64, member: u32) {
         self.groups.entry((kind, number)).or_default().push(member);
@@ -173,6 +191,12 @@ impl Assembly {
             warnings: self.warnings,
             ..Model::default()
         };
+        if let Some(renumbered) = &renumbered {
+            for data in self.data.iter_mut().filter(|data| data.kind() == GroupKind::Vertices) {
+                data.keep_rows((0..renumbered.len()).filter(|&v| renumbered[v].is_some()));
+            }
+        }
+        model.data = without_repeated_names(self.data, &mut model.warnings);
         for ((kind, number), mut members) in self.groups {
             if let (GroupKind::Vertices, Some(renumbered)) = (kind, &renumbered) {
                 members = members.into_iter().filter_map(|v| renumbered[v as usize]).collect();

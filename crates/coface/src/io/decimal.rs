@@ -129,6 +129,17 @@ pub(crate) fn push_f64(text: &mut Vec<u8>, value: f64) {
     written.expect("writing to memory does not fail");
 }
 
+/// Appends the shortest decimal number that reads back as the same `f32`.
+pub(crate) fn push_f32(text: &mut Vec<u8>, value: f32) {
+    let size = value.abs();
+    let written = if size == 0.0 || (1e-5..1e8).contains(&size) {
+        write!(text, "{value}")
+    } else {
+        write!(text, "{value:e}")
+    };
+    written.expect("writing to memory does not fail");
+}
+
 /// Appends a natural number.
 pub(crate) fn push_natural(text: &mut Vec<u8>, value: u64) {
     let mut digits = [0; 20];

@@ -142,6 +142,17 @@ impl Format {
         matches!(self, Self::Obj | Self::Medit | Self::Msh)
     }
 
+    /// Whether [`crate::io::write`] writes the data on cells of a model in this format; the others leave them out.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert!(Format::Vtk.keeps_data() && Format::Ply.keeps_data() && !Format::Obj.keeps_data());
+    /// ```
+    pub const fn keeps_data(self) -> bool {
+        matches!(self, Self::Ply | Self::Vtk)
+    }
+
     /// The format that the extension of a path tells.
     ///
     /// # Examples

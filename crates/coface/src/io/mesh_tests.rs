@@ -1,6 +1,7 @@
 //! Write then read gives the same model, and no bytes make a reader of surfaces panic: OFF, OBJ, PLY, STL.
 
-use super::{Group, GroupKind, Model, obj, off, ply, stl};
+use super::samples::with_data;
+use super::{CellData, Group, GroupKind, Model, obj, off, ply, stl};
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
 use crate::{Error, VertexId};
@@ -63,10 +64,13 @@ fn models(dimension: usize, longest_line: usize) -> impl Strategy<Value = Model>
     })
 }
 
-/// The model without what its names are.
+/// The model without its groups.
 fn without_groups(model: &Model) -> Model {
     Model { groups: Vec::new(), ..model.clone() }
 }
+
+/// What PLY has data on.
+const IN_PLY: &[GroupKind] = &[GroupKind::Vertices, GroupKind::Polygons, GroupKind::Lines];
 
 /// Equal to the last bit: `-0.0` is not `0.0`.
 fn bits(model: &Model) -> Vec<u64> {
@@ -111,7 +115,7 @@ proptest! {
     }
 
     #[test]
-    fn ply_keeps_models(model in (1..4usize).prop_flat_map(|dimension| models(dimension, 2)), encoding in proptest::sample::select(&PLY_ENCODINGS[..])) {
+    fn ply_keeps_models_and_data(model in with_data((1..4usize).prop_flat_map(|dimension| models(dimension, 2)), IN_PLY), encoding in proptest::sample::select(&PLY_ENCODINGS[..])) {
         let bytes = written(|out| ply::write(&model, out, encoding));
         let read = ply::read(&bytes[..]).unwrap();
         prop_assert_eq!(bits(&read), bits(&model));
@@ -145,7 +149,7 @@ proptest! {
     }
 
     #[test]
-    fn broken_files_are_survived(model in models(3, 2), format in 0..6usize, edits in vec((0..4u8, any::<u16>(), any::<u8>()), 1..5)) {
+    fn broken_files_are_survived(model in with_data(models(3, 2), IN_PLY), format in 0..6usize, edits in vec((0..4u8, any::<u16>(), any::<u8>()), 1..5)) {
         let mut bytes = match format {
             0 => written(|out| off::write(&model, out)),
             1 => written(|out| obj::write(&model, out)),
@@ -298,6 +302,69 @@ fn ply_in_unusual_dress() {
     assert_eq!(model.polygons, RaggedArray::from_lists([[0, 1, 2], [2, 1, 3]]));
     assert_eq!(model.positions.as_flat(), [6.0, 5.0, 8.0, 7.0, 10.0, -9.0, 12.0, 11.0]);
     assert_eq!(model.warnings.len(), 1);
+    // A text may say what it wants in a column of bytes.
+    let [quality] = model.data() else { panic!("{:?}", model.data()) };
+    assert_eq!(
+        (quality.name(), quality.kind(), quality.real_row(0)[0].is_nan()),
+        ("quality", GroupKind::Lines, true)
+    );
+}
+
+#[test]
+fn ply_properties_become_data() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty uchar red\nproperty float n_0\n\
+                property float n_1\nproperty double red\nelement tristrips 1\nproperty list int int vertex_indices\n\
+                property int kind\nelement face 4\nproperty char sort\nproperty list uchar int vertex_indices\n\
+                property uint m_0\nproperty list uchar int others\nend_header\n0 255 0.1 nan 7\n1 0 0.5 1 7\n2 3 0 0 7\n3 4 0 0 7\n3 0 1 2 5\n\
+                -7 3 0 1 2 4000000000 0\n1 2 0 1 1 0\n2 1 0 1 2 9 9\n3 3 1 2 3 3 0\n";
+    let model = ply::read(text.as_bytes()).unwrap();
+    let data = |name: &str, kind| model.data_named(name, kind).unwrap();
+    assert_eq!(data("red", GroupKind::Vertices).integer_row(0), Some(vec![255]));
+    assert_eq!(data("n", GroupKind::Vertices).real_row(1), [0.5, 1.0]);
+    assert!(data("n", GroupKind::Vertices).real_row(0)[1].is_nan());
+    assert_eq!((model.polygons.len(), model.lines.len(), model.points.len()), (3, 1, 1));
+    // The strip comes first and has no sort; the line and the point have none in the model.
+    let sorts = (0..3).map(|i| data("sort", GroupKind::Polygons).integer_row(i).unwrap()[0]);
+    assert_eq!(sorts.collect::<Vec<_>>(), [0, -7, 3]);
+    assert_eq!(data("m_0", GroupKind::Polygons).integer_row(1), Some(vec![4_000_000_000]));
+    assert_eq!(model.data().len(), 4);
+    assert_eq!(model.warnings(), ["there are two arrays \"red\" on vertices; the second is left out"]);
+    let broken = text.replace("3 3 1 2 3 3 0", "3 3 1 2 3 x 0");
+    let message = fault(ply::read(broken.as_bytes()));
+    assert!(
+        message.starts_with("line 26: \"x\" is not a number, as a property must be (face 3 of the 4"),
+        "{message}"
+    );
+}
+
+#[test]
+fn ply_names_and_widths_are_kept_in_bounds() {
+    let triangle = obj::read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\np 1\nl 1 2 3\n".as_bytes()).unwrap();
+    let with = |name: &str, value: i64| {
+        let data = CellData::integers(name, GroupKind::Polygons, 2, vec![1, value]).unwrap();
+        let model = triangle.clone().with_data(data).unwrap();
+        model.with_data(CellData::integers("x", GroupKind::Lines, 1, vec![8]).unwrap()).unwrap()
+    };
+    let names = with("two words", 3)
+        .with_data(CellData::reals("x", GroupKind::Vertices, 1, vec![0.5; 3]).unwrap())
+        .unwrap();
+    for encoding in PLY_ENCODINGS {
+        let bytes = written(|out| ply::write(&names, out, encoding));
+        let read = ply::read(&bytes[..]).unwrap();
+        assert_eq!(
+            read.data_named("two_words", GroupKind::Polygons).unwrap().integer_row(0),
+            Some(vec![1, 3])
+        );
+        assert_eq!(read.data_named("x_", GroupKind::Vertices).unwrap().real_row(2), [0.5]);
+        assert_eq!(read.data_named("x", GroupKind::Lines).unwrap().len(), 2);
+        assert_eq!(read.points, names.points);
+    }
+    let message = fault(ply::write(&with("a", 1 << 40), Vec::new(), ply::Encoding::Ascii));
+    assert!(message.contains("integers of 32 bits") && message.ends_with("write VTK"), "{message}");
+    let other = CellData::integers("a_1", GroupKind::Polygons, 1, vec![0]).unwrap();
+    let message =
+        fault(ply::write(&with("a", 1).with_data(other).unwrap(), Vec::new(), ply::Encoding::Ascii));
+    assert!(message.contains("the name \"a_1\" in PLY"), "{message}");
 }
 
 #[test]

@@ -6,6 +6,7 @@
 
 mod assembly;
 mod blocks;
+mod data;
 mod decimal;
 mod diagram;
 mod doors;
@@ -19,6 +20,7 @@ pub mod medit;
 mod mesh_tests;
 mod model;
 pub mod msh;
+mod numbers;
 pub mod obj;
 pub mod off;
 mod output;
@@ -30,6 +32,7 @@ pub mod stl;
 mod values;
 pub mod vtk;
 
+pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
 pub use doors::{read, read_path, read_unknown, write, write_path};
 pub use format::Format;

@@ -1,15 +1,16 @@
 //! What a file held.
 
-use super::Format;
+use super::{CellData, Format};
 use crate::algebra::RaggedArray;
 use crate::cellular::CellShape;
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::simplicial::GluingTable;
 use crate::{Error, VertexId};
+use std::fmt;
 
-/// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, or an abstract
-/// [`Structure`] instead of all these.
+/// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, named data, or
+/// an abstract [`Structure`] instead of all these.
 ///
 /// Every index is below the vertex count, no polygon or cell repeats a vertex, and coordinates are finite: the
 /// readers, and [`Model::check`], see to it. Vertices that nothing uses are kept: they are isolated vertices.
@@ -26,6 +27,7 @@ pub struct Model {
     pub(crate) lines: RaggedArray,
     pub(crate) points: Vec<VertexId>,
     pub(crate) groups: Vec<Group>,
+    pub(crate) data: Vec<CellData>,
     pub(crate) structure: Option<Structure>,
     pub(crate) warnings: Vec<String>,
 }
@@ -57,7 +59,7 @@ pub struct Group {
     pub(crate) members: Vec<u32>,
 }
 
-/// What the members of a [`Group`] are.
+/// What the members of a [`Group`] are, and what [`CellData`] are on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum GroupKind {
     /// Vertices.
@@ -68,6 +70,18 @@ pub enum GroupKind {
     Polygons,
     /// 3-cells.
     Cells,
+}
+
+impl fmt::Display for GroupKind {
+    /// The plural: `vertices`, `lines`, `polygons`, `cells`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Vertices => "vertices",
+            Self::Lines => "lines",
+            Self::Polygons => "polygons",
+            Self::Cells => "cells",
+        })
+    }
 }
 
 impl Group {
@@ -127,14 +141,84 @@ impl Model {
         Ok(model)
     }
 
+    /// The model with these polylines instead of its own; data on those and groups of them go.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::io::{self, Format};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let model = triangle.with_lines(RaggedArray::from_lists([[0, 1, 2, 0]]))?;
+    /// assert_eq!((model.lines().len(), model.polygons().len()), (1, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn with_lines(mut self, lines: RaggedArray) -> Result<Self, Error> {
+        self.lines = lines;
+        self.data.retain(|data| data.kind() != GroupKind::Lines);
+        self.groups.retain(|group| group.kind() != GroupKind::Lines);
+        self.check()?;
+        Ok(self)
+    }
+
+    /// The model with one more group.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] if a member is none of the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{self, Format, Group, GroupKind};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let model = triangle.with_group(Group::new("rim", GroupKind::Polygons, vec![0]))?;
+    /// assert_eq!(model.groups()[0].name(), "rim");
+    /// assert!(model.with_group(Group::new("far", GroupKind::Polygons, vec![1])).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn with_group(mut self, group: Group) -> Result<Self, Error> {
+        let count = self.count_of(group.kind);
+        if let Some(member) = group.members.iter().find(|&&member| member as usize >= count) {
+            return Err(Error::invalid(format!(
+                "the group \"{}\" has the member {member}, but there are {count} {}",
+                group.name, group.kind
+            )));
+        }
+        self.groups.push(group);
+        Ok(self)
+    }
+
+    /// The model with one more array of numbers.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{self, CellData, Format, GroupKind};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let model = triangle.with_data(CellData::reals("x", GroupKind::Vertices, 1, vec![0.0, 1.0, 0.0])?)?;
+    /// assert!(model.with_data(CellData::reals("y", GroupKind::Polygons, 1, vec![0.0, 1.0])?).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn with_data(mut self, data: CellData) -> Result<Self, Error> {
+        self.check_data(&data, &self.data)?;
+        self.data.push(data);
+        Ok(self)
+    }
+
     /// A model that is an abstract structure.
     pub fn from_structure(structure: Structure) -> Self {
         Self { structure: Some(structure), ..Self::default() }
     }
 
     /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
-    /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), and that there are as
-    /// many positions as vertices, or none.
+    /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), that there are as
+    /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice.
     ///
     /// # Errors
     /// [`crate::ErrorKind::InvalidInput`] naming the first culprit.
@@ -179,7 +263,35 @@ impl Model {
         for (i, vertex) in self.points.iter().enumerate() {
             self.check_vertex("point", i, vertex.to_u32())?;
         }
+        for (i, data) in self.data.iter().enumerate() {
+            self.check_data(data, &self.data[..i])?;
+        }
         Ok(())
+    }
+
+    /// That data have a row for each thing that they are on, and not the name of others on the same.
+    fn check_data(&self, data: &CellData, others: &[CellData]) -> Result<(), Error> {
+        let (name, kind) = (data.name(), data.kind());
+        let count = self.count_of(kind);
+        if data.len() != count {
+            let message = format!("the data \"{name}\" on {kind} have {} rows, not {count}", data.len());
+            return Err(Error::invalid(message).with_cure("give each of them one row"));
+        }
+        if others.iter().any(|other| other.kind() == kind && other.name() == name) {
+            return Err(Error::invalid(format!("there are two arrays \"{name}\" on {kind}"))
+                .with_cure("rename one of them"));
+        }
+        Ok(())
+    }
+
+    /// The number of vertices, lines, polygons or 3-cells.
+    pub(crate) fn count_of(&self, kind: GroupKind) -> usize {
+        match kind {
+            GroupKind::Vertices => self.vertex_count,
+            GroupKind::Lines => self.lines.len(),
+            GroupKind::Polygons => self.polygons.len(),
+            GroupKind::Cells => self.cells.len(),
+        }
     }
 
     fn check_vertices(&self, what: &str, i: usize, vertices: &[u32]) -> Result<(), Error> {
@@ -253,6 +365,27 @@ impl Model {
         &self.groups
     }
 
+    /// The named numbers on vertices, lines, polygons and cells.
+    pub fn data(&self) -> &[CellData] {
+        &self.data
+    }
+
+    /// The array of this name on vertices, lines, polygons or cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{self, Format, GroupKind};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty uchar red\nend_header\n0 255\n";
+    /// let model = io::read(text.as_bytes(), Format::Ply)?;
+    /// let red = model.data_named("red", GroupKind::Vertices).ok_or(coface::Error::invalid("no color"))?;
+    /// assert_eq!(red.integer_row(0), Some(vec![255]));
+    /// # Ok(()) }
+    /// ```
+    pub fn data_named(&self, name: &str, kind: GroupKind) -> Option<&CellData> {
+        self.data.iter().find(|data| data.kind() == kind && data.name() == name)
+    }
+
     /// The abstract structure, if the file holds one instead of a mesh.
     pub fn structure(&self) -> Option<&Structure> {
         self.structure.as_ref()
@@ -274,6 +407,7 @@ impl PartialEq for Model {
             && self.lines == other.lines
             && self.points == other.points
             && self.groups == other.groups
+            && self.data == other.data
             && self.structure == other.structure
     }
 }

@@ -1,6 +1,8 @@
 //! Random meshes for the round trips of formats.
 
+use super::CellData;
 use super::model::{Group, GroupKind, Model};
+use super::numbers::Numbers;
 use crate::VertexId;
 use crate::algebra::RaggedArray;
 use crate::cellular::CellShape;
@@ -74,4 +76,46 @@ pub(super) fn meshes(limits: Limits) -> impl Strategy<Value = Model> {
             model.check().unwrap();
             model
         })
+}
+
+/// Numbers of any type: rows of one to three for so many things.
+fn numbers(count: usize) -> impl Strategy<Value = (usize, Numbers)> {
+    let real = prop_oneof![any::<f64>(), Just(f64::NAN), Just(f64::INFINITY), Just(-0.0)];
+    (1..4usize, 0..5usize, vec(real, 3 * count), vec(any::<i32>(), 3 * count)).prop_map(
+        move |(components, width, reals, integers)| {
+            let size = components * count;
+            let numbers = match width {
+                0 => Numbers::UInt8(integers[..size].iter().map(|&x| x as u8).collect()),
+                1 => Numbers::Int32(integers[..size].to_vec()),
+                // PLY has no more.
+                2 => Numbers::Int64(integers[..size].iter().map(|&x| i64::from(x as u32)).collect()),
+                3 => Numbers::Float32(reals[..size].iter().map(|&x| x as f32).collect()),
+                _ => Numbers::Float64(reals[..size].to_vec()),
+            };
+            (components, numbers)
+        },
+    )
+}
+
+/// The models with up to two arrays on each of these kinds, each of another name.
+pub(super) fn with_data(
+    models: impl Strategy<Value = Model>,
+    kinds: &'static [GroupKind],
+) -> impl Strategy<Value = Model> {
+    models.prop_flat_map(move |model| {
+        let arrays: Vec<_> = kinds.iter().map(|&kind| vec(numbers(model.count_of(kind)), 0..3)).collect();
+        (Just(model), arrays).prop_map(move |(mut model, arrays)| {
+            for (&kind, arrays) in kinds.iter().zip(arrays) {
+                for (i, (components, numbers)) in arrays.into_iter().enumerate() {
+                    // Nothing is said of nothing: formats do not write it.
+                    if model.count_of(kind) > 0 {
+                        let name = ["of", "value%20"][i].to_owned() + &kind.to_string();
+                        model.data.push(CellData::of_file(name, kind, components, numbers));
+                    }
+                }
+            }
+            model.check().unwrap();
+            model
+        })
+    })
 }

@@ -255,9 +255,10 @@ pub(crate) fn parse_i64(token: &[u8], what: &str) -> Result<i64, Error> {
         digits => (false, digits),
     };
     let mut value = 0i64;
+    // Downward: there is one more negative number.
     for &digit in digits {
         let next = match digit {
-            b'0'..=b'9' => value.checked_mul(10).and_then(|v| v.checked_add(i64::from(digit - b'0'))),
+            b'0'..=b'9' => value.checked_mul(10).and_then(|v| v.checked_sub(i64::from(digit - b'0'))),
             _ => return Err(Error::parse(format!("{} is not an integer, as {what} must be", quoted(token)))),
         };
         value = next.ok_or_else(|| Error::parse(format!("{what} {} is out of range", quoted(token))))?;
@@ -265,7 +266,10 @@ pub(crate) fn parse_i64(token: &[u8], what: &str) -> Result<i64, Error> {
     if digits.is_empty() {
         return Err(Error::parse(format!("{} is not an integer, as {what} must be", quoted(token))));
     }
-    Ok(if negative { -value } else { value })
+    if negative {
+        return Ok(value);
+    }
+    value.checked_neg().ok_or_else(|| Error::parse(format!("{what} {} is out of range", quoted(token))))
 }
 
 /// A token for an error message: shortened, control characters escaped.
@@ -327,6 +331,8 @@ mod tests {
             assert!(parse_i64(bad.as_bytes(), "an index").is_err(), "{bad}");
         }
         assert_eq!(parse_i64(b"-12", "an index").unwrap(), -12);
+        assert_eq!(parse_i64(b"-9223372036854775808", "an index").unwrap(), i64::MIN);
+        assert!(parse_i64(b"9223372036854775808", "an index").is_err());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Numbers from a stream that is text or binary.
 
+use super::numbers::Numbers;
 use super::scanner::Scanner;
 use crate::Error;
 use std::io::Read;
@@ -101,6 +102,36 @@ impl<R: Read> Values<R> {
         Err(self.located(fault.with_cure("remove the point or give it finite coordinates")))
     }
 
+    /// So many numbers as they are, NaN and infinities too; memory grows with what is there.
+    pub(crate) fn numbers(&mut self, count: u64, number: NumberType, what: &str) -> Result<Numbers, Error> {
+        let mut numbers = match number {
+            NumberType::UInt8 => Numbers::UInt8(Vec::new()),
+            NumberType::Int8 | NumberType::Int16 | NumberType::UInt16 | NumberType::Int32 => {
+                Numbers::Int32(Vec::new())
+            }
+            NumberType::UInt32 | NumberType::Int64 => Numbers::Int64(Vec::new()),
+            NumberType::Float32 => Numbers::Float32(Vec::new()),
+            // Integers without sign need not fit in 64 bits with one.
+            NumberType::UInt64 | NumberType::Float64 => Numbers::Float64(Vec::new()),
+        };
+        for _ in 0..count {
+            if self.is_ascii() {
+                let pushed = numbers.push_word(self.scanner.expect_token(what)?, what);
+                pushed.map_err(|fault| fault.at_line(self.scanner.line_number()))?;
+                continue;
+            }
+            match number {
+                NumberType::Float32 => {
+                    numbers.push_real(f32::from_bits(self.bytes(number, what)? as u32).into());
+                }
+                NumberType::Float64 => numbers.push_real(f64::from_bits(self.bytes(number, what)?)),
+                NumberType::UInt64 => numbers.push_real(self.bytes(number, what)? as f64),
+                _ => numbers.push_integer(self.integer(number, what)?),
+            }
+        }
+        Ok(numbers)
+    }
+
     /// The bytes of one number as an integer without sign.
     fn bytes(&mut self, number: NumberType, what: &str) -> Result<u64, Error> {
         let (mut bytes, size) = ([0; 8], number.size());
@@ -185,6 +216,10 @@ mod tests {
         let mut big = values(b"\0\0\0\0\0\0\x01\x02\x7f\xf0\0\0\0\0\0\0\xff", Encoding::BigEndian);
         assert_eq!(big.integer(NumberType::UInt64, "a").unwrap(), 258);
         assert!(big.float(NumberType::Float64, "a").unwrap_err().to_string().contains("inf"));
+        let mut big_again = values(b"\x7f\xc0\0\0\x80\0\xff", Encoding::BigEndian);
+        assert!(big_again.numbers(1, NumberType::Float32, "data").unwrap().real(0).is_nan());
+        assert_eq!(big_again.numbers(1, NumberType::Int16, "data").unwrap(), Numbers::Int32(vec![-32768]));
+        assert!(big_again.numbers(u64::MAX, NumberType::UInt8, "data").unwrap_err().byte().is_some());
         assert!(
             big.skip(u64::MAX, NumberType::Int64, "a block")
                 .unwrap_err()

@@ -1,6 +1,6 @@
 //! From a model to its report.
 
-use super::facts::{Kind, Report};
+use super::facts::{DataSummary, Kind, Report};
 use super::producer::{Cells, Producer};
 use super::{cells, chains, gluings, halfedges, polygons, simplicial};
 use crate::Error;
@@ -32,6 +32,7 @@ impl Report {
     pub fn of(mut model: Model) -> Result<Self, Error> {
         let kind = kind_of(&model);
         let mut warnings = std::mem::take(&mut model.warnings);
+        let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
         let Producer { cells, labels, positions } = Producer::of(model)?;
         let mut report = match cells {
             Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind),
@@ -49,6 +50,7 @@ impl Report {
         warnings.extend(report.problems.iter().map(|problem| problem.message().to_owned()));
         warnings.append(&mut report.warnings);
         report.warnings = warnings;
+        report.data = data;
         Ok(report)
     }
 }

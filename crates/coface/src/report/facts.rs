@@ -1,6 +1,7 @@
 //! The report as data.
 
 use super::Problem;
+use crate::io::{CellData, GroupKind};
 use crate::surface::SurfaceType;
 use crate::topology::AbelianGroup;
 use std::fmt;
@@ -155,6 +156,54 @@ impl Skin {
     }
 }
 
+/// What is said of named numbers on the vertices, lines, polygons or cells of a model.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DataSummary {
+    name: String,
+    kind: GroupKind,
+    components: usize,
+    is_integral: bool,
+    range: Option<[f64; 2]>,
+}
+
+impl DataSummary {
+    pub(super) fn of(data: &CellData) -> Self {
+        Self {
+            name: data.name().to_owned(),
+            kind: data.kind(),
+            components: data.components(),
+            is_integral: data.is_integral(),
+            range: data.range(),
+        }
+    }
+
+    /// The name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the numbers are on.
+    pub fn kind(&self) -> GroupKind {
+        self.kind
+    }
+
+    /// How many numbers each of these has.
+    pub fn components(&self) -> usize {
+        self.components
+    }
+
+    /// Whether the numbers are integers.
+    pub fn is_integral(&self) -> bool {
+        self.is_integral
+    }
+
+    /// The least and the largest number; `None` if there are none.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        self.range
+    }
+}
+
 /// Everything that `coface info` says about one model.
 ///
 /// # Conventions
@@ -183,6 +232,7 @@ pub struct Report {
     pub(super) homology: Vec<AbelianGroup>,
     pub(super) area: Option<f64>,
     pub(super) signed_volume: Option<f64>,
+    pub(super) data: Vec<DataSummary>,
     pub(super) problems: Vec<Problem>,
     pub(super) warnings: Vec<String>,
 }
@@ -209,6 +259,7 @@ impl Report {
             homology: Vec::new(),
             area: None,
             signed_volume: None,
+            data: Vec::new(),
             problems: Vec::new(),
             warnings: Vec::new(),
         }
@@ -309,6 +360,11 @@ impl Report {
     /// counterclockwise seen from outside; the sum of the signed volumes of the cells of a volume mesh.
     pub fn signed_volume(&self) -> Option<f64> {
         self.signed_volume
+    }
+
+    /// The named numbers on vertices, lines, polygons and cells.
+    pub fn data(&self) -> &[DataSummary] {
+        &self.data
     }
 
     /// What is wrong, and where.

@@ -43,6 +43,13 @@ impl Report {
             "homology": groups_to_json(&self.homology),
             "area": self.area,
             "signed_volume": self.signed_volume,
+            "data": self.data.iter().map(|data| json!({
+                "name": data.name(),
+                "on": data.kind().to_string(),
+                "components": data.components(),
+                "type": if data.is_integral() { "integer" } else { "real" },
+                "range": data.range(),
+            })).collect::<Vec<_>>(),
             "problems": self.problems.iter().map(|problem| problem_to_json(problem, limit)).collect::<Vec<_>>(),
             "warnings": self.warnings,
         })

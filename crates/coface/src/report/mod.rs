@@ -28,7 +28,7 @@ mod simplicial;
 mod triangulation;
 
 pub use cycles::Term;
-pub use facts::{Answer, BoundaryPart, Kind, Report, Skin, Witness};
+pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
 pub use json::{groups_to_json, integer_to_json};
 pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;

@@ -1,16 +1,22 @@
 //! Reading PLY.
 
 use super::Encoding;
+use super::columns::Columns;
 use super::header::{Element, Header, Property, Scalar, read_header};
 use crate::geometry::Positions;
-use crate::io::Model;
+use crate::io::data::without_repeated_names;
 use crate::io::lists::Elements;
 use crate::io::model::repeated_vertex;
 use crate::io::scanner::{Scanner, parse_f64};
+use crate::io::{CellData, GroupKind, Model};
 use crate::{Error, ErrorKind};
 use std::io::Read;
 
 /// Reads a model in PLY, in any of its encodings.
+///
+/// Other numbers that are said of vertices, faces and edges become data of the same name: `red`, `nx`, `quality`. What
+/// follow each other as `name_0`, `name_1`, .. are the components of one array. What is said of faces that are lines or
+/// points is not kept, and lines and polygons that other elements make have zeros.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line or the byte: a header that is none, a number that is
@@ -46,11 +52,19 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     }
     let mut model = Model { vertex_count: vertex_count as usize, ..Model::default() };
     let mut found = Elements::default();
+    let mut columns: Vec<(GroupKind, Columns)> = Vec::new();
     for element in &elements {
         match element.name.as_str() {
-            "vertex" => model.positions = reader.vertices(element)?,
+            "vertex" => {
+                let (positions, read) = reader.vertices(element)?;
+                model.positions = positions;
+                columns.push((GroupKind::Vertices, read));
+            }
             "face" => match element.vertex_list() {
-                Some(list) => reader.faces(element, list, vertex_count, &mut found)?,
+                Some(list) => {
+                    let read = reader.faces(element, list, vertex_count, &mut found)?;
+                    columns.push((GroupKind::Polygons, read));
+                }
                 None if element.count == 0 => {}
                 None => return Err(reader.missing("face", "a list vertex_indices")),
             },
@@ -59,7 +73,10 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
                 None => return Err(reader.missing("tristrips", "a list vertex_indices")),
             },
             "edge" => match (element.number("vertex1"), element.number("vertex2")) {
-                (Some(from), Some(to)) => reader.edges(element, [from, to], vertex_count, &mut found)?,
+                (Some(from), Some(to)) => {
+                    let read = reader.edges(element, [from, to], vertex_count, &mut found)?;
+                    columns.push((GroupKind::Lines, read));
+                }
                 _ => reader.skip_element(element)?,
             },
             _ => reader.skip_element(element)?,
@@ -73,6 +90,9 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     model.polygons = found.polygons.into_ragged()?;
     model.lines = found.lines.into_ragged()?;
     model.points = found.points;
+    let arrays = |(kind, columns): (GroupKind, Columns)| columns.into_data(kind, model.count_of(kind));
+    let data: Vec<CellData> = columns.into_iter().flat_map(arrays).collect();
+    model.data = without_repeated_names(data, &mut model.warnings);
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");
     Ok(model)
 }
@@ -143,6 +163,20 @@ impl<R: Read> Reader<R> {
         Ok(value as u64)
     }
 
+    /// Reads one property that has no meaning here: into its column, if it is one.
+    fn datum(&mut self, element: &Element, i: usize, columns: &mut Columns) -> Result<(), Error> {
+        let property = &element.properties[i];
+        let Some(numbers) = columns.of_property(i) else { return self.skip(property) };
+        if self.encoding == Encoding::Ascii {
+            let pushed = numbers.push_word(self.scanner.expect_token("a property")?, "a property");
+            return pushed.map_err(|error| error.at_line(self.scanner.line_number()));
+        }
+        let mut bytes = [0; 8];
+        self.scanner.read_exact(&mut bytes[..property.value.size()], "a property")?;
+        numbers.push_real(property.value.decode(&bytes, self.big()));
+        Ok(())
+    }
+
     fn skip_value(&mut self, kind: Scalar) -> Result<(), Error> {
         match self.encoding {
             Encoding::Ascii => self.scanner.expect_token("a property").map(|_| ()),
@@ -177,34 +211,41 @@ impl<R: Read> Reader<R> {
         })
     }
 
-    fn vertices(&mut self, element: &Element) -> Result<Positions, Error> {
+    fn vertices(&mut self, element: &Element) -> Result<(Positions, Columns), Error> {
         let axes: Vec<Option<usize>> = ["x", "y", "z"].iter().map(|axis| element.number(axis)).collect();
         let axes: Vec<usize> = match axes.as_slice() {
             [Some(x), Some(y), Some(z)] => vec![*x, *y, *z],
             [Some(x), Some(y), None] => vec![*x, *y],
             [Some(x), None, None] => vec![*x],
-            _ if element.count == 0 => return Ok(Positions::default()),
+            _ if element.count == 0 => return Ok((Positions::default(), Columns::new(element, &[]))),
             _ => return Err(self.missing("vertex", "properties x, y and z")),
         };
         let mut coordinates = Vec::new();
+        let mut columns = Columns::new(element, &axes);
         match element.stride() {
             Some(stride) if self.encoding != Encoding::Ascii => {
-                self.packed_vertices(element, &axes, stride, &mut coordinates)?;
+                self.packed_vertices(element, &axes, stride, &mut coordinates, &mut columns)?;
             }
             _ => {
                 let mut point = vec![0.0; axes.len()];
                 for i in 0..element.count {
-                    self.vertex(element, &axes, &mut point)
+                    self.vertex(element, &axes, &mut point, &mut columns)
                         .map_err(|error| Self::in_record(&error, element, i))?;
                     coordinates.extend_from_slice(&point);
                 }
             }
         }
-        Positions::from_flat(axes.len(), coordinates)
+        Ok((Positions::from_flat(axes.len(), coordinates)?, columns))
     }
 
     /// One vertex, property by property.
-    fn vertex(&mut self, element: &Element, axes: &[usize], point: &mut [f64]) -> Result<(), Error> {
+    fn vertex(
+        &mut self,
+        element: &Element,
+        axes: &[usize],
+        point: &mut [f64],
+        columns: &mut Columns,
+    ) -> Result<(), Error> {
         for (i, property) in element.properties.iter().enumerate() {
             match axes.iter().position(|&axis| axis == i) {
                 Some(axis) => {
@@ -214,7 +255,7 @@ impl<R: Read> Reader<R> {
                         return Err(self.here(not_finite(point[axis]), byte));
                     }
                 }
-                None => self.skip(property)?,
+                None => self.datum(element, i, columns)?,
             }
         }
         Ok(())
@@ -227,6 +268,7 @@ impl<R: Read> Reader<R> {
         axes: &[usize],
         stride: usize,
         coordinates: &mut Vec<f64>,
+        columns: &mut Columns,
     ) -> Result<(), Error> {
         let offset = |axis: usize| element.properties[..axis].iter().map(|p| p.value.size()).sum::<usize>();
         let fields: Vec<(usize, Scalar)> =
@@ -266,6 +308,13 @@ impl<R: Read> Reader<R> {
                 let error = not_finite(coordinates[first + bad]).at_byte(byte);
                 return Err(Self::in_record(&error, element, read + record as u64));
             }
+            for (i, property) in element.properties.iter().enumerate() {
+                let Some(numbers) = columns.of_property(i) else { continue };
+                let at = offset(i);
+                let values =
+                    bytes.chunks_exact(stride).map(|record| property.value.decode(&record[at..], big));
+                values.for_each(|value| numbers.push_real(value));
+            }
             self.scanner.consume(records * stride);
             read += records as u64;
         }
@@ -278,8 +327,9 @@ impl<R: Read> Reader<R> {
         list: usize,
         vertices: u64,
         found: &mut Elements,
-    ) -> Result<(), Error> {
-        let mut read = 0;
+    ) -> Result<Columns, Error> {
+        let mut columns = Columns::new(element, &[list]);
+        let (first, mut read) = (found.polygons.len(), 0);
         while read < element.count {
             if let [Property { count: Some(Scalar::U8), value: Scalar::I32 | Scalar::U32, .. }] =
                 element.properties.as_slice()
@@ -290,15 +340,18 @@ impl<R: Read> Reader<R> {
                 }
             }
             let byte = self.scanner.byte_offset();
-            self.list_record(element, list, |vertex| {
+            self.list_record(element, list, Some(&mut columns), |vertex| {
                 found.polygons.items_mut().push(checked_vertex(vertex, vertices)?);
                 Ok(())
             })
             .and_then(|()| finish_face(found).map_err(|error| self.here(error, byte)))
             .map_err(|error| Self::in_record(&error, element, read))?;
+            // What is said of a face that is a line or a point is not kept.
+            columns.truncate(found.polygons.len() - first);
             read += 1;
         }
-        Ok(())
+        columns.prepend_zeros(first);
+        Ok(columns)
     }
 
     /// Sound binary triangles as far as they go in the bytes at hand, each a byte 3 and three indices of four bytes; the
@@ -330,6 +383,7 @@ impl<R: Read> Reader<R> {
         &mut self,
         element: &Element,
         list: usize,
+        mut columns: Option<&mut Columns>,
         mut take: impl FnMut(f64) -> Result<(), Error>,
     ) -> Result<(), Error> {
         for (i, property) in element.properties.iter().enumerate() {
@@ -341,7 +395,10 @@ impl<R: Read> Reader<R> {
                         take(item).map_err(|error| self.here(error, byte))?;
                     }
                 }
-                _ => self.skip(property)?,
+                _ => match &mut columns {
+                    Some(columns) => self.datum(element, i, columns)?,
+                    None => self.skip(property)?,
+                },
             }
         }
         Ok(())
@@ -359,7 +416,7 @@ impl<R: Read> Reader<R> {
         for i in 0..element.count {
             let mut last: [Option<u32>; 2] = [None; 2];
             let mut turned = false;
-            self.list_record(element, list, |vertex| {
+            self.list_record(element, list, None, |vertex| {
                 if vertex == -1.0 {
                     (last, turned) = ([None; 2], false);
                     return Ok(());
@@ -385,11 +442,15 @@ impl<R: Read> Reader<R> {
         ends: [usize; 2],
         vertices: u64,
         found: &mut Elements,
-    ) -> Result<(), Error> {
+    ) -> Result<Columns, Error> {
+        let mut columns = Columns::new(element, &ends);
+        let first = found.lines.len();
         for i in 0..element.count {
-            self.edge(element, ends, vertices, found).map_err(|error| Self::in_record(&error, element, i))?;
+            self.edge(element, ends, vertices, found, &mut columns)
+                .map_err(|error| Self::in_record(&error, element, i))?;
         }
-        Ok(())
+        columns.prepend_zeros(first);
+        Ok(columns)
     }
 
     fn edge(
@@ -398,6 +459,7 @@ impl<R: Read> Reader<R> {
         ends: [usize; 2],
         vertices: u64,
         found: &mut Elements,
+        columns: &mut Columns,
     ) -> Result<(), Error> {
         let start = self.scanner.byte_offset();
         let mut edge = [0; 2];
@@ -408,7 +470,7 @@ impl<R: Read> Reader<R> {
                     let vertex = self.scalar(property.value, "an end of an edge")?;
                     edge[end] = checked_vertex(vertex, vertices).map_err(|error| self.here(error, byte))?;
                 }
-                None => self.skip(property)?,
+                None => self.datum(element, i, columns)?,
             }
         }
         if edge[0] == edge[1] {

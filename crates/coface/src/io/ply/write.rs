@@ -1,20 +1,23 @@
 //! Writing PLY.
 
 use super::Encoding;
+use super::columns::{WrittenColumn, written_columns};
 use crate::Error;
-use crate::io::Model;
 use crate::io::decimal::{flush, push_f64, push_natural};
 use crate::io::limits::{require_dimension, require_mesh};
+use crate::io::{GroupKind, Model};
 use std::io::Write;
 
 /// Writes a model in PLY, with coordinates in double precision that read back bit for bit.
 ///
-/// Lines become the element `edge` (a polyline its segments), and points faces of one vertex behind the polygons. PLY
-/// has no names: groups are left out.
+/// Lines become the element `edge` (a polyline its segments), and points faces of one vertex behind the polygons. Data on
+/// vertices, polygons and lines become properties, `name_0`, `name_1`, .. where a row has several numbers; points have
+/// zeros there, and the segments of a polyline all that is said of it. PLY has no names of sets: groups are left out.
 ///
 /// # Errors
 /// [`UnsupportedFormat`](crate::ErrorKind::UnsupportedFormat) naming formats that serve if the model has 3-cells, no
-/// positions or more than three coordinates a vertex, or is an abstract structure; [`Io`](crate::ErrorKind::Io) if the
+/// positions or more than three coordinates a vertex, is an abstract structure, or has data beyond 32 bits;
+/// [`InvalidInput`](crate::ErrorKind::InvalidInput) if two properties would have one name; [`Io`](crate::ErrorKind::Io) if the
 /// stream fails.
 ///
 /// # Examples
@@ -31,35 +34,58 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
     require_mesh(model, "PLY", "MEDIT, MSH or VTK")?;
     require_dimension(model, "PLY", 3)?;
     let longest = model.polygons.iter().map(<[u32]>::len).max().unwrap_or(0);
-    let mut body = Body { text: header(model, encoding, longest), encoding };
-    for point in model.positions.as_flat().chunks_exact(model.positions.dimension().max(1)) {
+    let columns = [
+        written_columns(model, GroupKind::Vertices, &["x", "y", "z"])?,
+        written_columns(model, GroupKind::Polygons, &["vertex_indices", "vertex_index"])?,
+        written_columns(model, GroupKind::Lines, &["vertex1", "vertex2"])?,
+    ];
+    let mut body = Body { text: header(model, encoding, longest, &columns), encoding };
+    let [of_vertices, of_polygons, of_lines] = &columns;
+    for (row, point) in model.positions.as_flat().chunks_exact(model.positions.dimension().max(1)).enumerate()
+    {
         for (i, &value) in point.iter().enumerate() {
             body.coordinate(value, i == 0);
         }
+        body.data(of_vertices, Some(row));
         body.end_record();
         flush(&mut body.text, &mut output)?;
     }
-    let points = model.points.iter().map(|point| [point.to_u32()]);
-    for polygon in model.polygons.iter() {
+    for (row, polygon) in model.polygons.iter().enumerate() {
         body.face(polygon, longest);
-        flush(&mut body.text, &mut output)?;
-    }
-    for point in points {
-        body.face(&point, longest);
-        flush(&mut body.text, &mut output)?;
-    }
-    for edge in model.lines.iter().flat_map(|line| line.windows(2)) {
-        body.index(edge[0], true);
-        body.index(edge[1], false);
+        body.data(of_polygons, Some(row));
         body.end_record();
         flush(&mut body.text, &mut output)?;
+    }
+    for point in &model.points {
+        body.face(&[point.to_u32()], longest);
+        body.data(of_polygons, None);
+        body.end_record();
+        flush(&mut body.text, &mut output)?;
+    }
+    for (row, line) in model.lines.iter().enumerate() {
+        for edge in line.windows(2) {
+            body.index(edge[0], true);
+            body.index(edge[1], false);
+            body.data(of_lines, Some(row));
+            body.end_record();
+            flush(&mut body.text, &mut output)?;
+        }
     }
     output.write_all(&body.text)?;
     output.flush()?;
     Ok(())
 }
 
-fn header(model: &Model, encoding: Encoding, longest: usize) -> Vec<u8> {
+/// The header; columns are those of vertices, polygons and lines.
+fn header(
+    model: &Model,
+    encoding: Encoding,
+    longest: usize,
+    columns: &[Vec<WrittenColumn<'_>>; 3],
+) -> Vec<u8> {
+    let properties = |columns: &[WrittenColumn<'_>]| -> String {
+        columns.iter().map(|column| format!("property {} {}\n", column.type_name, column.name)).collect()
+    };
     let format = match encoding {
         Encoding::Ascii => "ascii",
         Encoding::LittleEndian => "binary_little_endian",
@@ -70,12 +96,15 @@ fn header(model: &Model, encoding: Encoding, longest: usize) -> Vec<u8> {
     for axis in ["x", "y", "z"].iter().take(model.positions.dimension()) {
         header += &format!("property double {axis}\n");
     }
+    header += &properties(&columns[0]);
     let count = if longest > u8::MAX.into() { "uint" } else { "uchar" };
     let faces = model.polygons.len() + model.points.len();
     header += &format!("element face {faces}\nproperty list {count} {index} vertex_indices\n");
+    header += &properties(&columns[1]);
     let segments = model.lines.item_count() - model.lines.len();
     if segments > 0 {
         header += &format!("element edge {segments}\nproperty {index} vertex1\nproperty {index} vertex2\n");
+        header += &properties(&columns[2]);
     }
     header += "end_header\n";
     header.into_bytes()
@@ -121,7 +150,25 @@ impl Body {
         for &vertex in vertices {
             self.index(vertex, false);
         }
-        self.end_record();
+    }
+
+    /// The data of one row, or zeros.
+    fn data(&mut self, columns: &[WrittenColumn<'_>], row: Option<usize>) {
+        for column in columns {
+            match (self.encoding, row) {
+                (Encoding::Ascii, row) => {
+                    self.text.push(b' ');
+                    match row {
+                        Some(row) => column.write_word(row, &mut self.text),
+                        None => self.text.push(b'0'),
+                    }
+                }
+                (encoding, Some(row)) => {
+                    column.write_bytes(row, encoding == Encoding::BigEndian, &mut self.text);
+                }
+                (_, None) => self.text.resize(self.text.len() + column.size(), 0),
+            }
+        }
     }
 
     fn separate(&mut self, first: bool) {

@@ -174,7 +174,11 @@ fn add_cells<R: Read>(reader: &mut Reader<R>, dimensions: [u64; 3]) -> Result<()
                     let at = (x + corner[0]) * dx + (y + corner[1]) * dy + (z + corner[2]) * dz;
                     *vertex = u32::try_from(at).expect("the points were counted in 32 bits");
                 }
-                reader.assembly.add(kind, corners.len(), &vertices[..corners.len()], u64::from)?;
+                let cell = reader.assembly.add(kind, corners.len(), &vertices[..corners.len()], u64::from)?;
+                match kind {
+                    Kind::Point => reader.cells_of_file.add(0, None, 0, 0),
+                    kind => reader.cells_of_file.add(0, Some(kind.group_kind()), cell, 1),
+                }
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The header, and the kinds of data sets.
 
 use super::cell_types::{CellType, unread_name};
+use super::data::{self, Cells, Place};
 use super::grids;
 use super::lists::{Lists, read_lists};
 use crate::io::Model;
@@ -47,6 +48,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         has_dataset: false,
         has_offsets: false,
         grid: grids::Grid::default(),
+        cells_of_file: Cells::default(),
+        data_place: None,
     };
     reader.read_header()?;
     while let Some(keyword) = reader.next_keyword()? {
@@ -54,7 +57,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             break;
         }
     }
-    reader.finish()
+    reader.complete()?;
+    reader.assembly.finish()
 }
 
 pub(super) struct Reader<R> {
@@ -65,6 +69,10 @@ pub(super) struct Reader<R> {
     has_dataset: bool,
     pub(super) has_offsets: bool,
     pub(super) grid: grids::Grid,
+    /// What the cells became, for the data on them.
+    pub(super) cells_of_file: Cells,
+    /// What data that follow are on; `None` before the first.
+    pub(super) data_place: Option<Place>,
 }
 
 impl<R: Read> Reader<R> {
@@ -100,9 +108,18 @@ impl<R: Read> Reader<R> {
         Ok(self.values.scanner.next_token()?.map(<[u8]>::to_ascii_uppercase))
     }
 
-    /// Reads what follows a keyword; false at the end of the mesh.
+    /// Reads what follows a keyword; false at the end of what can be read.
     fn read_section(&mut self, keyword: &[u8]) -> Result<bool, Error> {
         match keyword {
+            b"POINT_DATA" | b"CELL_DATA" => {
+                self.complete()?;
+                data::read_place(self, keyword)?;
+            }
+            b"METADATA" => self.skip_metadata()?,
+            _ if self.data_place.is_some() => {
+                let place = self.data_place.expect("it was just seen to be there");
+                return data::read_array(self, place, keyword);
+            }
             b"DATASET" => {
                 let dataset = self.values.scanner.expect_token("the kind of data set")?.to_ascii_uppercase();
                 match dataset.as_slice() {
@@ -119,10 +136,8 @@ impl<R: Read> Reader<R> {
                 }
                 self.has_dataset = true;
             }
-            // What belongs to points and cells comes behind the mesh.
-            b"POINT_DATA" | b"CELL_DATA" => return Ok(false),
-            b"FIELD" => self.skip_field()?,
-            b"METADATA" => self.skip_metadata()?,
+            // Arrays that belong to the whole data set.
+            b"FIELD" => return data::read_fields(self, None),
             _ if !self.has_dataset => {
                 let message = format!("{} stands where DATASET should", quoted(keyword));
                 return Err(self.header_error(message, "give the kind of the data set after ASCII or BINARY"));
@@ -132,10 +147,10 @@ impl<R: Read> Reader<R> {
                 self.cells = Some(read_lists(self, "CELLS")?);
             }
             b"CELL_TYPES" => self.read_types()?,
-            b"VERTICES" => self.read_polydata("VERTICES", CellType::Points)?,
-            b"LINES" => self.read_polydata("LINES", CellType::Polyline)?,
-            b"POLYGONS" => self.read_polydata("POLYGONS", CellType::Polygon)?,
-            b"TRIANGLE_STRIPS" => self.read_polydata("TRIANGLE_STRIPS", CellType::Strip)?,
+            b"VERTICES" => self.read_polydata("VERTICES", 0, CellType::Points)?,
+            b"LINES" => self.read_polydata("LINES", 1, CellType::Polyline)?,
+            b"POLYGONS" => self.read_polydata("POLYGONS", 2, CellType::Polygon)?,
+            b"TRIANGLE_STRIPS" => self.read_polydata("TRIANGLE_STRIPS", 3, CellType::Strip)?,
             b"DIMENSIONS" | b"ORIGIN" | b"SPACING" | b"ASPECT_RATIO" | b"X_COORDINATES"
             | b"Y_COORDINATES" | b"Z_COORDINATES" => grids::read_line(self, keyword)?,
             _ => {
@@ -176,10 +191,10 @@ impl<R: Read> Reader<R> {
         })
     }
 
-    fn read_polydata(&mut self, keyword: &str, cell_type: CellType) -> Result<(), Error> {
+    fn read_polydata(&mut self, keyword: &str, section: usize, cell_type: CellType) -> Result<(), Error> {
         let lists = read_lists(self, keyword)?;
         for i in 0..lists.len() {
-            self.add_cell(cell_type, lists.list(i)).map_err(|fault| lists.place(i, fault))?;
+            self.add_cell(section, cell_type, lists.list(i)).map_err(|fault| lists.place(i, fault))?;
         }
         Ok(())
     }
@@ -204,45 +219,46 @@ impl<R: Read> Reader<R> {
                     .values
                     .located(fault.with_cure("split such cells into hexahedra or tetrahedra")));
             };
-            self.add_cell(cell_type, cells.list(i)).map_err(|fault| cells.place(i, fault))?;
+            self.add_cell(0, cell_type, cells.list(i)).map_err(|fault| cells.place(i, fault))?;
         }
         Ok(())
     }
 
-    /// Adds what a cell of this type becomes.
-    fn add_cell(&mut self, cell_type: CellType, vertices: &[u32]) -> Result<(), Error> {
+    /// Adds what a cell of this type in a section becomes.
+    fn add_cell(&mut self, section: usize, cell_type: CellType, vertices: &[u32]) -> Result<(), Error> {
         let count = vertices.len();
         let has_too_few = |least: usize, what: &str| {
             Error::invalid(format!("a {what} has {count} points; it needs {least}")).with_cure("remove it")
         };
         let number = |vertex: u32| u64::from(vertex);
-        match cell_type {
-            CellType::Empty => {}
+        let mut elements = 1;
+        let (kind, first) = match cell_type {
+            CellType::Empty => (Kind::Point, 0),
             CellType::Points => {
                 for vertex in vertices {
                     self.assembly.add(Kind::Point, 1, &[*vertex], number)?;
                 }
+                (Kind::Point, 0)
             }
             CellType::Polyline if count < 2 => return Err(has_too_few(2, "polyline")),
-            CellType::Polyline => {
-                self.assembly.add(Kind::Line, count, vertices, number)?;
-            }
+            CellType::Polyline => (Kind::Line, self.assembly.add(Kind::Line, count, vertices, number)?),
             CellType::Strip if count < 3 => return Err(has_too_few(3, "triangle strip")),
             CellType::Strip => {
+                elements = count as u32 - 2;
+                let mut last = 0;
                 for (i, triangle) in vertices.windows(3).enumerate() {
                     let [a, b, c] = [triangle[i % 2], triangle[1 - i % 2], triangle[2]];
-                    self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
+                    last = self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
                 }
+                (Kind::Polygon, last + 1 - elements)
             }
             CellType::Polygon if count < 3 => return Err(has_too_few(3, "polygon")),
-            CellType::Polygon => {
-                self.assembly.add(Kind::Polygon, count, vertices, number)?;
-            }
+            CellType::Polygon => (Kind::Polygon, self.assembly.add(Kind::Polygon, count, vertices, number)?),
             CellType::QuadraticPolygon if count < 6 || !count.is_multiple_of(2) => {
                 return Err(has_too_few(6, "quadratic polygon (an even number of points)"));
             }
             CellType::QuadraticPolygon => {
-                self.assembly.add(Kind::Polygon, count / 2, vertices, number)?;
+                (Kind::Polygon, self.assembly.add(Kind::Polygon, count / 2, vertices, number)?)
             }
             CellType::Fixed { vertex_count, .. } if count != vertex_count => {
                 return Err(Error::invalid(format!(
@@ -256,56 +272,26 @@ impl<R: Read> Reader<R> {
                 for (place, &corner) in ordered.iter_mut().zip(corners) {
                     *place = vertices[corner];
                 }
-                self.assembly.add(kind, corners.len(), &ordered[..count], number)?;
+                (kind, self.assembly.add(kind, corners.len(), &ordered[..count], number)?)
             }
+        };
+        match kind {
+            // Points have no data of their own.
+            Kind::Point => self.cells_of_file.add(section, None, 0, 0),
+            kind => self.cells_of_file.add(section, Some(kind.group_kind()), first, elements),
         }
         Ok(())
     }
 
-    /// Arrays that belong to the whole data set.
-    fn skip_field(&mut self) -> Result<(), Error> {
-        self.values.scanner.expect_token("the name of a field")?;
-        let count = self.values.scanner.expect_u64("the count of arrays")?;
-        for _ in 0..count {
-            let name = self.values.scanner.expect_token("the name of an array")?;
-            if name.eq_ignore_ascii_case(b"METADATA") {
-                self.skip_metadata()?;
-                self.values.scanner.expect_token("the name of an array")?;
-            }
-            let components = self.values.scanner.expect_u64("the count of components")?;
-            let tuples = self.values.scanner.expect_u64("the count of tuples")?;
-            let count = components.saturating_mul(tuples);
-            let name = self.values.scanner.expect_token("a type of numbers")?.to_ascii_lowercase();
-            self.values.end_line()?;
-            match (name.as_slice(), self.values.is_ascii()) {
-                (b"string", true) => {
-                    self.values.scanner.next_line()?;
-                    for _ in 0..count {
-                        if self.values.scanner.next_line()?.is_none() {
-                            return Err(self
-                                .header_error("the file ends inside a field".to_owned(), "write it again"));
-                        }
-                    }
-                }
-                (b"bit", false) => self.values.skip_bytes(count.div_ceil(8), "an array")?,
-                (b"bit", true) => self.values.skip(count, NumberType::Int8, "an array")?,
-                (name, _) => match number_type(name) {
-                    Some(number) => self.values.skip(count, number, "an array")?,
-                    None => {
-                        let message = format!("arrays of {} cannot be passed over", quoted(name));
-                        let fault = Error::new(ErrorKind::UnsupportedFormat, message);
-                        return Err(self
-                            .values
-                            .located(fault.with_cure("remove the FIELD before the points")));
-                    }
-                },
-            }
-        }
-        Ok(())
+    /// The fault of an array of another type than numbers before the mesh.
+    pub(super) fn unreadable_field(&self, type_name: &[u8]) -> Error {
+        let message = format!("arrays of {} cannot be passed over", quoted(type_name));
+        let fault = Error::new(ErrorKind::UnsupportedFormat, message);
+        self.values.located(fault.with_cure("remove the FIELD before the points"))
     }
 
     /// Lines up to an empty one.
-    fn skip_metadata(&mut self) -> Result<(), Error> {
+    pub(super) fn skip_metadata(&mut self) -> Result<(), Error> {
         self.values.scanner.next_line()?;
         while let Some(line) = self.values.scanner.next_line()? {
             if line.trim_ascii().is_empty() {
@@ -315,7 +301,8 @@ impl<R: Read> Reader<R> {
         Ok(())
     }
 
-    fn finish(mut self) -> Result<Model, Error> {
+    /// Sees to it that the mesh is all there.
+    fn complete(&mut self) -> Result<(), Error> {
         let ended =
             |message: &str| Err(Error::parse(message).with_cure("the file was cut short: write it again"));
         if !self.has_dataset {
@@ -325,14 +312,14 @@ impl<R: Read> Reader<R> {
             return ended("the file ends before CELL_TYPES");
         }
         if self.grid.kind.is_some() {
-            grids::finish(&mut self)?;
+            grids::finish(self)?;
         }
-        self.assembly.finish()
+        Ok(())
     }
 }
 
 /// The type of numbers of this name.
-fn number_type(name: &[u8]) -> Option<NumberType> {
+pub(super) fn number_type(name: &[u8]) -> Option<NumberType> {
     Some(match name {
         b"char" | b"signed_char" | b"vtktypeint8" => NumberType::Int8,
         b"unsigned_char" | b"vtktypeuint8" => NumberType::UInt8,

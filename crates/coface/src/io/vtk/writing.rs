@@ -1,9 +1,10 @@
 //! Writing, as text or binary.
 
 use super::cell_types::WEDGE;
+use super::data;
 use crate::cellular::CellShape;
 use crate::io::decimal::{flush, push_f64, push_natural};
-use crate::io::{GroupKind, Model, limits};
+use crate::io::{CellData, GroupKind, Model, limits};
 use crate::{Error, ErrorKind};
 use std::io::Write;
 
@@ -21,9 +22,13 @@ pub enum Encoding {
 /// model. If there are groups, the cell data `group` says of each cell which one it is in, counted from 1, the first of
 /// several; 0 is none. Readers do not make groups of it again.
 ///
+/// Data follow as fields. The format knows arrays on all cells only: those of one name on lines, polygons and cells are
+/// one array, and it is 0 on cells that have no such data.
+///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] for an abstract structure and for vertices without positions or of more than three
-/// coordinates; [`ErrorKind::TooLarge`] for more than 2^31 - 1 numbers in a binary list; [`ErrorKind::Io`] from the
+/// coordinates; [`ErrorKind::InvalidInput`] for data of one name with different numbers of components on lines, polygons
+/// and cells; [`ErrorKind::TooLarge`] for more than 2^31 - 1 numbers in a binary list; [`ErrorKind::Io`] from the
 /// output.
 ///
 /// # Examples
@@ -108,13 +113,25 @@ pub fn write(model: &Model, mut out: impl Write, encoding: Encoding) -> Result<(
         flush(&mut numbers.text, &mut out)?;
     }
     numbers.end_block();
+    let arrays = data::arrays_on_cells(model)?;
+    if !model.groups.is_empty() || !arrays.is_empty() {
+        numbers.line(&format!("CELL_DATA {count}"));
+    }
     if !model.groups.is_empty() {
-        numbers.line(&format!("CELL_DATA {count}\nSCALARS group int 1\nLOOKUP_TABLE default"));
+        let name = if arrays.iter().any(|data| data.name() == "group") { "group_number" } else { "group" };
+        numbers.line(&format!("SCALARS {name} int 1\nLOOKUP_TABLE default"));
         for number in group_numbers(model, count) {
             numbers.integer(number, true);
             flush(&mut numbers.text, &mut out)?;
         }
         numbers.end_block();
+    }
+    numbers.fields(&arrays.iter().collect::<Vec<_>>(), &mut out)?;
+    let on_points: Vec<&CellData> =
+        model.data.iter().filter(|data| data.kind() == GroupKind::Vertices).collect();
+    if !on_points.is_empty() {
+        numbers.line(&format!("POINT_DATA {}", model.vertex_count));
+        numbers.fields(&on_points, &mut out)?;
     }
     out.write_all(&numbers.text)?;
     out.flush()?;
@@ -179,6 +196,35 @@ impl Numbers {
                 self.text.push(if is_last { b'\n' } else { b' ' });
             }
         }
+    }
+
+    /// Arrays with their rows.
+    fn fields(&mut self, arrays: &[&CellData], out: &mut impl Write) -> Result<(), Error> {
+        if arrays.is_empty() {
+            return Ok(());
+        }
+        self.line(&format!("FIELD FieldData {}", arrays.len()));
+        for data in arrays {
+            let numbers = data.numbers();
+            self.line(&format!(
+                "{} {} {} {}",
+                data::encoded(data.name()),
+                data.components(),
+                data.len(),
+                data::type_name(numbers)
+            ));
+            for i in 0..numbers.len() {
+                if self.encoding == Encoding::Binary {
+                    numbers.write_bytes(i, true, &mut self.text);
+                } else {
+                    numbers.write_word(i, &mut self.text);
+                    self.text.push(if (i + 1).is_multiple_of(data.components()) { b'\n' } else { b' ' });
+                }
+                flush(&mut self.text, out)?;
+            }
+            self.end_block();
+        }
+        Ok(())
     }
 
     fn list(&mut self, list: &[u32]) {
