@@ -193,7 +193,7 @@ impl Assembly {
         };
         if let Some(renumbered) = &renumbered {
             for data in self.data.iter_mut().filter(|data| data.kind() == GroupKind::Vertices) {
-                data.keep_rows((0..renumbered.len()).filter(|&v| renumbered[v].is_some()));
+                *data = data.taken_from((0..renumbered.len()).filter(|&v| renumbered[v].is_some()));
             }
         }
         model.data = without_repeated_names(self.data, &mut model.warnings);

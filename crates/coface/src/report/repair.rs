@@ -2,7 +2,7 @@
 
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
-use crate::io::{Group, GroupKind, Model};
+use crate::io::{CellData, Group, GroupKind, Model};
 use crate::surface::{FacesAtEdge, MeshRepair, PolygonMesh};
 use crate::{Error, ErrorKind, FaceId, VertexId};
 
@@ -20,9 +20,9 @@ pub struct RepairRequest {
 
 /// The model with its polygons repaired as requested, first edges, then vertices, then orientation, and what was done.
 ///
-/// Copies of vertices get their positions and are members of their groups. Lines follow the faces that they are sides of;
-/// where these come apart, so does the line, and its parts, one after the other, are members of its groups. Points
-/// stay. Polygons that repeat an earlier one stay beside it.
+/// Copies of vertices get their positions and data and are members of their groups. Lines follow the faces that they are
+/// sides of; where these come apart, so does the line, and its parts, one after the other, have its data and are members
+/// of its groups. Points stay. Polygons that repeat an earlier one stay beside it.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] for models with 3-cells, and for abstract structures; those of [`PolygonMesh::new`] and
@@ -75,6 +75,7 @@ pub fn repaired(model: &Model, request: RepairRequest) -> Result<(Model, MeshRep
         polygons: repaired_polygons(model.polygons(), &repair),
         lines,
         groups: model.groups().iter().map(|group| repaired_group(group, &repair, &line_starts)).collect(),
+        data: model.data().iter().map(|data| repaired_data(data, &repair, &line_starts)).collect(),
         ..model.clone()
     };
     Ok((repaired, repair))
@@ -148,6 +149,20 @@ fn repaired_lines(lines: &RaggedArray, repair: &MeshRepair) -> (RaggedArray, Vec
     (parts, starts)
 }
 
+/// Copies of vertices and parts of lines have the data of what they come from.
+fn repaired_data(data: &CellData, repair: &MeshRepair, line_starts: &[u32]) -> CellData {
+    match data.kind() {
+        GroupKind::Vertices => data.taken_from(repair.vertex_sources().iter().map(|source| source.index())),
+        GroupKind::Lines => data.taken_from(
+            line_starts
+                .windows(2)
+                .enumerate()
+                .flat_map(|(line, parts)| std::iter::repeat_n(line, (parts[1] - parts[0]) as usize)),
+        ),
+        GroupKind::Polygons | GroupKind::Cells => data.clone(),
+    }
+}
+
 fn repaired_group(group: &Group, repair: &MeshRepair, line_starts: &[u32]) -> Group {
     let members = match group.kind() {
         GroupKind::Vertices => {
@@ -189,6 +204,10 @@ mod tests {
                 Group::new("line", GroupKind::Lines, vec![0, 1]),
                 Group::new("again", GroupKind::Polygons, vec![2]),
             ],
+            data: vec![
+                CellData::integers("number", GroupKind::Vertices, 1, vec![0, 1, 2, 3, 4]).unwrap(),
+                CellData::reals("length", GroupKind::Lines, 1, vec![2.0, 1.0]).unwrap(),
+            ],
             ..Model::from_polygons(positions, polygons).unwrap()
         }
     }
@@ -206,6 +225,8 @@ mod tests {
         assert_eq!(model.points(), [VertexId::new(0)]);
         let members: Vec<&[u32]> = model.groups().iter().map(Group::members).collect();
         assert_eq!(members, [&[0, 5][..], &[0, 1, 2], &[2]]);
+        assert_eq!(model.data()[0].integer_row(5), Some(vec![0]));
+        assert_eq!([0, 1, 2].map(|line| model.data()[1].real_row(line)[0]), [2.0, 2.0, 1.0]);
     }
 
     #[test]
