@@ -52,6 +52,7 @@ pub(crate) use sparse_vector::{combination, inner_product, linear_combination};
 pub use symmetric_form::{Definiteness, Inertia, Parity, SymmetricForm};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
 pub use word::Word;
+pub(crate) use word::least_rotation;
 
 use std::fmt;
 

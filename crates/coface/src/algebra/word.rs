@@ -199,12 +199,11 @@ impl Word {
 }
 
 /// The least of all rotations of a list.
-fn least_rotation(mut letters: Vec<i32>) -> Vec<i32> {
+pub(crate) fn least_rotation<T: Ord>(mut letters: Vec<T>) -> Vec<T> {
     let n = letters.len();
     let (mut best, mut rival, mut same) = (0, 1, 0);
     while best < n && rival < n && same < n {
-        let (a, b) = (letters[(best + same) % n], letters[(rival + same) % n]);
-        match a.cmp(&b) {
+        match letters[(best + same) % n].cmp(&letters[(rival + same) % n]) {
             std::cmp::Ordering::Equal => same += 1,
             std::cmp::Ordering::Less => {
                 rival += same + 1;

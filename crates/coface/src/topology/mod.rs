@@ -7,6 +7,7 @@
 //!   theorem.
 //! * A [`HomologyBasis`] has cycles on the original cells, one for each cyclic summand, the dual cocycles, the class of
 //!   any cycle and the chain that it bounds, if it does. [`generators`] gives the cycles alone.
+//! * A [`SurfaceGroup`] puts loops on surfaces in normal form, so that homotopy is decided.
 //! * [`harmonic_basis`] and [`HodgeSpace`] take real coefficients: Laplacians, harmonic cochains, Hodge decomposition.
 //! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
 //! * The **cup product** of cochains is that of a [`CochainAlgebra`]; on a closed oriented manifold it gives the
@@ -34,6 +35,7 @@ mod long_exact_sequence;
 mod persistence;
 mod short_loops;
 mod shortening;
+mod surface_group;
 mod surfaces;
 
 pub use basis::HomologyBasis;
@@ -55,4 +57,5 @@ pub use homology_map::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
+pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
 pub use surfaces::{CutSurface, EdgeRole, FundamentalDomain, TreeCotree, TreeCotreeComponent};
