@@ -2,7 +2,7 @@
 
 use super::Problem;
 use crate::io::{CellData, GroupKind};
-use crate::surface::SurfaceType;
+use crate::surface::{SurfaceComponent, SurfaceType};
 use crate::topology::AbelianGroup;
 use std::fmt;
 
@@ -228,6 +228,7 @@ pub struct Report {
     pub(super) orientable: Option<bool>,
     pub(super) coherently_oriented: Option<bool>,
     pub(super) surface_type: Option<SurfaceType>,
+    pub(super) surfaces: Vec<SurfaceComponent>,
     pub(super) name: Option<String>,
     pub(super) homology: Vec<AbelianGroup>,
     pub(super) area: Option<f64>,
@@ -255,6 +256,7 @@ impl Report {
             orientable: None,
             coherently_oriented: None,
             surface_type: None,
+            surfaces: Vec::new(),
             name: None,
             homology: Vec::new(),
             area: None,
@@ -339,6 +341,11 @@ impl Report {
     /// The type of the surface; `None` unless it is one connected surface.
     pub fn surface_type(&self) -> Option<SurfaceType> {
         self.surface_type
+    }
+
+    /// The components of a model of polygons, isolated vertices left out: counts, and which surface each is.
+    pub fn surfaces(&self) -> &[SurfaceComponent] {
+        &self.surfaces
     }
 
     /// The surface in words, each component named: `torus`, `5 spheres`; `None` if a component is no surface.

@@ -6,7 +6,7 @@ use super::{Problem, ProblemKind};
 use crate::Error;
 use crate::algebra::RaggedArray;
 use crate::simplicial::{FaceClasses, GluingOrientation, GluingTable, GluingVerdict, GluingWitness};
-use crate::surface::SurfaceType;
+use crate::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
 use crate::topology::homology;
 
 /// The report on a table with its face classes.
@@ -28,10 +28,13 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
     let components = table.components().into_iter().max().map_or(0, |last| last as usize + 1);
     let is_surface = table.dimension() == 2 && components > 0;
     let loops = if is_surface { Some(boundary_loops(table, faces)?) } else { None };
-    let surface = match &loops {
-        Some(loops) if components == 1 => {
-            Some(surface_type(chains.euler_characteristic(), orientation.is_orientable(), loops.len()))
-        }
+    // A table of triangles is a surface unless a side is glued to itself backwards.
+    let surfaces = match is_surface {
+        true => GeneralizedMap::new(faces.two_skeleton()?).map_or(Vec::new(), |map| map.components()),
+        false => Vec::new(),
+    };
+    let surface = match &surfaces[..] {
+        [only] => only.surface(),
         _ => None,
     };
     let warnings = match faces.has_folds() {
@@ -57,7 +60,8 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         skin: if table.dimension() == 3 && !table.is_closed() { Some(skin(table)?) } else { None },
         orientable: (components > 0).then(|| orientation.is_orientable()),
         surface_type: surface,
-        name: surface.map(|surface| surface.to_string()),
+        name: SurfaceComponent::names(&surfaces),
+        surfaces,
         homology: homology(&chains).groups().to_vec(),
         problems,
         warnings,

@@ -1,13 +1,18 @@
 //! The report on a surface given by permutations of its halfedges.
 
 use super::facts::{Answer, Kind, Report};
-use crate::surface::{HalfedgeMesh, SurfaceType};
+use crate::surface::{GeneralizedMap, HalfedgeMesh, SurfaceComponent};
 use crate::topology::homology;
 
 /// The report on a mesh: any pair of permutations is a closed oriented surface, so only its numbers are open.
 pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
     let complex = mesh.chain_complex();
-    let surface = (mesh.component_count() == 1).then(|| SurfaceType::orientable(mesh.genus(), 0));
+    let map = GeneralizedMap::new(mesh.two_skeleton()).expect("permutations are a surface");
+    let surfaces = map.components();
+    let surface = match &surfaces[..] {
+        [only] => only.surface(),
+        _ => None,
+    };
     let is_empty = mesh.halfedge_count() == 0;
     Report {
         kind: Kind::Surface,
@@ -20,7 +25,8 @@ pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
         orientable: Some(true),
         coherently_oriented: Some(true),
         surface_type: surface,
-        name: surface.map(|surface| surface.to_string()),
+        name: SurfaceComponent::names(&surfaces),
+        surfaces,
         homology: homology(&complex).groups().to_vec(),
         ..Report::of_nothing()
     }

@@ -2,6 +2,7 @@
 
 use super::{Problem, Report};
 use crate::algebra::Integer;
+use crate::surface::{SurfaceComponent, SurfaceType};
 use crate::topology::AbelianGroup;
 use serde_json::{Value, json};
 
@@ -40,6 +41,7 @@ impl Report {
             "coherently_oriented": self.coherently_oriented,
             "genus": self.surface_type.map(|surface| surface.genus()),
             "name": self.name,
+            "surfaces": self.surfaces.iter().map(surface_to_json).collect::<Vec<_>>(),
             "homology": groups_to_json(&self.homology),
             "area": self.area,
             "signed_volume": self.signed_volume,
@@ -70,6 +72,18 @@ pub fn groups_to_json(groups: &[AbelianGroup]) -> Value {
 /// An integer as a JSON number, or beyond 64 bits as a string of decimal digits.
 pub fn integer_to_json(integer: &Integer) -> Value {
     integer.to_i64().map_or_else(|| Value::from(integer.to_string()), Value::from)
+}
+
+fn surface_to_json(component: &SurfaceComponent) -> Value {
+    let surface = component.surface();
+    json!({
+        "f_vector": component.f_vector(),
+        "euler_characteristic": component.euler_characteristic(),
+        "boundary_loops": component.boundary_count(),
+        "orientable": surface.map(SurfaceType::is_orientable),
+        "genus": surface.map(SurfaceType::genus),
+        "name": surface.map(|surface| surface.to_string()),
+    })
 }
 
 fn problem_to_json(problem: &Problem, limit: usize) -> Value {

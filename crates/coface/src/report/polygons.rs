@@ -124,6 +124,7 @@ fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels) -> Repor
         orientable: orientation.is_orientable(),
         coherently_oriented: orientation.is_coherent(),
         surface_type: survey.surface(),
+        surfaces: survey.parts().iter().filter(|part| part.f_vector() != [1, 0, 0]).cloned().collect(),
         name: survey.name(),
         area,
         signed_volume,

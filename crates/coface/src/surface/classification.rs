@@ -99,6 +99,52 @@ pub struct SurfaceComponent {
 }
 
 impl SurfaceComponent {
+    /// A component that is a surface with these counts.
+    pub(super) fn of_surface(f_vector: [usize; 3], boundary_count: usize, is_orientable: bool) -> Self {
+        let mut component = Self { f_vector, boundary_count, surface: None };
+        let handles = 2 - component.euler_characteristic() - boundary_count as i64;
+        let handles =
+            usize::try_from(handles).expect("a connected surface has Euler characteristic at most 2 - b");
+        component.surface = Some(if is_orientable {
+            SurfaceType::orientable(handles / 2, boundary_count)
+        } else {
+            SurfaceType::non_orientable(handles, boundary_count)
+        });
+        component
+    }
+
+    /// Components in words: "torus", "5 spheres", "2 disks and 1 torus"; `None` without components, and if one of them is
+    /// neither a surface nor a point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::surface::{GeneralizedMap, HalfedgeMesh, SurfaceComponent};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// // Three loops, each between two monogons.
+    /// let mesh = HalfedgeMesh::from_next((0..6).collect())?;
+    /// let components = GeneralizedMap::new(mesh.two_skeleton())?.components();
+    /// assert_eq!(SurfaceComponent::names(&components).as_deref(), Some("3 spheres"));
+    /// # Ok(()) }
+    /// ```
+    pub fn names(components: &[Self]) -> Option<String> {
+        if let [only] = components {
+            return Some(only.surface?.to_string());
+        }
+        let points = components.iter().filter(|part| part.f_vector == [1, 0, 0]).count();
+        let mut types: Vec<SurfaceType> = components.iter().filter_map(|part| part.surface).collect();
+        if types.is_empty() || types.len() + points < components.len() {
+            return None;
+        }
+        types.sort_unstable_by_key(|surface| (!surface.is_orientable, surface.genus, surface.boundary_count));
+        let mut words: Vec<String> =
+            types.chunk_by(|a, b| a == b).map(|equal| counted(equal.len(), &equal[0].to_string())).collect();
+        if points > 0 {
+            words.push(counted(points, "isolated vertex"));
+        }
+        let last = words.pop()?;
+        Some(if words.is_empty() { last } else { format!("{} and {last}", words.join(", ")) })
+    }
+
     /// The numbers of its vertices, edges and faces.
     pub fn f_vector(&self) -> [usize; 3] {
         self.f_vector
@@ -168,22 +214,7 @@ impl SurfaceSurvey {
     /// The mesh in words: "torus", "5 spheres", "2 disks and 1 torus"; `None` if some component is neither a surface nor
     /// a point.
     pub fn name(&self) -> Option<String> {
-        if let Some(surface) = self.surface() {
-            return Some(surface.to_string());
-        }
-        let points = self.parts.iter().filter(|part| part.f_vector == [1, 0, 0]).count();
-        let mut types: Vec<SurfaceType> = self.parts.iter().filter_map(|part| part.surface).collect();
-        if types.is_empty() || types.len() + points < self.parts.len() {
-            return None;
-        }
-        types.sort_unstable_by_key(|surface| (!surface.is_orientable, surface.genus, surface.boundary_count));
-        let mut words: Vec<String> =
-            types.chunk_by(|a, b| a == b).map(|equal| counted(equal.len(), &equal[0].to_string())).collect();
-        if points > 0 {
-            words.push(counted(points, "isolated vertex"));
-        }
-        let last = words.pop()?;
-        Some(if words.is_empty() { last } else { format!("{} and {last}", words.join(", ")) })
+        SurfaceComponent::names(&self.parts)
     }
 }
 
@@ -272,14 +303,7 @@ impl PolygonMesh {
         let non_orientable = self.non_orientable_parts(components, orientation);
         for (i, part) in parts.iter_mut().enumerate() {
             if is_surface[i] {
-                let handles = 2 - part.euler_characteristic() - part.boundary_count as i64;
-                let handles = usize::try_from(handles)
-                    .expect("a connected surface has Euler characteristic at most 2 - b");
-                part.surface = Some(if non_orientable[i] {
-                    SurfaceType::non_orientable(handles, part.boundary_count)
-                } else {
-                    SurfaceType::orientable(handles / 2, part.boundary_count)
-                });
+                *part = SurfaceComponent::of_surface(part.f_vector, part.boundary_count, !non_orientable[i]);
             }
         }
         parts

@@ -7,7 +7,7 @@ mod slicing;
 pub use double_cover::OrientationDoubleCover;
 pub use slicing::SlicedMap;
 
-use super::SurfaceType;
+use super::{SurfaceComponent, SurfaceType};
 use crate::algebra::{Sign, UnionFind};
 use crate::chains::TwoSkeleton;
 use crate::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
@@ -336,31 +336,31 @@ impl GeneralizedMap {
     /// # Complexity
     /// Near-linear.
     pub fn surfaces(&self) -> Vec<SurfaceType> {
+        let components = self.components().into_iter();
+        components.map(|component| component.surface().expect("a map is a surface")).collect()
+    }
+
+    /// The components with their counts, in the order of the first faces. Isolated vertices are no components here.
+    pub fn components(&self) -> Vec<SurfaceComponent> {
         let orientation = self.orientation();
         let count = orientation.conflicts.len();
-        let (mut euler, mut holes) = (vec![0i64; count], vec![0usize; count]);
+        let (mut f_vectors, mut holes) = (vec![[0; 3]; count], vec![0; count]);
         for &component in &orientation.components {
-            euler[component as usize] += 1;
+            f_vectors[component as usize][2] += 1;
+        }
+        for &side in &self.first_sides {
+            f_vectors[orientation.component(self.face(HalfedgeId::from_u32(side)))][1] += 1;
         }
         let mut seen = vec![false; self.skeleton.vertex_count()];
         for side in self.sides() {
-            let component = orientation.component(self.face(side));
-            // Each edge at its first side, each vertex at its first corner.
-            euler[component] -= i64::from(self.mates[side.index()] >= side.to_u32());
-            euler[component] += i64::from(!std::mem::replace(&mut seen[self.source(side).index()], true));
+            let is_new = !std::mem::replace(&mut seen[self.source(side).index()], true);
+            f_vectors[orientation.component(self.face(side))][0] += usize::from(is_new);
         }
         for hole in self.boundary_loops() {
             holes[orientation.component(self.face(hole[0].0))] += 1;
         }
         (0..count)
-            .map(|i| {
-                let handles = usize::try_from(2 - euler[i] - holes[i] as i64)
-                    .expect("a connected surface has Euler characteristic at most 2 less its holes");
-                match orientation.conflicts[i] {
-                    None => SurfaceType::orientable(handles / 2, holes[i]),
-                    Some(_) => SurfaceType::non_orientable(handles, holes[i]),
-                }
-            })
+            .map(|i| SurfaceComponent::of_surface(f_vectors[i], holes[i], orientation.conflicts[i].is_none()))
             .collect()
     }
 
