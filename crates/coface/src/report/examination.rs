@@ -143,6 +143,25 @@ mod tests {
     }
 
     #[test]
+    fn every_component_of_a_surface_is_named() {
+        let disk_and_sphere =
+            report_of(&[vec![0, 1, 2], vec![3, 4, 5], vec![3, 4, 6], vec![3, 5, 6], vec![4, 5, 6]]);
+        let of = |report: &Report| -> Vec<(String, [usize; 3])> {
+            let surfaces = report.surfaces().iter();
+            surfaces.map(|part| (part.surface().unwrap().to_string(), part.f_vector())).collect()
+        };
+        assert_eq!(of(&disk_and_sphere), [("disk".into(), [3, 3, 1]), ("sphere".into(), [4, 6, 4])]);
+        // A torus of one vertex beside a segment in a digon.
+        let next = vec![2, 3, 1, 0, 5, 4];
+        let twin = vec![1, 0, 3, 2, 5, 4];
+        let halfedges = Report::of(Model::from_structure(Structure::Halfedges { next, twin })).unwrap();
+        assert_eq!(of(&halfedges), [("torus".into(), [1, 2, 1]), ("sphere".into(), [2, 1, 1])]);
+        assert_eq!(halfedges.name(), Some("1 sphere and 1 torus"));
+        let json = halfedges.to_json(1);
+        assert_eq!((&json["surfaces"][0]["genus"], &json["genus"]), (&1.into(), &serde_json::Value::Null));
+    }
+
+    #[test]
     fn curves_points_and_nothing_are_ordinary() {
         let empty = report_of(&[]);
         assert_eq!((empty.dimension(), empty.components(), empty.homology().len()), (None, 0, 0));
