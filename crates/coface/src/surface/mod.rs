@@ -34,7 +34,10 @@ pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
 pub use components::Components;
 pub use generalized_map::{FaceOrientation, GeneralizedMap, OrientationDoubleCover, SlicedMap};
-pub use halfedge::{HalfedgeMesh, InnerHalfedges};
+pub use halfedge::{
+    CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh, InnerHalfedges,
+    Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
+};
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
 pub use orientation::{OddFaceCycle, SurfaceOrientation};
 pub use polygon_mesh::PolygonMesh;

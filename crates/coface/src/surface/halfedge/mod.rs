@@ -22,11 +22,16 @@ mod check;
 mod circulators;
 mod export;
 mod inner;
+mod editing;
 mod mesh;
 mod polygons;
 mod sources;
 
 pub use inner::InnerHalfedges;
+pub use editing::{
+    CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, Renumbering,
+    SimplicialCollapse, VertexRemoval, VertexSplit,
+};
 pub use mesh::HalfedgeMesh;
 
 #[cfg(test)]
