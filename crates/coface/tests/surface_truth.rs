@@ -223,10 +223,10 @@ fn real_surfaces_are_cut_to_disks() -> Result<(), Error> {
         let rank: usize = trees.components().iter().map(|part| part.generators().len()).sum();
         check(&record, "torsion", "none");
         assert_eq!(rank as u64, record["betti"][1].as_u64().expect("the record has Betti numbers"));
-        let sliced = map.slice(&cut.cut_graph(&map))?;
-        assert_eq!(sliced.map().boundary_loops().iter().map(Vec::len).sum::<usize>(), sides);
-        assert!(sliced.map().surfaces().iter().all(|surface| surface.to_string() == "disk"));
-        assert_eq!(sliced.map().component_count(), trees.components().len());
+        let sliced = map.slice_edges(&cut.cut_graph(&map))?;
+        assert_eq!(sliced.surface().boundary_loops().iter().map(Vec::len).sum::<usize>(), sides);
+        assert!(sliced.surface().surfaces().iter().all(|surface| surface.to_string() == "disk"));
+        assert_eq!(sliced.surface().component_count(), trees.components().len());
     }
     Ok(())
 }

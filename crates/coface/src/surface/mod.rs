@@ -14,6 +14,7 @@
 //!   [`OrientationDoubleCover`] has every face twice.
 //! * A [`HalfedgeMesh`] is an oriented surface as a permutation `next` of its halfedges, two to an edge; `halfedge/` has
 //!   its words.
+//! * A [`Slice`] is a surface cut open along edges; [`Glued`] is one with sides of its boundary glued.
 //! * A [`MeshRepair`] makes a soup a surface, on request only: it splits vertices and edges and turns faces, and says so.
 
 mod boundary;
@@ -33,10 +34,10 @@ mod two_skeleton;
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
 pub use components::Components;
-pub use generalized_map::{FaceOrientation, GeneralizedMap, OrientationDoubleCover, SlicedMap};
+pub use generalized_map::{FaceOrientation, GeneralizedMap, Glued, OrientationDoubleCover, PathKind, Slice};
 pub use halfedge::{
-    CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh, InnerHalfedges,
-    Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
+    CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh,
+    InnerHalfedges, Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
 };
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
 pub use orientation::{OddFaceCycle, SurfaceOrientation};

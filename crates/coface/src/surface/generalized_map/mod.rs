@@ -1,11 +1,13 @@
 //! Generalized maps: surfaces with or without orientation, as polygons whose sides are glued in pairs.
 
 mod double_cover;
+mod gluing;
 mod involutions;
 mod slicing;
 
 pub use double_cover::OrientationDoubleCover;
-pub use slicing::SlicedMap;
+pub use gluing::Glued;
+pub use slicing::{PathKind, Slice};
 
 use super::{SurfaceComponent, SurfaceType};
 use crate::algebra::{Sign, UnionFind};
@@ -258,6 +260,26 @@ impl GeneralizedMap {
                 return flags;
             }
             at = across;
+        }
+    }
+
+    /// Visits the flags of the fan that a flag is in, each once: first one way around its vertex, then, if the fan is not
+    /// closed, the other way. Fans end at the boundary and at sides where `is_wall` holds.
+    fn walk_fan(&self, flag: u32, is_wall: impl Fn(HalfedgeId) -> bool, mut visit: impl FnMut(u32)) {
+        visit(flag);
+        for first in [1, 2] {
+            let (mut at, mut index) = (flag, first);
+            loop {
+                let after = self.alpha(index, at);
+                if after == at || (index == 2 && is_wall(HalfedgeId::from_u32(at >> 1))) {
+                    break;
+                }
+                if after == flag {
+                    return;
+                }
+                visit(after);
+                (at, index) = (after, 3 - index);
+            }
         }
     }
 

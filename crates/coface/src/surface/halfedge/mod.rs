@@ -20,18 +20,19 @@
 mod boundary;
 mod check;
 mod circulators;
+mod editing;
 mod export;
 mod inner;
-mod editing;
 mod mesh;
 mod polygons;
+mod slicing;
 mod sources;
 
-pub use inner::InnerHalfedges;
 pub use editing::{
     CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, Renumbering,
     SimplicialCollapse, VertexRemoval, VertexSplit,
 };
+pub use inner::InnerHalfedges;
 pub use mesh::HalfedgeMesh;
 
 #[cfg(test)]

@@ -221,12 +221,12 @@ proptest! {
         prop_assert_eq!(groups.component_count(), TreeCotree::new(&map).components().len());
         // Sliced along the cut graph, each component is a disk.
         let cut = CutSurface::new(&map, &greedy);
-        let sliced = map.slice(&cut.cut_graph(&map)).unwrap();
-        let disks = sliced.map().surfaces().iter().filter(|surface| surface.to_string() == "disk").count();
+        let sliced = map.slice_edges(&cut.cut_graph(&map)).unwrap();
+        let disks = sliced.surface().surfaces().iter().filter(|surface| surface.to_string() == "disk").count();
         prop_assert_eq!(disks, cut.domains().iter().filter(|domain| domain.side_count() > 0).count());
         let total = cut.domains().iter().map(|domain| domain.f_vector()).fold([0; 3], |a, b| {
             [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
         });
-        prop_assert_eq!(sliced.map().f_vector(), total);
+        prop_assert_eq!(sliced.surface().f_vector(), total);
     }
 }
