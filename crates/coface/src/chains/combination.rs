@@ -163,6 +163,14 @@ macro_rules! combination {
                 Combination::of_complex(complex, degree, terms).map(Self)
             }
 
+            #[doc = concat!("The ", $noun, " of these terms, whose cells are known to be there, in any order.")]
+            pub(crate) fn of_cells(
+                degree: usize,
+                terms: impl IntoIterator<Item = (CellId, C)>,
+            ) -> Result<Self, Error> {
+                Combination::from_terms(degree, terms.into_iter().collect()).map(Self)
+            }
+
             #[doc = concat!("The ", $noun, " without terms.")]
             pub fn zero(degree: usize) -> Self {
                 Self(Combination { degree, terms: Vec::new() })

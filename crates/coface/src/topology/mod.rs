@@ -58,4 +58,7 @@ pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
 pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
-pub use surfaces::{CutSurface, EdgeRole, FundamentalDomain, TreeCotree, TreeCotreeComponent};
+pub use surfaces::{
+    ClosedWalk, CocycleBasis, CutSurface, EdgeRole, Exactness, FundamentalDomain, Slicing, SurfaceHomology,
+    TreeCotree, TreeCotreeComponent, exactness, exactness_within, intersection_number, slicing_cocycle,
+};

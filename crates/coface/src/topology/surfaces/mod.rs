@@ -10,10 +10,24 @@
 //!   **fundamental domain**; a [`FundamentalDomain`] is the polygon that its boundary is, with a letter for each generator.
 //! * On a component with boundary one boundary edge belongs to the cotree: through it one gets to the outside. So there
 //!   are $1 - \chi$ generators, and they generate freely. On a closed component there are $2 - \chi$, with one relator.
+//! * A [`ClosedWalk`] is a cycle; a [`SurfaceHomology`] tells its class and what it bounds. A [`CocycleBasis`] is a basis of
+//!   first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops.
 
+mod closed_walk;
+mod cocycle_basis;
 mod cut_surface;
+mod exactness;
+#[cfg(test)]
+mod samples;
 mod shortest_paths;
+mod slicing_cocycle;
+mod surface_homology;
 mod tree_cotree;
 
+pub use closed_walk::ClosedWalk;
+pub use cocycle_basis::CocycleBasis;
 pub use cut_surface::{CutSurface, FundamentalDomain};
+pub use exactness::{Exactness, exactness, exactness_within};
+pub use slicing_cocycle::{Slicing, intersection_number, slicing_cocycle};
+pub use surface_homology::SurfaceHomology;
 pub use tree_cotree::{EdgeRole, TreeCotree, TreeCotreeComponent};
