@@ -20,6 +20,7 @@ mod adapted_basis;
 mod basis;
 mod cocycles;
 mod coefficients;
+mod covering;
 mod cup;
 mod cup_table;
 mod fundamental;
@@ -40,6 +41,7 @@ mod surfaces;
 
 pub use basis::HomologyBasis;
 pub use coefficients::Coefficients;
+pub use covering::{CoverExtent, UniversalCover};
 pub use cup::CochainAlgebra;
 pub use cup_table::{CupProductTable, cup_product_table};
 pub use fundamental::{

@@ -83,7 +83,7 @@ impl Ball {
     /// use coface::topology::{Ball, SurfaceGroup};
     /// let integers = SurfaceGroup::free(1);
     /// let steps = [2, 3].map(|exponent| Word::from_letters([1]).power(exponent));
-    /// let ball = Ball::of_generators(&integers, &steps, 9);
+    /// let ball = Ball::of_generators(&integers, &steps, 10);
     /// let unit = integers.normal_form(&Word::from_letters([1]));
     /// assert_eq!(ball.word(ball.number(&unit).expect("it is near")).to_string(), "x1^-1 x2");
     /// ```

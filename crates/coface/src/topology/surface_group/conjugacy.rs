@@ -48,7 +48,7 @@ impl SurfaceGroup {
     /// use coface::topology::SurfaceGroup;
     /// # fn main() -> Result<(), coface::Error> {
     /// let genus_2 = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2, 3, 4, -3, -4]))?;
-    /// let (a, b) = (Word::from_letters([1, 2, -1, -2]), Word::from_letters([4, -3, -4, 3]));
+    /// let (a, b) = (Word::from_letters([1, 2, -1, -2]), Word::from_letters([-4, -3, 4, 3]));
     /// assert_eq!(genus_2.conjugacy_form(&a), genus_2.conjugacy_form(&b));
     /// # Ok(()) }
     /// ```
