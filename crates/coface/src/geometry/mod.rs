@@ -1,11 +1,14 @@
 //! Coordinates, beside topology and never inside it.
 //!
 //! [`Positions`] holds the points of one model, in the unit of its file, in any dimension;
-//! [`polygon_area`] and [`enclosed_volume`] measure polygons on them.
+//! [`polygon_area`] and [`enclosed_volume`] measure polygons on them, [`surface_moment`] and [`enclosed_moment`] integrate
+//! monomials, and [`MassProperties`] are what a solid of density 1 has.
 
 mod measure;
+mod moments;
 mod positions;
 
 pub(crate) use measure::{Scaled, Sum};
 pub use measure::{enclosed_volume, polygon_area};
+pub use moments::{MassProperties, enclosed_moment, surface_moment};
 pub use positions::Positions;
