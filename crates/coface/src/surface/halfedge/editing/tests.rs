@@ -169,6 +169,18 @@ fn edit(mesh: &mut HalfedgeMesh, kind: u8, first: u16, second: u16) -> bool {
             assert_same(&undone, &before);
             true
         }
+        9 => match mesh.collapse_edge_simplicially(edge) {
+            Ok(collapse) => {
+                let [vertices, edges, faces] = before.f_vector();
+                let gone = [1, collapse.removed_edges().len(), collapse.removed_faces().len()];
+                assert_eq!(mesh.f_vector(), [vertices - gone[0], edges - gone[1], faces - gone[2]]);
+                true
+            }
+            Err(_) => {
+                assert_eq!(*mesh, before);
+                false
+            }
+        },
         _ => {
             let face = FaceId::new(first as usize % mesh.face_count());
             let poke = mesh.poke_face(face).unwrap();
@@ -236,7 +248,7 @@ proptest! {
     #[test]
     fn any_sequence_of_edits_keeps_the_surface_and_can_be_undone(
         start in surfaces(),
-        steps in prop::collection::vec((0u8..10, any::<u16>(), any::<u16>()), 0..24),
+        steps in prop::collection::vec((0u8..11, any::<u16>(), any::<u16>()), 0..24),
     ) {
         let mut mesh = start;
         let expected = invariants(&mesh);
@@ -249,7 +261,7 @@ proptest! {
     #[test]
     fn triangulations_are_edited_too(
         start in triangulations(),
-        steps in prop::collection::vec((0u8..10, any::<u16>(), any::<u16>()), 0..16),
+        steps in prop::collection::vec((0u8..11, any::<u16>(), any::<u16>()), 0..16),
     ) {
         let mut mesh = start;
         let expected = invariants(&mesh);
