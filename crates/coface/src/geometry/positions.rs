@@ -75,6 +75,36 @@ impl Positions {
         &self.coordinates[vertex.index() * self.dimension..(vertex.index() + 1) * self.dimension]
     }
 
+    /// The distance between the points `ends[2 * i]` and `ends[2 * i + 1]`, for each i.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] without positions; [`ErrorKind::NotInComplex`] naming a point that is not there.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::geometry::Positions;
+    /// let positions = Positions::from_flat(2, vec![0.0, 0.0, 3.0, 4.0])?;
+    /// assert_eq!(positions.distances(&[0, 1, 1, 1])?, [5.0, 0.0]);
+    /// # Ok::<(), coface::Error>(())
+    /// ```
+    pub fn distances(&self, ends: &[u32]) -> Result<Vec<f64>, Error> {
+        if self.dimension == 0 {
+            return Err(Error::invalid("there are no positions to measure lengths with")
+                .with_cure("give positions, or take the length 1 for each edge"));
+        }
+        if let Some(end) = ends.iter().find(|&&end| end as usize >= self.len()) {
+            return Err(Error::new(
+                ErrorKind::NotInComplex,
+                format!("there is no point v{end}; there are {}", self.len()),
+            ));
+        }
+        let distance = |&[a, b]: &[u32; 2]| {
+            let [a, b] = [a, b].map(|end| self.point(VertexId::from_u32(end)));
+            a.iter().zip(b).fold(0.0, |sum: f64, (x, y)| sum.hypot(x - y))
+        };
+        Ok(ends.as_chunks::<2>().0.iter().map(distance).collect())
+    }
+
     /// All coordinates, point after point.
     pub fn as_flat(&self) -> &[f64] {
         &self.coordinates

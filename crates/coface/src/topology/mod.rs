@@ -61,6 +61,8 @@ pub use long_exact_sequence::LongExactSequence;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
 pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
 pub use surfaces::{
-    ClosedWalk, CocycleBasis, CutSurface, EdgeRole, Exactness, FundamentalDomain, Slicing, SurfaceHomology,
-    TreeCotree, TreeCotreeComponent, exactness, exactness_within, intersection_number, slicing_cocycle,
+    ClosedWalk, CocycleBasis, CutGraph, CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain,
+    HarmonicForm, Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
+    TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
+    shortest_cycle, shortest_cycle_through, shortest_homology_basis, slicing_cocycle,
 };

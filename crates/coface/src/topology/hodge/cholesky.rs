@@ -8,13 +8,13 @@ use faer::{Conj, MatMut, Par, Side};
 
 /// The Cholesky factor of a symmetric positive definite matrix, with a fill-reducing order. One thread: the same input
 /// gives the same bytes.
-pub(super) struct CholeskyFactor {
+pub(in crate::topology) struct CholeskyFactor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
 }
 
 /// The largest number of entries of a factor: 2 GiB.
-pub(super) const MOST_FILL: usize = 1 << 28;
+pub(in crate::topology) const MOST_FILL: usize = 1 << 28;
 
 impl CholeskyFactor {
     /// The factor of the matrix with these entries (row, column, value) in its lower half; those at one place are added.
@@ -22,7 +22,7 @@ impl CholeskyFactor {
     /// # Errors
     /// [`ErrorKind::TooLarge`] if the factor has more than `most` entries, or the matrix is not positive definite in
     /// floating point.
-    pub(super) fn new(
+    pub(in crate::topology) fn new(
         count: usize,
         entries: Vec<Triplet<usize, usize, f64>>,
         most: usize,
@@ -66,7 +66,7 @@ impl CholeskyFactor {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] if there is no memory to work in.
-    pub(super) fn solve(&self, right: &mut [f64]) -> Result<(), Error> {
+    pub(in crate::topology) fn solve(&self, right: &mut [f64]) -> Result<(), Error> {
         let count = right.len();
         let mut space = space(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq), count)?;
         LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(

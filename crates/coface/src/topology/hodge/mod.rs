@@ -20,5 +20,6 @@ mod metric;
 #[cfg(test)]
 mod tests;
 
+pub(super) use cholesky::{CholeskyFactor, MOST_FILL};
 pub use decomposition::{HarmonicCochain, HodgeDecomposition, HodgeSpace, harmonic_basis};
 pub use metric::{MetricComplex, laplacian_matrix};

@@ -11,23 +11,38 @@
 //! * On a component with boundary one boundary edge belongs to the cotree: through it one gets to the outside. So there
 //!   are $1 - \chi$ generators, and they generate freely. On a closed component there are $2 - \chi$, with one relator.
 //! * A [`ClosedWalk`] is a cycle; a [`SurfaceHomology`] tells its class and what it bounds. A [`CocycleBasis`] is a basis of
-//!   first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops.
+//!   first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops; [`harmonic_forms`] are the real
+//!   ones of least energy.
+//! * A [`SurfaceHomotopy`] has the words of walks: it tells which can be contracted, and which are homotopic.
+//! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`] search from
+//!   all vertices; the shortest loops at one vertex are those of [`TreeCotree::greedy`].
 
 mod closed_walk;
 mod cocycle_basis;
+mod cut_graph;
 mod cut_surface;
 mod exactness;
+mod harmonic_forms;
+mod root_search;
 #[cfg(test)]
 mod samples;
+mod shortest_cycle;
+mod shortest_homology_basis;
 mod shortest_paths;
 mod slicing_cocycle;
 mod surface_homology;
+mod surface_homotopy;
 mod tree_cotree;
 
 pub use closed_walk::ClosedWalk;
 pub use cocycle_basis::CocycleBasis;
+pub use cut_graph::{CutGraph, Seam, SeamKind};
 pub use cut_surface::{CutSurface, FundamentalDomain};
 pub use exactness::{Exactness, exactness, exactness_within};
+pub use harmonic_forms::{HarmonicForm, cotangent_weights, harmonic_forms};
+pub use shortest_cycle::{CycleKind, ShortestCycle, shortest_cycle, shortest_cycle_through};
+pub use shortest_homology_basis::shortest_homology_basis;
 pub use slicing_cocycle::{Slicing, intersection_number, slicing_cocycle};
 pub use surface_homology::SurfaceHomology;
+pub use surface_homotopy::SurfaceHomotopy;
 pub use tree_cotree::{EdgeRole, TreeCotree, TreeCotreeComponent};

@@ -181,6 +181,11 @@ impl<'a> SurfaceHomology<'a> {
         &self.by_edge[start..end]
     }
 
+    /// The generators whose crossing cochains are odd on an edge.
+    pub(super) fn odd_crossings(&self, edge: u32) -> impl Iterator<Item = u32> + '_ {
+        self.crossed(edge).iter().filter(|(_, value)| value % 2 != 0).map(|&(generator, _)| generator)
+    }
+
     /// Whether a cycle of degree 1 bounds: the chain of faces, of its double if only that bounds, or a cocycle that shows that no
     /// multiple does.
     ///
