@@ -1,6 +1,7 @@
 //! Slicing: surfaces cut open along edges, with the way back.
 
 use super::GeneralizedMap;
+use crate::algebra::Sign;
 use crate::chains::TwoSkeleton;
 use crate::{EdgeId, Error, ErrorKind, HalfedgeId, IdVec, VertexId};
 
@@ -126,9 +127,9 @@ impl GeneralizedMap {
     /// becomes a slit; a closed path becomes two boundary loops if it has two sides and one if it is one-sided, see
     /// [`Slice::path_kind`]; where a path touches the boundary, its slit opens into that.
     ///
-    /// The left side of the first step is the side of its edge that runs as the path does, and if both do, or neither,
-    /// the first of them; from there the left is carried along the path. Where all faces agree, the left sides are
-    /// those that run as the path does.
+    /// The left side of a step is the side that runs as the step does, its face turned as [`super::FaceOrientation::signs`]
+    /// says. On a component that is not orientable the left is so told at the first step, by the first side of its edge,
+    /// and carried along the path.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] when the steps are no path, or one of them lies on the boundary, or an edge is there
@@ -154,9 +155,8 @@ impl GeneralizedMap {
     /// # Ok(()) }
     /// ```
     pub fn slice_path(&self, steps: &[u32]) -> Result<Slice<Self>, Error> {
-        let first_sides = self.first_sides();
-        let is_closed = self.check_path(steps, &first_sides)?;
-        let left = self.left_sides(steps, is_closed, &first_sides);
+        let is_closed = self.check_path(steps)?;
+        let left = self.left_sides(steps, is_closed);
         let kind = match is_closed {
             false => PathKind::Open,
             true if left.last() == left.first() => PathKind::TwoSided,
@@ -208,22 +208,16 @@ impl GeneralizedMap {
         let [vertex_count, edge_count, _] = skeleton.f_vector();
         // The side that keeps the number of a cut edge, and that which gets a copy, by rising edge.
         let mut pairs: Vec<(EdgeId, HalfedgeId, HalfedgeId)> = Vec::new();
-        for side in self.sides() {
-            let edge = self.edge(side);
-            let Some(mate) = self.mate(side).filter(|&mate| side < mate && is_cut[edge.index()]) else {
-                continue;
-            };
+        for edge in (0..edge_count).filter(|&edge| is_cut[edge]).map(EdgeId::new) {
+            let side = self.first_side(edge);
+            let Some(mate) = self.mate(side) else { continue };
             let runs_against = |side| self.step(side) & 1 == 1;
-            pairs.push(if runs_against(side) && !runs_against(mate) {
-                (edge, mate, side)
-            } else {
-                (edge, side, mate)
-            });
+            let mate_keeps = runs_against(side) && !runs_against(mate);
+            pairs.push(if mate_keeps { (edge, mate, side) } else { (edge, side, mate) });
         }
         if edge_count + pairs.len() >= 1 << 31 {
             return Err(Error::new(ErrorKind::TooLarge, "a surface has fewer than 2^31 edges"));
         }
-        pairs.sort_unstable();
         let mut edge_sources: IdVec<EdgeId, EdgeId> = (0..edge_count).map(EdgeId::new).collect();
         let mut faces = skeleton.faces().clone();
         for &(edge, _, right) in &pairs {
@@ -278,7 +272,7 @@ impl GeneralizedMap {
     }
 
     /// Checks that steps are a path of distinct edges inside the surface through distinct vertices; whether it is closed.
-    fn check_path(&self, steps: &[u32], first_sides: &[HalfedgeId]) -> Result<bool, Error> {
+    fn check_path(&self, steps: &[u32]) -> Result<bool, Error> {
         let skeleton = self.skeleton();
         let ends = skeleton.edge_ends();
         let Some(&last) = steps.last() else {
@@ -328,7 +322,7 @@ impl GeneralizedMap {
             ))
             .with_cure("cut along the edges as a set"));
         }
-        let is_boundary = |edge: u32| self.mate(first_sides[edge as usize]).is_none();
+        let is_boundary = |edge: u32| self.mate(self.first_side(EdgeId::from_u32(edge))).is_none();
         let boundary = edges.iter().filter(|&&(edge, _)| is_boundary(edge)).min_by_key(|pair| pair.1);
         if let Some(&(edge, i)) = boundary {
             return Err(Error::invalid(format!(
@@ -342,12 +336,12 @@ impl GeneralizedMap {
 
     /// The side on the left of each step of a path that was checked; of a closed one also what is left of the first step
     /// after the last one.
-    fn left_sides(&self, steps: &[u32], is_closed: bool, first_sides: &[HalfedgeId]) -> Vec<HalfedgeId> {
+    fn left_sides(&self, steps: &[u32], is_closed: bool) -> Vec<HalfedgeId> {
         let mate = |side: HalfedgeId| self.mate(side).expect("a path to cut lies inside");
-        let first = first_sides[(steps[0] >> 1) as usize];
-        // Of two sides that run alike the first.
-        let (runs, mate_runs) = (self.step(first) == steps[0], self.step(mate(first)) == steps[0]);
-        let mut left = vec![if mate_runs && !runs { mate(first) } else { first }];
+        let first = self.first_side(EdgeId::from_u32(steps[0] >> 1));
+        let sign = self.orientation().signs()[self.face(first).index()];
+        let is_left = (self.step(first) == steps[0]) == (sign == Sign::Plus);
+        let mut left = vec![if is_left { first } else { mate(first) }];
         let turns = steps.windows(2).map(|pair| (pair[0], pair[1]));
         let closing = is_closed.then(|| (steps[steps.len() - 1], steps[0]));
         for (from, to) in turns.chain(closing) {
@@ -377,15 +371,6 @@ impl GeneralizedMap {
             }
             flag = across;
         }
-    }
-
-    /// The first side of each edge.
-    fn first_sides(&self) -> Vec<HalfedgeId> {
-        let mut first_sides = vec![HalfedgeId::new(0); self.skeleton().edge_count()];
-        for side in self.sides().rev() {
-            first_sides[self.edge(side).index()] = side;
-        }
-        first_sides
     }
 
     fn no_edge(&self, edge: EdgeId) -> Error {

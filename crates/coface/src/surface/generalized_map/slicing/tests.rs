@@ -152,6 +152,12 @@ proptest! {
         let by_set = map.slice_edges(&edges).unwrap().into_surface();
         prop_assert_eq!(&by_set, cut);
         prop_assert_eq!(slice.left().iter().map(|&side| map.edge(side)).collect::<Vec<_>>(), edges);
+        let orientation = map.orientation();
+        for (&side, &step) in slice.left().iter().zip(&path) {
+            let is_plus = orientation.signs()[map.face(side).index()] == Sign::Plus;
+            let is_oriented = orientation.conflicts()[orientation.component(map.face(side))].is_none();
+            prop_assert!(!is_oriented || (map.step(side) == step) == is_plus);
+        }
         prop_assert_eq!(map.slice_cycle(&path).is_ok(), slice.path_kind() == Some(PathKind::TwoSided));
         let is_boundary = |vertex: u32| map.sides().any(|side| {
             map.mate(side).is_none() && [map.source(side), map.target(side)].iter().any(|v| v.to_u32() == vertex)

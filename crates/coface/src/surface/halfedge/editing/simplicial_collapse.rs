@@ -196,7 +196,7 @@ impl HalfedgeMesh {
     /// If there is no such edge.
     ///
     /// # Examples
-    /// An octahedron becomes a pyramid with two triangles on each of two edges: five vertices.
+    /// An octahedron becomes two tetrahedra glued along a triangle, without it.
     /// ```
     /// use coface::EdgeId;
     /// use coface::algebra::RaggedArray;

@@ -66,7 +66,7 @@ impl HalfedgeMesh {
     /// If there is no such halfedge.
     ///
     /// # Examples
-    /// The vertex of the square torus becomes an edge; its two faces-to-be are still one, a hexagon.
+    /// The vertex of the square torus becomes an edge, and the square a hexagon.
     /// ```
     /// use coface::HalfedgeId;
     /// use coface::surface::HalfedgeMesh;
