@@ -2,6 +2,7 @@
 
 use super::mesh::{HalfedgeMesh, NONE};
 use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use rayon::prelude::*;
 
 impl HalfedgeMesh {
     /// The same mesh with these faces declared outer: the surface without them, which has their rims as its boundary.
@@ -93,35 +94,32 @@ impl HalfedgeMesh {
         Ok(())
     }
 
-    /// The mesh of halfedges whose `next`, `source` and `face` are known but for those without a face, whose three entries
-    /// are `NONE`: boundary loops are filled with outer faces, numbered by their smallest halfedges.
+    /// The mesh of halfedges with these sources, of which `outer` ones, given rising, have no face: `NONE` stands for their
+    /// `next` and `face`. Boundary loops are filled with outer faces, numbered by their smallest halfedges.
     ///
     /// Each edge has at least one halfedge with a face. Gives a vertex of several fans if there is one.
     pub(in crate::surface) fn filled(
         vertex_count: usize,
         mut next: Vec<u32>,
-        mut source: Vec<u32>,
+        source: Vec<u32>,
         mut face: Vec<u32>,
         mut face_halfedge: Vec<u32>,
+        outer: &[u32],
     ) -> Result<Self, VertexId> {
         let face_count = face_halfedge.len();
         let mut vertex_halfedge = vec![NONE; vertex_count];
-        let mut outer = Vec::new();
-        for h in (0..next.len()).filter(|&h| face[h] == NONE) {
-            // It leaves the target of its twin.
-            let vertex = source[next[h ^ 1] as usize];
-            source[h] = vertex;
+        for &h in outer {
+            let vertex = source[h as usize];
             if vertex_halfedge[vertex as usize] != NONE {
                 return Err(VertexId::from_u32(vertex));
             }
-            vertex_halfedge[vertex as usize] = h as u32;
-            outer.push(h as u32);
+            vertex_halfedge[vertex as usize] = h;
         }
-        for &h in &outer {
+        for &h in outer {
             // As many outer halfedges leave a vertex as arrive there.
             next[h as usize] = vertex_halfedge[source[(h ^ 1) as usize] as usize];
         }
-        for &first in &outer {
+        for &first in outer {
             let mut at = first;
             while face[at as usize] == NONE {
                 face[at as usize] = face_halfedge.len() as u32;
@@ -131,10 +129,10 @@ impl HalfedgeMesh {
                 face_halfedge.push(first);
             }
         }
-        for (h, &vertex) in source.iter().enumerate().rev() {
-            let first = &mut vertex_halfedge[vertex as usize];
+        for (h, &vertex) in source.iter().enumerate() {
             // The smallest one, unless there is an outer one.
-            if *first == NONE || face[*first as usize] < face_count as u32 {
+            let first = &mut vertex_halfedge[vertex as usize];
+            if *first == NONE {
                 *first = h as u32;
             }
         }
@@ -154,7 +152,11 @@ impl HalfedgeMesh {
                 }
             }
         };
-        let met: usize = self.vertex_halfedge.iter().filter(|&&h| h != NONE).map(|&h| orbit_length(h)).sum();
+        let met: usize = self
+            .vertex_halfedge
+            .par_chunks(1 << 12)
+            .map(|firsts| firsts.iter().filter(|&&h| h != NONE).map(|&h| orbit_length(h)).sum::<usize>())
+            .sum();
         if met == self.next.len() {
             return None;
         }

@@ -5,6 +5,7 @@ use super::super::edge_identification::{identify_edges, is_sound, polygon_fault}
 use super::mesh::{HalfedgeMesh, NONE};
 use crate::algebra::RaggedArray;
 use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use rayon::prelude::*;
 
 /// The most sides of polygons.
 const SIDE_LIMIT: usize = 1 << 30;
@@ -52,32 +53,17 @@ impl HalfedgeMesh {
                 ),
             ));
         }
-        if let Some(face) = (0..polygons.len()).find(|&face| !is_sound(vertex_count, polygons.list(face))) {
-            return Err(polygon_fault(vertex_count, face, polygons.list(face)));
-        }
-        let matched = match match_sides(vertex_count, polygons) {
-            Err(Unmatched::Crowded) => match_sorted_sides(vertex_count, polygons)?,
+        let sides = match sides_by_lists(vertex_count, polygons) {
+            Err(Unmatched::Crowded) => sides_by_sorting(vertex_count, polygons)?,
             other => other,
         };
-        let Ok(sides) = matched else { return Err(edge_fault(polygons)) };
-        let count = 2 * sides.edge_count;
-        let (mut next, mut source, mut face) = (vec![NONE; count], vec![NONE; count], vec![NONE; count]);
-        let mut first_halfedges = Vec::with_capacity(polygons.len());
-        for (number, polygon) in polygons.iter().enumerate() {
-            let start = polygons.start(number);
-            let halfedges = &sides.halfedges[start..start + polygon.len()];
-            first_halfedges.push(halfedges[0]);
-            let mut before = halfedges[halfedges.len() - 1];
-            for (&h, &vertex) in halfedges.iter().zip(polygon) {
-                next[before as usize] = h;
-                source[h as usize] = vertex;
-                face[h as usize] = number as u32;
-                before = h;
+        match sides {
+            Ok(sides) => {
+                sides.into_mesh(vertex_count).map_err(|vertex| fan_fault(vertex_count, polygons, vertex))
             }
+            Err(Unmatched::Unsound(face)) => Err(polygon_fault(vertex_count, face, polygons.list(face))),
+            Err(_) => Err(edge_fault(polygons)),
         }
-        drop(sides);
-        Self::filled(vertex_count, next, source, face, first_halfedges)
-            .map_err(|vertex| fan_fault(vertex_count, polygons, vertex))
     }
 }
 
@@ -113,100 +99,211 @@ impl PolygonMesh {
     }
 }
 
-/// The halfedge of each side of the polygons, sides in the order of corners.
-struct Sides {
-    halfedges: Vec<u32>,
-    edge_count: usize,
-}
-
-/// Why sides were not matched.
+/// Why sides do not make edges.
 enum Unmatched {
+    /// This polygon is none.
+    Unsound(usize),
     /// An edge has three sides, or two in the same direction.
     Fault,
     /// Vertices of so many edges that their lists take too long.
     Crowded,
 }
 
-/// Numbers the edges in the order of their first sides.
-///
-/// The edges met so far stand in lists, one for each vertex that is the larger end of edges. A mesh whose vertices are
-/// numbered near each other where faces are near finds all of a list in the cache.
-fn match_sides(vertex_count: usize, polygons: &RaggedArray) -> Result<Sides, Unmatched> {
-    /// An edge met: its smaller end, the edge that was first in the list before, and which directions it had.
-    #[derive(Clone, Copy)]
-    struct Met {
-        smaller: u32,
-        before: u32,
-        directions: u8,
-    }
-    let mut last = vec![NONE; vertex_count];
-    let mut met: Vec<Met> = Vec::with_capacity(polygons.item_count() / 2 + 64);
-    let mut halfedges = Vec::with_capacity(polygons.item_count());
-    let mut budget = 16 * polygons.item_count() as i64 + 1024;
-    for polygon in polygons.iter() {
-        let mut from = polygon[0];
-        for &to in polygon[1..].iter().chain(&polygon[..1]) {
-            let (smaller, larger, direction) = if from < to { (from, to, 1) } else { (to, from, 2) };
-            from = to;
-            let head = &mut last[larger as usize];
-            let mut edge = *head;
-            while edge != NONE && met[edge as usize].smaller != smaller {
-                edge = met[edge as usize].before;
-                budget -= 1;
-            }
-            if edge == NONE {
-                edge = met.len() as u32;
-                met.push(Met { smaller, before: *head, directions: direction });
-                *head = edge;
-                halfedges.push(2 * edge);
-            } else {
-                let directions = &mut met[edge as usize].directions;
-                if *directions != 3 - direction {
-                    return Err(Unmatched::Fault);
-                }
-                *directions = 3;
-                halfedges.push(2 * edge + 1);
-            }
-        }
-        if budget < 0 {
-            return Err(Unmatched::Crowded);
-        }
-    }
-    Ok(Sides { halfedges, edge_count: met.len() })
+/// How the edge between two vertices is found among those met so far.
+trait EdgeIndex {
+    /// The edge with these ends in either order, if it was met. Asked for one side after the other.
+    fn find(&mut self, ends: [u32; 2], met: &[[u32; 2]]) -> Result<Option<u32>, Unmatched>;
+    /// Takes up the edge that was asked for last.
+    fn insert(&mut self, ends: [u32; 2], edge: u32);
 }
 
-/// The same by sorting, whatever the degrees of vertices.
-fn match_sorted_sides(
-    vertex_count: usize,
-    polygons: &RaggedArray,
-) -> Result<Result<Sides, Unmatched>, Error> {
-    let edges = identify_edges(vertex_count, polygons, &[])?;
-    let starts = &edges.face_starts;
-    let is_fault = |pair: &[u32]| match edges.faces[pair[0] as usize..pair[1] as usize] {
-        [_] => false,
-        [f, g] => (f ^ g) & 1 == 0,
-        _ => true,
-    };
-    if starts.windows(2).any(is_fault) {
-        return Ok(Err(Unmatched::Fault));
-    }
-    let mut numbers = vec![NONE; edges.ends.len() / 2];
-    let mut edge_count = 0;
-    let halfedges = edges
-        .corner_edges
-        .iter()
-        .map(|&edge| {
-            let number = &mut numbers[edge as usize];
-            if *number == NONE {
-                *number = edge_count;
-                edge_count += 1;
-                2 * *number
-            } else {
-                2 * *number + 1
+/// The edges met so far: the arrays of the mesh, two entries an edge.
+struct Sides {
+    next: Vec<[u32; 2]>,
+    source: Vec<[u32; 2]>,
+    /// The second is `NONE` as long as the edge has one side.
+    face: Vec<[u32; 2]>,
+    face_halfedge: Vec<u32>,
+    boundary_edge_count: usize,
+}
+
+impl Sides {
+    /// Goes through the sides of all polygons, numbering edges as they are met.
+    ///
+    /// All that is written lies where near sides were filed, so a mesh whose numbers are local stays in the cache.
+    fn of_polygons(
+        vertex_count: usize,
+        polygons: &RaggedArray,
+        mut index: impl EdgeIndex,
+    ) -> Result<Self, Unmatched> {
+        // As many edges as a closed surface has; most of the time goes into their memory, so it is filled in parallel.
+        let expected = polygons.item_count() / 2;
+        let (next, face) = rayon::join(|| none_pairs(expected), || none_pairs(expected));
+        let mut sides = Self {
+            next,
+            source: Vec::with_capacity(expected),
+            face,
+            face_halfedge: Vec::with_capacity(polygons.len()),
+            boundary_edge_count: 0,
+        };
+        if polygons.uniform_width() == Some(3) {
+            // A loop of their own for triangles: nothing in it depends on the size of a polygon.
+            for (face, triangle) in (0..).zip(polygons.items().as_chunks::<3>().0) {
+                if !is_sound(vertex_count, triangle) {
+                    return Err(Unmatched::Unsound(face as usize));
+                }
+                let &[a, b, c] = triangle;
+                let ab = sides.file([a, b], face, &mut index)?;
+                let bc = sides.file([b, c], face, &mut index)?;
+                let ca = sides.file([c, a], face, &mut index)?;
+                let next = sides.next.as_flattened_mut();
+                (next[ab as usize], next[bc as usize], next[ca as usize]) = (bc, ca, ab);
+                sides.face_halfedge.push(ab);
             }
-        })
-        .collect();
-    Ok(Ok(Sides { halfedges, edge_count: edge_count as usize }))
+        } else {
+            for (face, polygon) in (0..).zip(polygons.iter()) {
+                if !is_sound(vertex_count, polygon) {
+                    return Err(Unmatched::Unsound(face as usize));
+                }
+                let first = sides.file([polygon[0], polygon[1]], face, &mut index)?;
+                let mut before = first;
+                for (i, &from) in polygon.iter().enumerate().skip(1) {
+                    let to = polygon[if i + 1 == polygon.len() { 0 } else { i + 1 }];
+                    let halfedge = sides.file([from, to], face, &mut index)?;
+                    sides.next.as_flattened_mut()[before as usize] = halfedge;
+                    before = halfedge;
+                }
+                sides.next.as_flattened_mut()[before as usize] = first;
+                sides.face_halfedge.push(first);
+            }
+        }
+        sides.next.truncate(sides.source.len());
+        sides.face.truncate(sides.source.len());
+        Ok(sides)
+    }
+
+    /// Files a side that runs between these ends; gives its halfedge.
+    #[inline(always)]
+    fn file(&mut self, ends: [u32; 2], face: u32, index: &mut impl EdgeIndex) -> Result<u32, Unmatched> {
+        if let Some(edge) = index.find(ends, &self.source)? {
+            let second = &mut self.face[edge as usize][1];
+            if *second != NONE || self.source[edge as usize] == ends {
+                return Err(Unmatched::Fault);
+            }
+            *second = face;
+            self.boundary_edge_count -= 1;
+            return Ok(2 * edge + 1);
+        }
+        let edge = self.source.len();
+        if edge == self.face.len() {
+            let longer = edge + edge / 8 + 64;
+            self.next.resize(longer, [NONE; 2]);
+            self.face.resize(longer, [NONE; 2]);
+        }
+        self.source.push(ends);
+        self.face[edge][0] = face;
+        self.boundary_edge_count += 1;
+        index.insert(ends, edge as u32);
+        Ok(2 * edge as u32)
+    }
+
+    /// The mesh of these edges, or a vertex of several fans.
+    fn into_mesh(self, vertex_count: usize) -> Result<HalfedgeMesh, VertexId> {
+        let outer: Vec<u32> = if self.boundary_edge_count == 0 {
+            Vec::new()
+        } else {
+            (0..).zip(&self.face).filter(|(_, face)| face[1] == NONE).map(|(edge, _)| 2 * edge + 1).collect()
+        };
+        let [next, source, face] = [self.next, self.source, self.face].map(|pairs| {
+            let mut flat = pairs.into_flattened();
+            flat.shrink_to_fit();
+            flat
+        });
+        HalfedgeMesh::filled(vertex_count, next, source, face, self.face_halfedge, &outer)
+    }
+}
+
+/// Pairs of `NONE`, written in parallel.
+fn none_pairs(count: usize) -> Vec<[u32; 2]> {
+    let mut pairs = vec![[0; 2]; count];
+    pairs.par_chunks_mut(1 << 16).for_each(|chunk| chunk.fill([NONE; 2]));
+    pairs
+}
+
+/// Lists of edges, one for each vertex, of those whose larger end it is.
+struct EdgeLists {
+    /// The edge that is last in the list of each vertex.
+    last: Vec<u32>,
+    /// The edge before each one in its list.
+    before: Vec<u32>,
+    /// How many more edges may be passed.
+    budget: usize,
+}
+
+impl EdgeIndex for EdgeLists {
+    #[inline(always)]
+    fn find(&mut self, [from, to]: [u32; 2], met: &[[u32; 2]]) -> Result<Option<u32>, Unmatched> {
+        let mut edge = self.last[from.max(to) as usize];
+        while edge != NONE {
+            let ends = met[edge as usize];
+            if ends == [to, from] || ends == [from, to] {
+                return Ok(Some(edge));
+            }
+            edge = self.before[edge as usize];
+            self.budget -= 1;
+            if self.budget == 0 {
+                return Err(Unmatched::Crowded);
+            }
+        }
+        Ok(None)
+    }
+
+    #[inline(always)]
+    fn insert(&mut self, [from, to]: [u32; 2], edge: u32) {
+        let last = &mut self.last[from.max(to) as usize];
+        self.before.push(*last);
+        *last = edge;
+    }
+}
+
+/// The edges of all sides in turn, found by sorting, with the numbers that they get here.
+struct SortedEdges<E> {
+    edges: E,
+    numbers: Vec<u32>,
+    at: usize,
+}
+
+impl<E: Iterator<Item = u32>> EdgeIndex for SortedEdges<E> {
+    fn find(&mut self, _: [u32; 2], _: &[[u32; 2]]) -> Result<Option<u32>, Unmatched> {
+        self.at = self.edges.next().expect("each side has an edge") as usize;
+        Ok(Some(self.numbers[self.at]).filter(|&edge| edge != NONE))
+    }
+
+    fn insert(&mut self, _: [u32; 2], edge: u32) {
+        self.numbers[self.at] = edge;
+    }
+}
+
+/// Finds edges in lists at their vertices.
+fn sides_by_lists(vertex_count: usize, polygons: &RaggedArray) -> Result<Sides, Unmatched> {
+    let side_count = polygons.item_count();
+    let index = EdgeLists {
+        last: vec![NONE; vertex_count],
+        before: Vec::with_capacity(side_count / 2),
+        budget: 16 * side_count + 1024,
+    };
+    Sides::of_polygons(vertex_count, polygons, index)
+}
+
+/// The same by sorting, for vertices of any degree.
+fn sides_by_sorting(vertex_count: usize, polygons: &RaggedArray) -> Result<Result<Sides, Unmatched>, Error> {
+    let table = identify_edges(vertex_count, polygons, &[])?;
+    let index = SortedEdges {
+        edges: table.corner_edges.into_iter(),
+        numbers: vec![NONE; table.ends.len() / 2],
+        at: 0,
+    };
+    Ok(Sides::of_polygons(vertex_count, polygons, index))
 }
 
 /// What is wrong with the first edge that has more than two sides or two in the same direction.
@@ -259,4 +356,56 @@ fn fan_fault(vertex_count: usize, polygons: &RaggedArray, vertex: VertexId) -> E
         Err(error) => return error,
     };
     Error::new(ErrorKind::NonManifold, message).with_cure("split the vertex, one copy for each fan")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The arrays, or which fault it is.
+    fn parts(
+        sides: Result<Sides, Unmatched>,
+    ) -> Result<(Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>, usize), usize> {
+        match sides {
+            Ok(sides) => {
+                Ok((sides.next, sides.source, sides.face, sides.face_halfedge, sides.boundary_edge_count))
+            }
+            Err(Unmatched::Unsound(face)) => Err(face),
+            Err(Unmatched::Fault) => Err(usize::MAX),
+            Err(Unmatched::Crowded) => Err(usize::MAX - 1),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn lists_and_sorting_agree(
+            polygons in prop::collection::vec(
+                (Just((0u32..9).collect::<Vec<_>>()).prop_shuffle(), 3usize..6), 0..6),
+        ) {
+            let polygons = RaggedArray::from_lists(polygons.iter().map(|(cycle, n)| &cycle[..*n]));
+            let sorted = sides_by_sorting(9, &polygons).unwrap();
+            prop_assert_eq!(parts(sides_by_lists(9, &polygons)), parts(sorted));
+        }
+
+        #[test]
+        fn closed_triangulations_agree_too(columns in 3u32..7, rows in 3u32..6, step in 1u32..5) {
+            let count = columns * rows;
+            prop_assume!((1..=count).filter(|d| count % d == 0 && step % d == 0).count() == 1);
+            let triangles = super::super::tests::torus_triangles(columns, rows, |v| v * step % count);
+            let polygons = RaggedArray::from_lists(triangles);
+            let sorted = parts(sides_by_sorting(count as usize, &polygons).unwrap());
+            prop_assert_eq!(sorted.as_ref().map(|parts| parts.4), Ok(0));
+            prop_assert_eq!(parts(sides_by_lists(count as usize, &polygons)), sorted);
+        }
+    }
+
+    #[test]
+    fn edges_at_a_hub_are_too_many_for_lists() {
+        let n = 3000;
+        let fan: Vec<[u32; 3]> = (0..n).map(|i| [i * 7 % n, (i * 7 + 1) % n, n]).collect();
+        let polygons = RaggedArray::from_lists(fan);
+        assert_eq!(parts(sides_by_lists(n as usize + 1, &polygons)), Err(usize::MAX - 1));
+        assert!(parts(sides_by_sorting(n as usize + 1, &polygons).unwrap()).is_ok());
+    }
 }

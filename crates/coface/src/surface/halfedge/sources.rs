@@ -38,7 +38,7 @@ impl HalfedgeMesh {
     pub fn from_two_skeleton(skeleton: &TwoSkeleton) -> Result<Self, Error> {
         let count = 2 * skeleton.edge_count();
         super::mesh::check_limit(count)?;
-        let (mut next, mut source, mut face) = (vec![NONE; count], vec![NONE; count], vec![NONE; count]);
+        let (mut next, mut face) = (vec![NONE; count], vec![NONE; count]);
         let mut face_halfedge = Vec::with_capacity(skeleton.face_count());
         for (number, rim) in skeleton.faces().iter().enumerate() {
             let (Some(&first), Some(&last)) = (rim.first(), rim.last()) else {
@@ -51,17 +51,23 @@ impl HalfedgeMesh {
                     return Err(no_mesh(skeleton));
                 }
                 face[h as usize] = number as u32;
-                source[h as usize] = skeleton.edge_ends()[h as usize];
                 next[before as usize] = h;
                 before = h;
             }
         }
-        let has_face = |pair: &[u32; 2]| pair[0] != NONE || pair[1] != NONE;
-        if !face.as_chunks::<2>().0.iter().all(has_face) {
+        let outer: Vec<u32> = (0..).zip(&face).filter(|&(_, &face)| face == NONE).map(|(h, _)| h).collect();
+        if outer.iter().any(|&h| face[(h ^ 1) as usize] == NONE) {
             return Err(no_mesh(skeleton));
         }
-        Self::filled(skeleton.vertex_count(), next, source, face, face_halfedge)
-            .map_err(|_| no_mesh(skeleton))
+        Self::filled(
+            skeleton.vertex_count(),
+            next,
+            skeleton.edge_ends().to_vec(),
+            face,
+            face_halfedge,
+            &outer,
+        )
+        .map_err(|_| no_mesh(skeleton))
     }
 
     /// The surface of a simplicial complex of dimension 2, its triangles turned so that all agree.
