@@ -143,6 +143,35 @@ fn top_homology_agrees_with_orientation() -> Result<(), Error> {
 }
 
 #[test]
+fn halfedge_meshes_are_what_the_manifest_says() -> Result<(), Error> {
+    let mut checked = 0;
+    for (record, model) in models("surfaces/").into_iter().chain(models("tricky/")) {
+        let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &loose_edges(&model))?;
+        let survey = mesh.survey();
+        let made = mesh.halfedges();
+        let is_surface = survey.verdict().is_manifold();
+        assert_eq!(made.is_ok(), is_surface && survey.orientation().is_coherent() == Some(true));
+        if !is_surface || survey.orientation().is_orientable() != Some(true) {
+            println!("{}: {}", record["file"], made.expect_err("no oriented surface"));
+            continue;
+        }
+        let halfedges = mesh.oriented()?.halfedges()?;
+        halfedges.check()?;
+        assert_eq!(halfedges.f_vector(), mesh.f_vector());
+        check(&record, "components", halfedges.component_count());
+        check(&record, "euler", halfedges.euler_characteristic());
+        check(&record, "boundary_loops", halfedges.outer_face_count());
+        check(&record, "genus", halfedges.genus());
+        let along: usize = halfedges.outer_faces().map(|outer| halfedges.boundary_loop(outer).count()).sum();
+        check(&record, "boundary_edges", along);
+        assert_eq!(halfedges.to_polygon_mesh()?.edge_ends(), mesh.edge_ends());
+        checked += 1;
+    }
+    assert!(data().is_none() || checked >= 12, "{checked} files");
+    Ok(())
+}
+
+#[test]
 fn cell_meshes_are_what_the_manifest_says() -> Result<(), Error> {
     let mut checked = 0;
     for (record, model) in models("volumes/") {
