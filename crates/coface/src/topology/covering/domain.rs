@@ -27,7 +27,7 @@ pub(super) struct Domain {
     /// The vertex of the surface at each position; at least one.
     pub(super) vertices: Vec<VertexId>,
     /// How many letters there are on the boundary before each position.
-    prefixes: Vec<u32>,
+    pub(super) prefixes: Vec<u32>,
     /// The letters around the boundary.
     word: Vec<i32>,
     /// The distinct crossings.
@@ -139,6 +139,32 @@ impl Domain {
         })
     }
 
+    /// Whether the component has no boundary.
+    pub(super) fn is_closed(&self) -> bool {
+        self.sides.iter().all(|side| side.mate.is_some())
+    }
+
+    /// Whether the component is orientable: no two sides run along their edge in the same direction.
+    pub(super) fn is_orientable(&self) -> bool {
+        let mut glued = self.sides.iter().filter_map(|side| Some((side, &self.sides[side.mate? as usize])));
+        glued.all(|(side, mate)| side.direction != mate.direction)
+    }
+
+    /// The Euler characteristic of the component.
+    pub(super) fn euler_characteristic(&self) -> i64 {
+        1 - self.group.generator_count() as i64 + i64::from(self.is_closed())
+    }
+
+    /// The letters around the boundary.
+    pub(super) fn word(&self) -> &[i32] {
+        &self.word
+    }
+
+    /// The words of the boundary before each letter, and that after all.
+    pub(super) fn prefix_words(&self) -> impl Iterator<Item = Word> + '_ {
+        (0..=self.word.len()).map(|count| Word::from_letters(self.word[..count].iter().copied()))
+    }
+
     /// The number of vertices, edges and faces of the domain.
     pub(super) fn cell_count(&self) -> usize {
         self.vertices.len() + self.sides.len() + self.inner_edges.len() + self.faces.len()
@@ -198,7 +224,7 @@ fn letters(map: &GeneralizedMap, sides: &[DomainSide]) -> Vec<u32> {
             })
         })
         .collect();
-    order.sort_by_key(|&position| (sides[position as usize].letter, position));
+    order.sort_by_key(|&position| (sides[position as usize].letter.unsigned_abs(), position));
     order.retain(|&position| {
         let [a, b] = ends(&sides[position as usize]);
         !classes.unite(a, b)

@@ -24,7 +24,7 @@ pub(super) fn polygon(letters: &[i32]) -> GeneralizedMap {
 }
 
 /// A polygon triangulated from its center twice over: a simplicial surface.
-fn subdivided(letters: &[i32]) -> GeneralizedMap {
+pub(super) fn subdivided(letters: &[i32]) -> GeneralizedMap {
     let count = letters.iter().map(|letter| letter.unsigned_abs()).max().unwrap();
     map_of(&known_spaces::presentation_complex(count, &[letters.to_vec()]).unwrap())
 }
@@ -309,7 +309,7 @@ fn covers_of_meshes_are_quick() {
 }
 
 /// Each triangle in four.
-fn split_edges(map: &GeneralizedMap) -> GeneralizedMap {
+pub(super) fn split_edges(map: &GeneralizedMap) -> GeneralizedMap {
     let [v, ..] = map.f_vector();
     let middle = |side| (v + map.edge(side).index()) as u32;
     let triangles = (0..map.f_vector()[2]).map(FaceId::new).flat_map(|face| {

@@ -1,6 +1,8 @@
 //! The universal cover of a surface.
 
 use super::domain::Domain;
+use super::isometry::{Isometry, Point};
+use super::springs::Springs;
 use crate::algebra::{Integer, RaggedArray, Sign, UnionFind, Word};
 use crate::chains::TwoSkeleton;
 use crate::surface::GeneralizedMap;
@@ -204,6 +206,24 @@ impl UniversalCover {
     /// The copy that a face is in.
     pub fn face_copy(&self, face: FaceId) -> usize {
         face.index() / self.domain.faces.len()
+    }
+
+    /// The points of all vertices: those of the surface's vertices, moved by the isometries of prefix and copy, drawn.
+    pub(super) fn points_of(
+        &self,
+        copies: &[Isometry],
+        prefixes: &[Isometry],
+        place: impl Fn(usize) -> Point,
+        springs: &Springs,
+        draw: impl Fn(Point) -> [f64; 2],
+    ) -> Vec<[f64; 2]> {
+        let corners: Vec<Point> = (springs.at_positions.iter().zip(&self.domain.prefixes))
+            .map(|(&vertex, &prefix)| prefixes[prefix as usize].apply(place(vertex as usize)))
+            .collect();
+        let points = self.vertex_corners.iter();
+        points
+            .map(|&[copy, position]| draw(copies[copy as usize].apply(corners[position as usize])))
+            .collect()
     }
 
     /// The vertices around each face.

@@ -37,6 +37,18 @@ impl NormalForm {
     }
 }
 
+impl NormalForm {
+    /// The exponents of an element on the surfaces of Euler characteristic 0: the number of times that the one generator
+    /// of a free group occurs, else those of the normal form.
+    pub(in crate::topology) fn exponents(&self) -> Option<[i64; 2]> {
+        match &self.0 {
+            Form::Letters(letters) => Some([letters.iter().map(|&letter| i64::from(letter)).sum(), 0]),
+            Form::Exponents(exponents) => Some(*exponents),
+            Form::Walk(_) => None,
+        }
+    }
+}
+
 /// The edges of the rightmost shortest walk from the vertex that is homotopic to this one.
 fn rightmost(quads: &QuadSystem, edges: impl IntoIterator<Item = u32>) -> Form {
     let mut walk = Walk::new(quads, Hub::Vertex, Sign::Plus);

@@ -199,6 +199,14 @@ impl SurfaceGroup {
         }
     }
 
+    /// The corners of the relator's polygon clockwise around the vertex, with the orientation of the polygon there relative
+    /// to that at corner 0, for surfaces of negative Euler characteristic.
+    pub(in crate::topology) fn corners_around_vertex(&self) -> Option<Vec<(u32, Sign)>> {
+        let Kind::Hyperbolic(scheme, _) = &self.kind else { return None };
+        let corners = scheme.rotation().iter().rev();
+        Some(corners.map(|&corner| (corner, scheme.signs()[corner as usize])).collect())
+    }
+
     /// Whether a word is the unit: its loops are contractible.
     ///
     /// # Panics
