@@ -1,8 +1,8 @@
 //! Canonical systems of loops.
 
 use super::SurfaceGroup;
+use super::group::Kind;
 use super::polygon_scheme::PolygonScheme;
-use super::surface_group::Kind;
 use crate::algebra::Word;
 
 /// Generators $a_1, b_1, a_2, b_2, \dots$ with the relator $a_1 b_1 a_1^{-1} b_1^{-1} a_2 b_2 a_2^{-1} b_2^{-1} \dots$ of an

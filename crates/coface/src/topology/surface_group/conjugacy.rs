@@ -1,8 +1,8 @@
 //! Conjugate elements: closed curves up to free homotopy.
 
+use super::group::Kind;
 use super::normal_form::Form;
 use super::quad_system::{Hub, QuadSystem};
-use super::surface_group::Kind;
 use super::walk::Walk;
 use super::{SurfaceGroup, klein_bottle};
 use crate::algebra::{Sign, Word, least_rotation};

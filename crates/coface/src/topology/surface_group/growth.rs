@@ -1,7 +1,7 @@
 //! How many elements there are of each length.
 
 use super::SurfaceGroup;
-use super::surface_group::Kind;
+use super::group::Kind;
 use crate::algebra::Integer;
 use std::collections::VecDeque;
 

@@ -1,9 +1,9 @@
 //! Normal forms of elements.
 
 use super::SurfaceGroup;
+use super::group::Kind;
 use super::klein_bottle;
 use super::quad_system::{Hub, QuadSystem};
-use super::surface_group::Kind;
 use super::walk::Walk;
 use crate::algebra::{Sign, Word};
 

@@ -43,7 +43,8 @@ fn letters(group: &SurfaceGroup, numbers: &[u32]) -> Word {
     if count == 0 {
         return Word::new();
     }
-    let letter = |number: u32| (number as i32 / 2 % count + 1) * if number % 2 == 0 { 1 } else { -1 };
+    let letter =
+        |number: u32| (number as i32 / 2 % count + 1) * if number.is_multiple_of(2) { 1 } else { -1 };
     Word::from_letters(numbers.iter().map(|&number| letter(number)))
 }
 
@@ -231,13 +232,13 @@ fn spheres_of_higher_genus_match_a_search_by_the_algorithm_of_dehn() {
     let genus_3 = word(&[1, 2, -1, -2, 3, 4, -3, -4, 5, 6, -5, -6]);
     let crosscaps_3 = word(&[1, 1, 2, 2, 3, 3]);
     for (scheme, radius, expected) in
-        [(genus_3, 3, vec![1, 12, 132, 1452]), (crosscaps_3, 4, vec![1, 6, 30, 144, 690])]
+        [(genus_3, 3usize, vec![1, 12, 132, 1452]), (crosscaps_3, 4, vec![1, 6, 30, 144, 690])]
     {
         let group = SurfaceGroup::closed(&scheme).unwrap();
         let polygon = PolygonScheme::new(group.generator_count(), &scheme).unwrap();
         // Elements of a sphere are told apart by the triviality of quotients; classes by homology keep pairs few.
         let mut spheres = vec![vec![Word::new()]];
-        for r in 0..radius as usize {
+        for r in 0..radius {
             let mut found: Vec<Word> = Vec::new();
             let mut by_sums: std::collections::HashMap<Vec<i64>, Vec<Word>> = Default::default();
             let sums = |word: &Word| {
