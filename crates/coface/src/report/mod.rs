@@ -1,6 +1,7 @@
 //! The report on a model: everything that `coface info` says, as data.
 //!
 //! # Words
+//! * A [`SurfaceModel`] is a model that is a surface; what is cut from it or covers it is a model again.
 //! * A [`Producer`] is a model with the faces of its cells identified; it makes the chain complex.
 //! * The **top cells** are those of the highest degree: the faces of a surface, the cells of a volume. A **ridge** is a
 //!   cell one degree below: an edge of a surface, a face of a volume.
@@ -25,6 +26,7 @@ mod producer;
 mod repair;
 mod simplices;
 mod simplicial;
+mod surface_model;
 mod triangulation;
 
 pub use cycles::Term;
@@ -36,6 +38,7 @@ pub use problem::{Problem, ProblemKind};
 pub use producer::Producer;
 pub use repair::{RepairRequest, repaired};
 pub use simplices::{model_of_simplices, simplicial_complex};
+pub use surface_model::SurfaceModel;
 pub use triangulation::triangulated;
 
 use labels::Labels;
