@@ -15,13 +15,14 @@
 //! # Files
 //! `mesh` has [`HalfedgeMesh`] with its cells and counts. `polygons` and `sources` make it from other structures, `export`
 //! makes other structures of it; `boundary` fills loops with outer faces; `circulators` walks around cells; `check`
-//! verifies the invariants.
+//! verifies the invariants. `editing` changes a mesh step by step; `slicing` and `gluing` open and close it along edges.
 
 mod boundary;
 mod check;
 mod circulators;
 mod editing;
 mod export;
+mod gluing;
 mod inner;
 mod mesh;
 mod polygons;

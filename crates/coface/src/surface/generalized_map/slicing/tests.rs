@@ -313,6 +313,14 @@ fn what_cannot_be_glued_is_named() {
     assert!(square.glue_arcs(a, b, 1 << 40).unwrap_err().message().contains("is in two pairs"));
     assert!(square.glue_arcs(a, HalfedgeId::new(3), 2).unwrap_err().message().contains("outer face"));
     assert_eq!(square.glue_arcs(a, b, 0).unwrap().into_surface(), square);
+    assert!(square.glue_loops(a, b).unwrap_err().message().contains("on the same boundary loop, around f2"));
+    assert!(square.glue_loops(a, HalfedgeId::new(4)).unwrap_err().message().contains("not on the boundary"));
+    let apart = RaggedArray::from_lists([vec![0, 1, 2], vec![3, 4, 5, 6]]);
+    let pieces = HalfedgeMesh::from_polygons(7, &apart).unwrap();
+    assert_eq!(
+        pieces.glue_loops(a, HalfedgeId::new(6)).unwrap_err().message(),
+        "the boundary loop of h0 has 3 edges and that of h6 has 4"
+    );
     let map = GeneralizedMap::new(square.two_skeleton()).unwrap();
     let fault = |first: usize, second: usize| {
         let pair = (HalfedgeId::new(first), HalfedgeId::new(second), Sign::Plus);
@@ -324,4 +332,22 @@ fn what_cannot_be_glued_is_named() {
     );
     assert_eq!(fault(0, 0), "side h0 is to be glued to itself");
     assert_eq!(fault(0, 6), "there is no side h6; the faces have 6 sides");
+}
+
+#[test]
+fn two_tetrahedra_without_a_face_make_a_bipyramid() {
+    let cap = |first: u32| {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| first + i);
+        [[a, b, d], [b, c, d], [c, a, d]]
+    };
+    let caps = HalfedgeMesh::from_polygons(8, &RaggedArray::from_lists([cap(0), cap(4)].concat())).unwrap();
+    let sides: Vec<HalfedgeId> = caps.outer_faces().flat_map(|outer| caps.boundary_loop(outer)).collect();
+    for &second in &sides[3..] {
+        let glued = caps.glue_loops(sides[0], second).unwrap();
+        glued.surface().check().unwrap();
+        assert_eq!((glued.surface().f_vector(), glued.surface().genus()), ([5, 9, 6], 0));
+        assert!(glued.surface().is_closed());
+        let images = glued.vertex_images();
+        assert_eq!(images[caps.source(sides[0])], images[caps.target(second)]);
+    }
 }
