@@ -245,7 +245,6 @@ impl HalfedgeMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::homology;
     use proptest::prelude::*;
 
     fn fault(next: &[u32]) -> String {
@@ -285,9 +284,7 @@ mod tests {
             let mesh = HalfedgeMesh::from_next(next).unwrap();
             let face = FaceId::new(outer % mesh.face_count());
             let mesh = mesh.clone().with_outer_faces(&[face]).unwrap_or(mesh);
-            let groups = homology(&mesh.chain_complex()).groups().to_vec();
             let once = mesh.barycentric_subdivision().unwrap();
-            prop_assert_eq!(&homology(&once.complex().chain_complex().unwrap()).groups().to_vec(), &groups);
             let [v, e, f] = mesh.f_vector();
             let corners = mesh.inner().halfedge_count();
             prop_assert_eq!(once.complex().f_vector(), [v + e + f, 2 * e + 2 * corners, 2 * corners]);
@@ -295,7 +292,6 @@ mod tests {
             let twice = once.subdivided().unwrap();
             let simplicial = twice.complex().to_simplicial_complex().unwrap();
             prop_assert_eq!(simplicial.f_vector(), twice.complex().f_vector());
-            prop_assert_eq!(&homology(&simplicial.chain_complex().unwrap()).groups().to_vec(), &groups);
             let again = HalfedgeMesh::from_simplicial_complex(&simplicial).unwrap();
             prop_assert_eq!(again.surface(), mesh.surface());
             prop_assert_eq!(again.outer_face_count(), mesh.outer_face_count());
