@@ -13,6 +13,12 @@ use std::f64::consts::PI;
 /// The most steps of Newton's method.
 const MOST_STEPS: usize = 200;
 
+/// The most sides of the polygon: with more its corners are so far out that rounding moves them past each other.
+const MOST_SIDES: usize = 240;
+
+/// The part of the energy below which a decrease is nothing.
+const SETTLED: f64 = 1e-12;
+
 /// The group of a closed surface as isometries of the hyperbolic plane: the regular polygon with 2n sides and angles
 /// $\pi / n$ around the origin, its sides paired as those of the fundamental domain.
 struct RegularPolygon {
@@ -65,6 +71,14 @@ impl RegularPolygon {
 
 /// The points in the unit disk of the vertices of a cover of a closed surface of negative Euler characteristic.
 pub(super) fn points(cover: &UniversalCover, springs: &Springs) -> Result<Vec<[f64; 2]>, Error> {
+    let sides = cover.domain.word().len();
+    if sides > MOST_SIDES {
+        return Err(Error::new(
+            ErrorKind::TooLarge,
+            format!("the regular polygon of this surface has {sides} sides; layouts in the disk have at most {MOST_SIDES}"),
+        )
+        .with_cure("floating point cannot draw it: use the cover without a layout"));
+    }
     let polygon = RegularPolygon::new(&cover.domain);
     let places = relaxed(springs, &polygon)?;
     let copies: Vec<Isometry> = (0..cover.copy_count())
@@ -130,39 +144,32 @@ fn relaxed(springs: &Springs, polygon: &RegularPolygon) -> Result<Vec<Point>, Er
     for _ in 0..MOST_STEPS {
         let (step, decrease) = newton_step(springs, polygon, &places)?;
         let longest = step.chunks_exact(2).map(|step| step[0].hypot(step[1])).fold(0.0, f64::max);
-        // Steps longer than the curvature's scale leave the region where the model is good.
+        let moved = |share: f64| -> Vec<Point> {
+            let steps = places.iter().zip(step.chunks_exact(2));
+            steps.map(|(&place, step)| exponential(place, [share * step[0], share * step[1]])).collect()
+        };
+        // What is still to be gained is below the rounding of the sum: one more step squares the distance that is left.
+        if decrease <= SETTLED * current {
+            return Ok(moved(1.0));
+        }
+        // Steps longer than the scale of the curvature leave the region where the quadratic model is good.
         let mut share = 1.0 / longest.max(1.0);
-        loop {
-            let moved: Vec<Point> = places
-                .iter()
-                .zip(step.chunks_exact(2))
-                .map(|(&place, step)| exponential(place, [share * step[0], share * step[1]]))
-                .collect();
-            let reached = energy(&moved);
-            let is_done = longest < 1e-9;
-            if is_done || reached <= current - 0.25 * share * decrease {
-                (places, current) = (moved, reached);
-                break;
+        let next = loop {
+            let next = moved(share);
+            let reached = energy(&next);
+            if reached <= current - 0.25 * share * decrease {
+                current = reached;
+                break Some(next);
             }
             share /= 2.0;
             if share < 1e-9 {
-                // Rounding hides any further decrease.
-                return finish(places, longest);
+                break None;
             }
-        }
-        if longest < 1e-9 {
-            return Ok(places);
-        }
+        };
+        let Some(next) = next else { break };
+        places = next;
     }
-    finish(places, f64::INFINITY)
-}
-
-/// The places if what is left to do is small.
-fn finish(places: Vec<Point>, longest: f64) -> Result<Vec<Point>, Error> {
-    if longest < 1e-4 {
-        return Ok(places);
-    }
-    Err(Error::new(ErrorKind::TooLarge, "the layout does not settle in floating point".to_owned())
+    Err(Error::new(ErrorKind::TooLarge, "the layout does not settle in floating point")
         .with_cure("take weights that are nearer to each other, or a coarser mesh"))
 }
 

@@ -68,7 +68,7 @@ impl UniversalCover {
     /// # Errors
     /// [`ErrorKind::InvalidInput`] for other surfaces, which have no such layout here, for another map, and for weights that
     /// are not positive; [`ErrorKind::Shape`] unless there are as many weights as edges of the map;
-    /// [`ErrorKind::TooLarge`] if the equations are too many or too badly scaled.
+    /// [`ErrorKind::TooLarge`] if the equations are too many or too badly scaled, and in the disk from genus 61 on.
     ///
     /// # Complexity
     /// One sparse Cholesky factor of as many equations as the surface has vertices for each coordinate in the plane; in the

@@ -326,15 +326,17 @@ impl Glued {
             letter_of_crossing[domain.sides[mate as usize].crossing as usize] = -letter;
             letter_of_crossing[side.crossing as usize] = letter;
         }
-        let mut neighbors = vec![NONE; domain.crossings.len()];
+        let crossings: Vec<NormalForm> =
+            domain.crossings.iter().map(|word| domain.group.normal_form(word)).collect();
+        let mut neighbors = vec![NONE; crossings.len()];
         for copy in 0..copies {
             for ((neighbor, crossing), &letter) in
-                neighbors.iter_mut().zip(&domain.crossings).zip(&letter_of_crossing)
+                neighbors.iter_mut().zip(&crossings).zip(&letter_of_crossing)
             {
                 let found = if letter != 0 {
                     ball.neighbor(copy, letter)
                 } else {
-                    ball.number(&domain.group.times_word(&ball.elements()[copy], crossing))
+                    ball.number(&domain.group.product(&ball.elements()[copy], crossing))
                 };
                 *neighbor = found.map_or(NONE, |found| found as u32);
             }

@@ -1,7 +1,7 @@
 //! The elements up to a length.
 
 use super::{NormalForm, SurfaceGroup};
-use crate::algebra::Word;
+use crate::algebra::{Integer, Word};
 use crate::{Error, ErrorKind};
 use std::collections::HashMap;
 
@@ -103,21 +103,25 @@ impl Ball {
             return ball;
         }
         ball.insert(group.identity(), 0, 0);
-        let letters = (1..)
+        let forms: Vec<(i32, NormalForm)> = (1..)
             .zip(generators)
-            .flat_map(|(letter, word)| [(letter, word.clone()), (-letter, word.inverse())]);
-        let words: Vec<(i32, Word)> = letters.collect();
+            .map(|(letter, word)| (letter, group.normal_form(word)))
+            .flat_map(|(letter, form)| {
+                let inverse = group.inverse(&form);
+                [(letter, form), (-letter, inverse)]
+            })
+            .collect();
         let (mut at, mut level_end) = (0, 1);
         while at < ball.elements.len() {
             if at == level_end {
                 ball.starts.push(at);
                 level_end = ball.elements.len();
             }
-            for (letter, word) in &words {
+            for (letter, form) in &forms {
                 if ball.neighbors[at * width + column(*letter)] != NONE {
                     continue;
                 }
-                let product = group.times_word(&ball.elements[at], word);
+                let product = group.product(&ball.elements[at], form);
                 let number = match ball.numbers.get(&product) {
                     Some(&number) => number,
                     None if ball.elements.len() < count => ball.insert(product, at as u32, *letter),
@@ -206,10 +210,7 @@ impl Ball {
 /// The refusal of a ball, with the number of its elements when that is not too long to write.
 fn too_large(group: &SurfaceGroup, radius: usize, most: usize) -> Error {
     let needed = if radius <= 64 {
-        let total = group
-            .sphere_sizes(radius)
-            .iter()
-            .fold(0u64.into(), |sum: crate::algebra::Integer, size| sum + size.clone());
+        let total = group.sphere_sizes(radius).iter().fold(Integer::ZERO, |sum, size| sum + size.clone());
         total.to_string()
     } else {
         format!("more than {most}")
