@@ -100,6 +100,7 @@ impl PolygonMesh {
 }
 
 /// Why sides do not make edges.
+#[cfg_attr(test, derive(Debug, PartialEq))]
 enum Unmatched {
     /// This polygon is none.
     Unsound(usize),
@@ -117,8 +118,10 @@ trait EdgeIndex {
     fn insert(&mut self, ends: [u32; 2], edge: u32);
 }
 
-/// The edges met so far: the arrays of the mesh, two entries an edge.
+/// The edges met so far: the arrays of the mesh, two entries an edge. There may be room for more edges after them.
+#[cfg_attr(test, derive(Debug, PartialEq))]
 struct Sides {
+    edge_count: usize,
     next: Vec<[u32; 2]>,
     source: Vec<[u32; 2]>,
     /// The second is `NONE` as long as the edge has one side.
@@ -138,11 +141,11 @@ impl Sides {
     ) -> Result<Self, Unmatched> {
         // As many edges as a closed surface has; most of the time goes into their memory, so it is filled in parallel.
         let expected = polygons.item_count() / 2;
-        let (next, face) = rayon::join(|| none_pairs(expected), || none_pairs(expected));
         let mut sides = Self {
-            next,
-            source: Vec::with_capacity(expected),
-            face,
+            edge_count: 0,
+            next: none_pairs(expected),
+            source: none_pairs(expected),
+            face: none_pairs(expected),
             face_halfedge: Vec::with_capacity(polygons.len()),
             boundary_edge_count: 0,
         };
@@ -177,8 +180,9 @@ impl Sides {
                 sides.face_halfedge.push(first);
             }
         }
-        sides.next.truncate(sides.source.len());
-        sides.face.truncate(sides.source.len());
+        sides.next.truncate(sides.edge_count);
+        sides.source.truncate(sides.edge_count);
+        sides.face.truncate(sides.edge_count);
         Ok(sides)
     }
 
@@ -194,13 +198,15 @@ impl Sides {
             self.boundary_edge_count -= 1;
             return Ok(2 * edge + 1);
         }
-        let edge = self.source.len();
-        if edge == self.face.len() {
+        let edge = self.edge_count;
+        self.edge_count += 1;
+        if edge == self.source.len() {
             let longer = edge + edge / 8 + 64;
-            self.next.resize(longer, [NONE; 2]);
-            self.face.resize(longer, [NONE; 2]);
+            for pairs in [&mut self.next, &mut self.source, &mut self.face] {
+                pairs.resize(longer, [NONE; 2]);
+            }
         }
-        self.source.push(ends);
+        self.source[edge] = ends;
         self.face[edge][0] = face;
         self.boundary_edge_count += 1;
         index.insert(ends, edge as u32);
@@ -363,20 +369,6 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The arrays, or which fault it is.
-    fn parts(
-        sides: Result<Sides, Unmatched>,
-    ) -> Result<(Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>, usize), usize> {
-        match sides {
-            Ok(sides) => {
-                Ok((sides.next, sides.source, sides.face, sides.face_halfedge, sides.boundary_edge_count))
-            }
-            Err(Unmatched::Unsound(face)) => Err(face),
-            Err(Unmatched::Fault) => Err(usize::MAX),
-            Err(Unmatched::Crowded) => Err(usize::MAX - 1),
-        }
-    }
-
     proptest! {
         #[test]
         fn lists_and_sorting_agree(
@@ -385,7 +377,7 @@ mod tests {
         ) {
             let polygons = RaggedArray::from_lists(polygons.iter().map(|(cycle, n)| &cycle[..*n]));
             let sorted = sides_by_sorting(9, &polygons).unwrap();
-            prop_assert_eq!(parts(sides_by_lists(9, &polygons)), parts(sorted));
+            prop_assert_eq!(sides_by_lists(9, &polygons), sorted);
         }
 
         #[test]
@@ -394,9 +386,9 @@ mod tests {
             prop_assume!((1..=count).filter(|d| count % d == 0 && step % d == 0).count() == 1);
             let triangles = super::super::tests::torus_triangles(columns, rows, |v| v * step % count);
             let polygons = RaggedArray::from_lists(triangles);
-            let sorted = parts(sides_by_sorting(count as usize, &polygons).unwrap());
-            prop_assert_eq!(sorted.as_ref().map(|parts| parts.4), Ok(0));
-            prop_assert_eq!(parts(sides_by_lists(count as usize, &polygons)), sorted);
+            let sorted = sides_by_sorting(count as usize, &polygons).unwrap();
+            prop_assert_eq!(sorted.as_ref().map(|sides| sides.boundary_edge_count), Ok(0));
+            prop_assert_eq!(sides_by_lists(count as usize, &polygons), sorted);
         }
     }
 
@@ -405,7 +397,7 @@ mod tests {
         let n = 3000;
         let fan: Vec<[u32; 3]> = (0..n).map(|i| [i * 7 % n, (i * 7 + 1) % n, n]).collect();
         let polygons = RaggedArray::from_lists(fan);
-        assert_eq!(parts(sides_by_lists(n as usize + 1, &polygons)), Err(usize::MAX - 1));
-        assert!(parts(sides_by_sorting(n as usize + 1, &polygons).unwrap()).is_ok());
+        assert_eq!(sides_by_lists(n as usize + 1, &polygons), Err(Unmatched::Crowded));
+        assert!(sides_by_sorting(n as usize + 1, &polygons).unwrap().is_ok());
     }
 }
