@@ -12,6 +12,7 @@ mod input;
 mod output;
 mod progress;
 mod simplices;
+mod surface;
 mod text;
 
 use arguments::Arguments;

@@ -2,8 +2,11 @@
 
 pub(crate) mod boundary;
 pub(crate) mod closure;
+pub(crate) mod cocycles;
 pub(crate) mod completions;
 pub(crate) mod convert;
+pub(crate) mod cover;
+pub(crate) mod cut;
 pub(crate) mod homology;
 pub(crate) mod info;
 pub(crate) mod interior;
@@ -25,6 +28,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Homology(verb) => verb.run(common),
         Verb::Persistence(verb) => verb.run(common),
         Verb::Pi1(verb) => verb.run(common),
+        Verb::Cut(verb) => verb.run(common),
+        Verb::Cover(verb) => verb.run(common),
+        Verb::Cocycles(verb) => verb.run(common),
         Verb::Star(verb) => verb.run(common),
         Verb::Closure(verb) => verb.run(common),
         Verb::Link(verb) => verb.run(common),

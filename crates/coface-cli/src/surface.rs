@@ -1,0 +1,95 @@
+//! Models as surfaces, for the verbs that cut and cover them.
+
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{is_json, write_json};
+use crate::progress::Progress;
+use coface::VertexId;
+use coface::chains::TwoSkeleton;
+use coface::geometry::Positions;
+use coface::io::{Format, GroupKind, Model, write_path};
+use coface::report::SurfaceModel;
+use coface::{Error, ErrorKind};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Reads a model as a surface: its name for people, and the surface. With `boundary` it is the boundary of a volume mesh.
+pub(crate) fn read(
+    path: &Path,
+    boundary: bool,
+    common: &Common,
+    progress: &Progress,
+) -> Result<(String, SurfaceModel), Failure> {
+    let loaded = input::read(path, common.format, progress)?;
+    progress.stage("identifying cells");
+    let is_volume = !loaded.model.cells().is_empty();
+    let surface = if boundary && is_volume {
+        SurfaceModel::boundary_of(loaded.model)
+    } else {
+        SurfaceModel::of(loaded.model)
+    };
+    let explained = |error: Error| match error.kind() {
+        ErrorKind::NonManifold => Error::new(error.kind(), format!("no surface: {}", error.message()))
+            .with_cure(
+                "see coface info; coface convert --split-edges pairs --split-vertices can make it one",
+            ),
+        ErrorKind::UnsupportedFormat if is_volume && !boundary => {
+            error.with_cure("add --boundary to take its boundary")
+        }
+        _ => error,
+    };
+    let surface = surface.map_err(|error| Failure::from(explained(error).in_file(loaded.name.clone())))?;
+    Ok((loaded.name, surface))
+}
+
+/// The lengths of the edges; `None` without positions.
+pub(crate) fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec<f64>> {
+    if positions.is_empty() {
+        return None;
+    }
+    let length = |ends: &[u32]| {
+        let [a, b] = [ends[0], ends[1]].map(|end| positions.point(VertexId::from_u32(end)));
+        a.iter().zip(b).map(|(x, y)| x - y).fold(0.0, f64::hypot)
+    };
+    Some(skeleton.edge_ends().chunks_exact(2).map(length).collect())
+}
+
+/// The vertex that the user names by its number in the file.
+pub(crate) fn vertex(surface: &SurfaceModel, number: u32, name: &str) -> Result<VertexId, Failure> {
+    surface.vertex(number).ok_or_else(|| Failure::new(format!("{name}: there is no vertex {number}")))
+}
+
+/// Writes the model that a verb made: in the format of the extension; as .json the answer of the verb with the faces by their
+/// vertices and the numbers in the file of the vertices.
+pub(crate) fn save(path: &Path, model: &Model, answer: &Value, common: &Common) -> Result<(), Failure> {
+    if is_json(path) {
+        let source = model.data_named("source", GroupKind::Vertices);
+        let sources =
+            (0..model.vertex_count()).map(|vertex| source.and_then(|data| data.integer_row(vertex)));
+        let mut object = answer.clone();
+        // Triangles are a facet list that can be read again.
+        let is_facets = model.polygons().iter().all(|polygon| polygon.len() == 3);
+        let key = if is_facets { "facets" } else { "polygons" };
+        object[key] = model.polygons().iter().map(|polygon| json!(polygon)).collect();
+        object["source"] = sources.map(|row| row.map(|row| json!(row[0])).unwrap_or_default()).collect();
+        return write_json(path, &object);
+    }
+    if model.positions().is_empty() && model.vertex_count() > 0 {
+        return Err(Failure::new(format!("{}: the model has no positions; write .json", path.display())));
+    }
+    write_path(model, path, None)?;
+    if let Some(format) = Format::from_path(path).filter(|format| !format.keeps_data() && !common.quiet) {
+        crate::output::remark(&format!(
+            "{} does not keep data on cells, such as what each vertex is a copy of; .ply and .vtk do",
+            format.title()
+        ));
+    }
+    Ok(())
+}
+
+/// A count of rows of a page that is not too long: the rows to show, and how many more there are.
+pub(crate) fn few(count: usize) -> (usize, usize) {
+    const FEW: usize = 12;
+    if count <= FEW { (count, 0) } else { (FEW, count - FEW) }
+}
