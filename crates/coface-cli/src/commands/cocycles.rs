@@ -217,7 +217,7 @@ impl Cocycles {
         common: &Common,
     ) -> Result<(&'static str, Vec<HarmonicForm>), Error> {
         let uniform = || vec![1.0; map.skeleton().edge_count()];
-        if self.weights == Some(Weights::Uniform) {
+        if self.weights == Some(Weights::Uniform) || cocycles.is_empty() {
             return Ok(("uniform", harmonic_forms(map, cocycles, &uniform())?));
         }
         let found = match lengths {
