@@ -4,10 +4,14 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a skipped test says so")]
 
+use coface::FaceId;
 use coface::io::read_path;
 use coface::report::Producer;
 use coface::surface::GeneralizedMap;
-use coface::topology::{CoverExtent, CoverGeometry, CutSurface, SurfaceGroup, TreeCotree, UniversalCover};
+use coface::topology::{
+    CoverExtent, CoverGeometry, CoverLayout, CutSurface, SurfaceGroup, TreeCotree, UniversalCover,
+};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -29,6 +33,34 @@ fn surfaces() -> Vec<(String, GeneralizedMap)> {
         Some((path.file_name().unwrap().to_string_lossy().into_owned(), map))
     });
     maps.collect()
+}
+
+/// No triangle of copy 0 is turned over, in the model in which geodesics are straight.
+fn check_faces_of_first_copy(map: &GeneralizedMap, cover: &UniversalCover, layout: &CoverLayout) {
+    let straight = |vertex: u32| {
+        let [x, y] = layout.points()[vertex as usize];
+        let scale = match layout.geometry() {
+            CoverGeometry::Flat => 1.0,
+            _ => 2.0 / (1.0 + x * x + y * y),
+        };
+        [scale * x, scale * y]
+    };
+    let polygons = cover.polygons();
+    let above = GeneralizedMap::new(cover.skeleton().clone()).unwrap();
+    let orientation = above.orientation();
+    let mut signs = BTreeSet::new();
+    for face in (0..map.f_vector()[2].min(cover.f_vector()[2])).map(FaceId::new) {
+        let corners: Vec<[f64; 2]> = polygons.list(face.index()).iter().map(|&v| straight(v)).collect();
+        let [o, rest @ ..] = corners.as_slice() else { continue };
+        let twice_area: f64 = rest
+            .windows(2)
+            .map(|pair| [pair[0], pair[1]].map(|p| [p[0] - o[0], p[1] - o[1]]))
+            .map(|[p, q]| p[0] * q[1] - p[1] * q[0])
+            .sum();
+        let sign = f64::from(orientation.signs()[face.index()].to_i32());
+        signs.insert(sign * twice_area > 0.0);
+    }
+    assert_eq!(signs.len(), 1);
 }
 
 #[test]
@@ -66,6 +98,7 @@ fn real_surfaces_have_covers() {
                 println!("  layout in {:?}", started.elapsed());
                 let inside = |[x, y]: &[f64; 2]| x * x + y * y < 1.0;
                 assert!(layout.geometry() == CoverGeometry::Flat || layout.points().iter().all(inside));
+                check_faces_of_first_copy(&map, &cover, &layout);
             }
         }
     }

@@ -56,6 +56,9 @@ pub struct UniversalCover {
 }
 
 impl UniversalCover {
+    /// A limit for the number of cells that suits most machines: some gigabytes.
+    pub const MOST_CELLS: usize = 100_000_000;
+
     /// The part of the universal cover of a component that is asked for.
     ///
     /// # Errors
