@@ -139,7 +139,9 @@ proptest! {
         conjugates in prop::collection::vec((numbers(6), any::<bool>()), 0..6),
     ) {
         let Ok(group) = SurfaceGroup::closed(&scheme) else { panic!("{scheme}") };
-        prop_assume!(group.generator_count() > 2);
+        if group.generator_count() < 3 {
+            return Ok(());
+        }
         let polygon = PolygonScheme::new(group.generator_count(), &scheme).unwrap();
         let random = letters(&group, &numbers_of_word);
         prop_assert_eq!(group.is_trivial(&random), polygon.dehn_reduced(&random).is_empty());
