@@ -5,7 +5,6 @@ use super::super::edge_identification::{identify_edges, is_sound, polygon_fault}
 use super::mesh::{HalfedgeMesh, NONE};
 use crate::algebra::RaggedArray;
 use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
-use rayon::prelude::*;
 
 /// The most sides of polygons.
 const SIDE_LIMIT: usize = 1 << 30;
@@ -118,10 +117,9 @@ trait EdgeIndex {
     fn insert(&mut self, ends: [u32; 2], edge: u32);
 }
 
-/// The edges met so far: the arrays of the mesh, two entries an edge. There may be room for more edges after them.
+/// The edges met so far: the arrays of the mesh, two entries an edge.
 #[cfg_attr(test, derive(Debug, PartialEq))]
 struct Sides {
-    edge_count: usize,
     next: Vec<[u32; 2]>,
     source: Vec<[u32; 2]>,
     /// The second is `NONE` as long as the edge has one side.
@@ -139,13 +137,12 @@ impl Sides {
         polygons: &RaggedArray,
         mut index: impl EdgeIndex,
     ) -> Result<Self, Unmatched> {
-        // As many edges as a closed surface has; most of the time goes into their memory, so it is filled in parallel.
+        // As many edges as a closed surface has.
         let expected = polygons.item_count() / 2;
         let mut sides = Self {
-            edge_count: 0,
-            next: none_pairs(expected),
-            source: none_pairs(expected),
-            face: none_pairs(expected),
+            next: Vec::with_capacity(expected),
+            source: Vec::with_capacity(expected),
+            face: Vec::with_capacity(expected),
             face_halfedge: Vec::with_capacity(polygons.len()),
             boundary_edge_count: 0,
         };
@@ -180,9 +177,6 @@ impl Sides {
                 sides.face_halfedge.push(first);
             }
         }
-        sides.next.truncate(sides.edge_count);
-        sides.source.truncate(sides.edge_count);
-        sides.face.truncate(sides.edge_count);
         Ok(sides)
     }
 
@@ -198,19 +192,13 @@ impl Sides {
             self.boundary_edge_count -= 1;
             return Ok(2 * edge + 1);
         }
-        let edge = self.edge_count;
-        self.edge_count += 1;
-        if edge == self.source.len() {
-            let longer = edge + edge / 8 + 64;
-            for pairs in [&mut self.next, &mut self.source, &mut self.face] {
-                pairs.resize(longer, [NONE; 2]);
-            }
-        }
-        self.source[edge] = ends;
-        self.face[edge][0] = face;
+        let edge = self.source.len() as u32;
+        self.source.push(ends);
+        self.face.push([face, NONE]);
+        self.next.push([NONE, NONE]);
         self.boundary_edge_count += 1;
-        index.insert(ends, edge as u32);
-        Ok(2 * edge as u32)
+        index.insert(ends, edge);
+        Ok(2 * edge)
     }
 
     /// The mesh of these edges, or a vertex of several fans.
@@ -227,13 +215,6 @@ impl Sides {
         });
         HalfedgeMesh::filled(vertex_count, next, source, face, self.face_halfedge, &outer)
     }
-}
-
-/// Pairs of `NONE`, written in parallel.
-fn none_pairs(count: usize) -> Vec<[u32; 2]> {
-    let mut pairs = vec![[0; 2]; count];
-    pairs.par_chunks_mut(1 << 16).for_each(|chunk| chunk.fill([NONE; 2]));
-    pairs
 }
 
 /// Lists of edges, one for each vertex, of those whose larger end it is.
