@@ -80,3 +80,87 @@ fn what_has_no_loops_is_said() {
     assert!(run.fails_with(1).contains("there is no vertex 9"), "{}", run.stderr);
     coface_reading(&["pi1", "-", "--subgroups", "0"], PLANE).fails_with(2);
 }
+
+/// The torus with 7 vertices.
+fn torus() -> Vec<u8> {
+    let facets = (0..7).flat_map(|i| [[i, i + 1, i + 3], [i, i + 2, i + 3]].map(|t| t.map(|v| v % 7)));
+    json!(facets.collect::<Vec<_>>()).to_string().into_bytes()
+}
+
+#[test]
+fn loops_of_surfaces_are_shortest_or_canonical() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("loops.json");
+    let options = ["pi1", "-", "--json", "--shortest", "--base", "5", "--loops", argument(&path), "--quiet"];
+    let answer = coface_reading(&options, &torus()).json();
+    let component = &answer["components"][0];
+    assert_eq!((&component["base"], &component["name"]), (&json!(5), &json!("Z^2")));
+    assert_eq!(component["lengths"], json!([3.0, 3.0]));
+    let loops: Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    for path in loops["loops"].as_array().unwrap() {
+        assert_eq!((path.as_array().unwrap().len(), &path[0], &path[3]), (4, &json!(5), &json!(5)));
+    }
+    let answer = coface_reading(&["pi1", "-", "--json", "--canonical"], &torus()).json();
+    assert_eq!(answer["components"][0]["relators"], json!([[1, 2, -1, -2]]));
+    let answer = coface_reading(&["pi1", "-", "--json", "--canonical"], PLANE).json();
+    assert_eq!(answer["components"][0]["relators"], json!([[1, 1]]));
+    // With positions, lengths are those of the drawing: a strip of squares around a hole of 3 by 3.
+    let mesh = folder.path().join("ring.obj");
+    let mut text = String::new();
+    for y in 0..4 {
+        for x in 0..4 {
+            text += &format!("v {x} {y} 0\n");
+        }
+    }
+    let corner = |x: u32, y: u32| 4 * y + x + 1;
+    for (x, y) in (0..9).map(|i| (i % 3, i / 3)).filter(|&square| square != (1, 1)) {
+        let corners = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+        text += &format!("f {} {} {} {}\n", corners[0], corners[1], corners[2], corners[3]);
+    }
+    std::fs::write(&mesh, text).unwrap();
+    let answer = coface(&["pi1", argument(&mesh), "--json", "--shortest", "--base", "5"]).json();
+    assert_eq!(answer["components"][0]["lengths"], json!([4.0]));
+    assert_eq!(answer["components"][0]["name"], "Z");
+    let page = coface_reading(&["pi1", "-", "--shortest", "--quiet"], &torus());
+    assert!(page.stdout.contains("lengths"), "{}", page.stdout);
+    // A book of three pages is no surface.
+    let run = coface_reading(&["pi1", "-", "--shortest"], b"[[0,1,2],[0,1,3],[0,1,4]]");
+    assert!(run.fails_with(1).contains("is on 3 sides of faces"), "{}", run.stderr);
+}
+
+#[test]
+fn walks_are_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("walks.json");
+    let compare = |walks: Value| {
+        std::fs::write(&path, json!({ "walks": walks }).to_string()).unwrap();
+        coface_reading(&["pi1", "-", "--json", "--walks", argument(&path)], &torus())
+    };
+    // A rim of a triangle, a loop, the same loop from another vertex, another loop, a commutator.
+    let answer =
+        compare(json!([[0, 1, 3, 0], [0, 1, 2, 3, 4, 5, 6, 0], [3, 4, 5, 6, 0, 1, 2, 3], [0, 1, 2, 0], [4]]))
+            .json();
+    let walks = &answer["walks"];
+    let contractible: Vec<bool> = (0..5).map(|i| walks[i]["contractible"].as_bool().unwrap()).collect();
+    assert_eq!(contractible, [true, false, false, false, true]);
+    assert_eq!(walks[0]["homology"], json!([0, 0]));
+    assert_eq!(walks[1]["homology"], walks[2]["homology"]);
+    let pair = |i: usize, j: usize| {
+        let pairs = answer["pairs"].as_array().unwrap();
+        pairs.iter().find(|pair| pair["walks"] == json!([i, j])).unwrap()
+    };
+    assert_eq!(
+        pair(1, 2),
+        &json!({ "walks": [1, 2], "homotopic": null, "freely_homotopic": true, "homologous": true })
+    );
+    assert_eq!(pair(0, 1)["homotopic"], false);
+    assert_eq!(pair(0, 4)["freely_homotopic"], true);
+    let run = compare(json!([[0, 1, 0], [0, 1]]));
+    assert!(run.fails_with(1).contains("walk 1 starts at vertex 0 but ends at 1"), "{}", run.stderr);
+    let run = compare(json!([[0, 9, 0]]));
+    assert!(run.fails_with(1).contains("walk 0 goes through vertex 9"), "{}", run.stderr);
+    // Two triangles apart: no edge between them.
+    std::fs::write(&path, "[[10,11,12,20,10]]").unwrap();
+    let run = coface_reading(&["pi1", "-", "--walks", argument(&path)], b"[[10,11,12],[20,21,22]]");
+    assert!(run.fails_with(1).contains("step 2 of walk 0 goes from vertex 12 to 20"), "{}", run.stderr);
+}

@@ -3,6 +3,7 @@
 //! # Words
 //! * `icoN`: the icosphere of level N, $20 \cdot 4^N$ triangles; new vertices are numbered level by level.
 //! * `genus10_M`: a flat plate of M by M quads, two-sided, with ten square holes, each quad cut into two triangles.
+//! * `plateG_M`: such a plate with G holes in rows and columns.
 //! * `st_KxM`: a solid torus, K by K by M cubes closed up in the last direction, six tetrahedra a cube.
 //! * `t3_N`: the 3-torus, N by N by N cubes closed up in all directions, six tetrahedra a cube.
 //! * `grid3_N`: the cube, N by N by N cubes, six tetrahedra a cube.
@@ -27,6 +28,10 @@ use coface::simplicial::known_spaces::sum_complex;
 pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("icoN", "icosphere of level N, 20 * 4^N triangles (ico8: 1,310,720)"),
     ("genus10_M", "closed surface of genus 10 (genus10_160: 100,480 triangles, genus10_510: 1,010,880)"),
+    (
+        "plateG_M",
+        "closed surface of genus G, an M by M plate with G holes (plate32_255: about 250,000 triangles)",
+    ),
     ("st_KxM", "solid torus of 6 K K M tetrahedra (st_16x65: 99,840, st_32x163: 1,001,472)"),
     ("t3_N", "3-torus of 6 N N N tetrahedra (t3_26: 105,456, t3_55: 998,250)"),
     ("grid3_N", "cube of 6 N N N tetrahedra (grid3_26: 105,456, grid3_55: 998,250)"),
@@ -55,6 +60,10 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
     };
     if let Some(level) = name.strip_prefix("ico") {
         return Ok(sphere::icosphere(number(level, 0, 10)?));
+    }
+    if let Some((genus, side)) = name.strip_prefix("plate").and_then(|rest| rest.split_once('_')) {
+        let genus = number(genus, 1, 10_000)?;
+        return Ok(plate::plate_of_genus(genus, number(side, 4 * genus.isqrt() + 8, 4000)?));
     }
     match name.split_once('_').ok_or_else(unknown)? {
         ("genus10", side) => Ok(plate::plate_of_genus_10(number(side, 32, 4000)?)),
@@ -132,6 +141,14 @@ mod tests {
     }
 
     #[test]
+    fn plates_have_as_many_holes_as_they_say() {
+        for genus in [1, 2, 5, 9, 10] {
+            let f = counts(&format!("plate{genus}_30"));
+            assert_eq!(f[0] as i64 - f[1] as i64 + f[2] as i64, 2 - 2 * genus);
+        }
+    }
+
+    #[test]
     fn a_solid_torus_has_euler_characteristic_0() {
         assert_eq!(counts("st_2x5").iter().zip([1, -1, 1, -1]).map(|(&n, s)| n as i64 * s).sum::<i64>(), 0);
     }
@@ -157,8 +174,8 @@ mod tests {
     #[test]
     fn names_that_are_none_are_refused() {
         for name in [
-            "", "ico", "ico-1", "ico99", "t3_2", "st_4", "cube_7", "genus10_", "lm_5", "lm_5x9", "t4_2",
-            "sum_3",
+            "", "ico", "ico-1", "plate4_9", "ico99", "t3_2", "st_4", "cube_7", "genus10_", "lm_5", "lm_5x9",
+            "t4_2", "sum_3",
         ] {
             assert!(generate(name).is_err(), "{name}");
         }

@@ -1,4 +1,4 @@
-//! A closed surface of genus 10.
+//! Closed surfaces of any genus.
 
 use super::Mesh;
 use coface::algebra::RaggedArray;
@@ -17,6 +17,25 @@ pub(super) fn plate_of_genus_10(side: usize) -> Mesh {
         };
         within(x, column, 5) && within(y, row, 2)
     };
+    plate(side, is_hole)
+}
+
+/// The same with `genus` holes, row by row in a square grid of places for them.
+pub(super) fn plate_of_genus(genus: usize, side: usize) -> Mesh {
+    let across = (1..).find(|count| count * count >= genus).expect("there is a square above each number");
+    let pitch = side / across;
+    let hole = pitch / 3;
+    let start = (pitch - hole) / 2;
+    let is_hole = |x: usize, y: usize| {
+        let (column, row) = (x / pitch, y / pitch);
+        let is_within = |at: usize| (start..start + hole).contains(&(at % pitch));
+        column < across && row * across + column < genus && is_within(x) && is_within(y)
+    };
+    plate(side, is_hole)
+}
+
+/// The surface of a plate of `side` by `side` squares without those that are holes.
+fn plate(side: usize, is_hole: impl Fn(usize, usize) -> bool) -> Mesh {
     let is_solid = |x: Option<usize>, y: Option<usize>| match (x, y) {
         (Some(x), Some(y)) => x < side && y < side && !is_hole(x, y),
         _ => false,

@@ -13,6 +13,7 @@ mod manifold;
 mod persistence;
 mod reading;
 mod simplicial;
+mod surfaces;
 
 use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
 use coface::Error;
@@ -61,6 +62,10 @@ pub(crate) const ALL: &[Task] = &[
     simplicial::STARS,
     simplicial::LINKS,
     simplicial::LINK_SIMPLICES,
+    surfaces::LOOPS,
+    surfaces::LOOPS_BY_GENUS,
+    surfaces::COCYCLES,
+    surfaces::COCYCLES_BY_GENUS,
     info::TASK,
 ];
 

@@ -64,5 +64,5 @@ pub use surfaces::{
     ClosedWalk, CocycleBasis, CutGraph, CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain,
     HarmonicForm, Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
     TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
-    shortest_cycle, shortest_cycle_through, shortest_homology_basis, slicing_cocycle,
+    shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops, slicing_cocycle,
 };

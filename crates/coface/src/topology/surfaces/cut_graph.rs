@@ -3,7 +3,7 @@
 use super::shortest_cycle::search;
 use super::shortest_paths::checked_lengths;
 use super::{CycleKind, EdgeRole, TreeCotree};
-use crate::algebra::{RaggedArray, UnionFind};
+use crate::algebra::{RaggedArray, Sign, UnionFind};
 use crate::surface::{GeneralizedMap, Slice};
 use crate::{EdgeId, Error, FaceId, HalfedgeId, VertexId};
 use std::cmp::Reverse;
@@ -259,7 +259,12 @@ impl CutGraph {
             .boundary_loops()
             .into_iter()
             .filter(|hole| orientation.component(sliced.surface().face(hole[0].0)) == component)
-            .map(|hole| hole.iter().map(|&(side, _)| ends[sliced.surface().step(side) as usize]).collect())
+            .map(|hole| {
+                let start = |&(side, sign): &(HalfedgeId, Sign)| {
+                    ends[(sliced.surface().step(side) ^ u32::from(sign == Sign::Minus)) as usize]
+                };
+                hole.iter().map(start).collect()
+            })
             .collect();
         let path = match &loops[..] {
             [inner, outer] => across_annulus(&sliced, lengths, inner, outer),

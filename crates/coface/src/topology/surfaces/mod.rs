@@ -15,7 +15,7 @@
 //!   ones of least energy.
 //! * A [`SurfaceHomotopy`] has the words of walks: it tells which can be contracted, and which are homotopic.
 //! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`] search from
-//!   all vertices; the shortest loops at one vertex are those of [`TreeCotree::greedy`].
+//!   all vertices, [`shortest_loops`] from one.
 
 mod closed_walk;
 mod cocycle_basis;
@@ -28,6 +28,7 @@ mod root_search;
 mod samples;
 mod shortest_cycle;
 mod shortest_homology_basis;
+mod shortest_loops;
 mod shortest_paths;
 mod slicing_cocycle;
 mod surface_homology;
@@ -42,6 +43,7 @@ pub use exactness::{Exactness, exactness, exactness_within};
 pub use harmonic_forms::{HarmonicForm, cotangent_weights, harmonic_forms};
 pub use shortest_cycle::{CycleKind, ShortestCycle, shortest_cycle, shortest_cycle_through};
 pub use shortest_homology_basis::shortest_homology_basis;
+pub use shortest_loops::shortest_loops;
 pub use slicing_cocycle::{Slicing, intersection_number, slicing_cocycle};
 pub use surface_homology::SurfaceHomology;
 pub use surface_homotopy::SurfaceHomotopy;

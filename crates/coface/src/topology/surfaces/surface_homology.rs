@@ -145,8 +145,9 @@ impl<'a> SurfaceHomology<'a> {
         pivots
     }
 
-    /// How often a closed walk runs through each generator when it is pushed off all other edges but the tree: its class, up to
-    /// multiples of the relation.
+    /// How often a closed walk runs through each generator when it is pushed off all other edges but the tree. Where there is a
+    /// relation, the multiple of it is added for which the first generator in it has the coefficient 0 or 1: then two walks
+    /// are homologous if and only if their coefficients are the same.
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] naming an edge that is not there.
@@ -160,6 +161,15 @@ impl<'a> SurfaceHomology<'a> {
             let sign = if step & 1 == 0 { 1 } else { -1 };
             for &(generator, value) in self.crossed(step >> 1) {
                 class[generator as usize] += sign * value;
+            }
+        }
+        for (component, pivot) in self.pivots().into_iter().enumerate() {
+            let Some(pivot) = pivot else { continue };
+            let times = class[pivot].div_euclid(2) * self.relation[pivot].signum();
+            for (i, &(_, own)) in self.generators.iter().enumerate() {
+                if own == component {
+                    class[i] -= times * self.relation[i];
+                }
             }
         }
         Ok(class)

@@ -1,5 +1,8 @@
 //! `coface pi1`: fundamental groups.
 
+mod surface;
+mod walks;
+
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -12,10 +15,10 @@ use coface::algebra::{RaggedArray, Word};
 use coface::chains::ChainComplex;
 use coface::geometry::Positions;
 use coface::io::{Model, write_path};
-use coface::report::integer_to_json;
+use coface::report::{Producer, integer_to_json};
 use coface::topology::{
-    EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation, Simplification,
-    SubgroupClass, homology,
+    AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
+    Simplification, SubgroupClass, SurfaceGroup, homology,
 };
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -33,8 +36,17 @@ pub(crate) struct Pi1 {
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// Simplify the presentations: fewer generators, shorter relators
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["shortest", "canonical", "walks"])]
     simplify: bool,
+    /// Of a surface: the shortest loops at the base, by the lengths of edges, or by their number without positions
+    #[arg(long)]
+    shortest: bool,
+    /// Of a surface: canonical loops a1, b1, a2, b2, .. with the relator a1 b1 a1^-1 b1^-1 .., or c1, c2, .. with c1^2 c2^2 ..
+    #[arg(long)]
+    canonical: bool,
+    /// On a surface: which of these closed paths can be contracted, which bound, which are homotopic or homologous; JSON {"walks":[[v0,v1,..,v0],..]}
+    #[arg(long, value_name = "FILE", conflicts_with = "shortest")]
+    walks: Option<PathBuf>,
     /// Write the generators as closed paths at the base: JSON {"loops":[[v0,v1,..,v0],..]}, or lines in OBJ, VTK, ...
     #[arg(long, value_name = "OUT")]
     loops: Option<PathBuf>,
@@ -61,6 +73,17 @@ struct Shown {
     generators: Vec<Word>,
     name: Option<GroupName>,
     counts: Option<Counts>,
+    /// The lengths of the loops, of a surface.
+    lengths: Option<Vec<f64>>,
+}
+
+impl Shown {
+    /// The group of an isolated vertex.
+    fn of_point() -> Self {
+        let name = Some(SurfaceGroup::free(0).name());
+        let presentation = SurfaceGroup::free(0).presentation();
+        Self { presentation, generators: Vec::new(), name, counts: None, lengths: Some(Vec::new()) }
+    }
 }
 
 /// Numbers that tell groups apart; those that take too long are missing.
@@ -107,6 +130,9 @@ impl Counts {
 
 impl Pi1 {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if self.shortest || self.canonical || self.walks.is_some() {
+            return surface::run(self, common);
+        }
         let progress = Progress::start(common.quiet);
         let (name, producer) = input::produce(&self.input, common.format, &progress)?;
         let skeleton = producer.two_skeleton().map_err(|error| error.in_file(name.clone()))?;
@@ -123,28 +149,22 @@ impl Pi1 {
         };
         drop(skeleton);
         progress.stage("comparing with homology");
-        check(&groups, &producer.chain_complex()?)?;
+        check(&groups.first_homology(), &producer.chain_complex()?)?;
         progress.stage("simplifying presentations");
         let effort = Effort { time: self.time_limit, ..Effort::default() };
         let shown: Vec<Shown> =
             (0..groups.component_count()).map(|i| self.show(groups.presentation(i), effort)).collect();
-        if let Some(path) = &self.loops {
-            progress.stage("writing loops");
-            let loops = shown
-                .iter()
-                .enumerate()
-                .flat_map(|(component, group)| group.generators.iter().map(move |word| (component, word)));
-            let loops: Vec<Vec<VertexId>> =
-                loops.map(|(component, word)| groups.loop_vertices(component, word)).collect();
-            write_loops(path, &loops, producer.positions().clone(), &number)?;
-        }
-        drop(progress);
-        let components = shown.iter().enumerate();
-        let components: Vec<Value> =
-            components.map(|(i, group)| object(group, number(groups.base(i)))).collect();
-        let object = json!({ "file": name, "simplified": self.simplify, "components": components });
+        let loops = shown
+            .iter()
+            .enumerate()
+            .flat_map(|(component, group)| group.generators.iter().map(move |word| (component, word)));
+        let loops: Vec<Vec<VertexId>> = match &self.loops {
+            None => Vec::new(),
+            Some(_) => loops.map(|(component, word)| groups.loop_vertices(component, word)).collect(),
+        };
         let bases: Vec<u32> = (0..shown.len()).map(|i| number(groups.base(i))).collect();
-        give(common, &object, &page(&name, &shown, &bases))
+        let found = Found { shown, bases, loops, walks: None };
+        found.give(self, common, progress, &name, &producer, &number)
     }
 
     fn show(&self, presentation: &Presentation, effort: Effort) -> Shown {
@@ -156,22 +176,58 @@ impl Pi1 {
         if self.simplify {
             let presentation = simpler.presentation().clone();
             let generators = letters(presentation.generator_count()).map(|word| simpler.to_original(&word));
-            return Shown { generators: generators.collect(), presentation, name, counts };
+            return Shown { generators: generators.collect(), presentation, name, counts, lengths: None };
         }
         let generators = letters(presentation.generator_count()).collect();
-        Shown { generators, presentation: presentation.clone(), name, counts }
+        Shown { generators, presentation: presentation.clone(), name, counts, lengths: None }
+    }
+}
+
+/// What a run has found.
+struct Found {
+    shown: Vec<Shown>,
+    bases: Vec<u32>,
+    /// The loops of all components, if they are to be written.
+    loops: Vec<Vec<VertexId>>,
+    walks: Option<walks::Compared>,
+}
+
+impl Found {
+    fn give(
+        self,
+        verb: &Pi1,
+        common: &Common,
+        progress: Progress,
+        name: &str,
+        producer: &Producer,
+        number: &dyn Fn(VertexId) -> u32,
+    ) -> Result<(), Failure> {
+        if let Some(path) = &verb.loops {
+            progress.stage("writing loops");
+            write_loops(path, &self.loops, producer.positions().clone(), number)?;
+        }
+        drop(progress);
+        let components = self.shown.iter().zip(&self.bases);
+        let components: Vec<Value> = components.map(|(group, &base)| object(group, base)).collect();
+        let mut object = json!({ "file": name, "simplified": verb.simplify, "components": components });
+        let page = page(name, &self.shown, &self.bases, self.walks.as_ref());
+        if let Some(walks) = self.walks {
+            object["walks"] = walks.walks;
+            object["pairs"] = walks.pairs;
+        }
+        give(common, &object, &page)
     }
 }
 
 /// Compares the abelianizations with H_1.
-fn check(groups: &EdgePathGroups, complex: &ChainComplex) -> Result<(), Failure> {
+fn check(found: &AbelianGroup, complex: &ChainComplex) -> Result<(), Failure> {
     let upper = complex.boundary_matrices().len().min(3);
     let homology = match upper {
         0 => return Ok(()),
         _ => homology(&ChainComplex::new(complex.boundary_matrices()[..upper].to_vec())?),
     };
-    let (found, expected) = (groups.first_homology(), &homology.groups()[1]);
-    if found == *expected {
+    let expected = &homology.groups()[1];
+    if found == expected {
         return Ok(());
     }
     Err(Failure::new(format!(
@@ -212,6 +268,9 @@ fn object(group: &Shown, base: u32) -> Value {
         "abelianization": { "betti": abelianization.betti(), "torsion": torsion },
         "name": group.name.as_ref().map(GroupName::to_string),
     });
+    if let Some(lengths) = &group.lengths {
+        object["lengths"] = lengths.clone().into();
+    }
     if let (Some(counts), Some(object)) = (&group.counts, object.as_object_mut())
         && let Value::Object(counts) = counts.to_json()
     {
@@ -224,7 +283,7 @@ fn object(group: &Shown, base: u32) -> Value {
 const FEW: usize = 12;
 const LETTERS: usize = 400;
 
-fn page(name: &str, groups: &[Shown], bases: &[u32]) -> String {
+fn page(name: &str, groups: &[Shown], bases: &[u32], walks: Option<&walks::Compared>) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
@@ -251,6 +310,11 @@ fn page(name: &str, groups: &[Shown], bases: &[u32]) -> String {
             }
             fact("", relator.to_string(), "");
         }
+        if let Some(lengths) = group.lengths.as_ref().filter(|lengths| !lengths.is_empty()) {
+            let few: Vec<String> = lengths.iter().take(FEW).map(|length| format!("{length:.6}")).collect();
+            let more = if lengths.len() > FEW { " .." } else { "" };
+            fact("lengths", format!("{}{more}", few.join(" ")), "of the loops");
+        }
         fact("abelianization", presentation.abelianization().to_string(), "agrees with H_1");
         if let Some(counts) = &group.counts {
             let too_long = || "too long to count".to_owned();
@@ -264,6 +328,9 @@ fn page(name: &str, groups: &[Shown], bases: &[u32]) -> String {
                 fact(&format!("maps to {target}"), count, "");
             }
         }
+    }
+    for (label, verdict) in walks.into_iter().flat_map(|walks| &walks.facts) {
+        fact(label, verdict.clone(), "");
     }
     if groups.is_empty() {
         fact("group", "none".to_owned(), "the complex is empty");
