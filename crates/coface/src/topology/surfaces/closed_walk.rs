@@ -35,8 +35,9 @@ impl ClosedWalk {
     /// The walk with these steps, of which there must be one at least.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] naming an edge that is not there; [`ErrorKind::InvalidInput`] for no steps and naming the
-    /// first step that does not start where the one before ends, or the last one if it does not close the walk.
+    /// [`ErrorKind::NotInComplex`] naming an edge that is not there; [`ErrorKind::InvalidInput`] for no steps and
+    /// naming the first step that does not start where the one before ends, or the last one if it does not close the
+    /// walk.
     pub fn new(skeleton: &TwoSkeleton, steps: Vec<u32>) -> Result<Self, Error> {
         let ends = skeleton.edge_ends();
         if let Some(step) = steps.iter().find(|&&step| step as usize >= ends.len()) {
@@ -82,8 +83,8 @@ impl ClosedWalk {
     /// between two vertices the first one is taken.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] naming a vertex that is not there; [`ErrorKind::InvalidInput`] naming the walk and the
-    /// first step between two vertices that no edge joins, and a list that is empty or does not close.
+    /// [`ErrorKind::NotInComplex`] naming a vertex that is not there; [`ErrorKind::InvalidInput`] naming the walk and
+    /// the first step between two vertices that no edge joins, and a list that is empty or does not close.
     ///
     /// # Complexity
     /// Linear in the edges and, times the degrees met, in the walks.

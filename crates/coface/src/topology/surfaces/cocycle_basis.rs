@@ -9,8 +9,8 @@ use crate::{CellId, Error, ErrorKind};
 /// Closed integral cochains of degree 1 on a surface, with their values on loops.
 ///
 /// [`Self::by_crossing`] gives cochains that are dual to the loops of a tree-cotree decomposition, on every surface.
-/// [`Self::by_slicing`] slices a closed oriented surface along the loops; the values are then the intersection numbers of the loops.
-/// Both span the same classes; [`Self::dual`] leads from the second to the first, up to exact cochains.
+/// [`Self::by_slicing`] slices a closed oriented surface along the loops; the values are then the intersection numbers
+/// of the loops. Both span the same classes; [`Self::dual`] leads from the second to the first, up to exact cochains.
 ///
 /// # Examples
 /// The torus with 7 vertices: two loops that cross once.
@@ -39,8 +39,8 @@ pub struct CocycleBasis {
 }
 
 impl CocycleBasis {
-    /// A basis of the first cohomology by the crossing cochains of generators, with the simple loops of the generators; see
-    /// [`SurfaceHomology::cocycles`].
+    /// A basis of the first cohomology by the crossing cochains of generators, with the simple loops of the generators;
+    /// see [`SurfaceHomology::cocycles`].
     ///
     /// # Complexity
     /// Linear in the values that are not zero and the lengths of the loops, and the matrix of values.
@@ -52,15 +52,17 @@ impl CocycleBasis {
         Self { loops, cocycles, pairing, determinant }
     }
 
-    /// The cocycles of these loops by slicing; see [`super::slicing_cocycle`]. Cocycle i has on loop j the intersection number of
-    /// loop j with loop i, so the matrix of values is skew. If the loops are a basis of the first homology of a closed
-    /// surface, its determinant is 1.
+    /// The cocycles of these loops by slicing; see [`super::slicing_cocycle`]. Cocycle i has on loop j the intersection
+    /// number of loop j with loop i, so the matrix of values is skew. If the loops are a basis of the first homology of
+    /// a closed surface, its determinant is 1.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] for a loop that is one-sided; [`ErrorKind::NotInComplex`] for one that is not of this surface.
+    /// [`ErrorKind::InvalidInput`] for a loop that is one-sided; [`ErrorKind::NotInComplex`] for one that is not of
+    /// this surface.
     ///
     /// # Complexity
-    /// Linear in the edges, in the edges at the loops, and, for each loop, in the lengths of all loops; and the matrix of values.
+    /// Linear in the edges, in the edges at the loops, and, for each loop, in the lengths of all loops; and the matrix
+    /// of values.
     pub fn by_slicing(map: &GeneralizedMap, loops: Vec<ClosedWalk>) -> Result<Self, Error> {
         let slicing = Slicing::new(map);
         let values: Vec<Vec<(u32, i64)>> =
@@ -87,8 +89,8 @@ impl CocycleBasis {
         Ok(Self { loops, cocycles, pairing, determinant })
     }
 
-    /// The dual basis: combinations of the cocycles, by the inverse of the matrix of values, that have the value 1 on their own loop
-    /// and 0 on the others.
+    /// The dual basis: combinations of the cocycles, by the inverse of the matrix of values, that have the value 1 on
+    /// their own loop and 0 on the others.
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] unless the matrix is square and invertible over Z.
@@ -146,8 +148,8 @@ impl CocycleBasis {
         &self.pairing
     }
 
-    /// The determinant of the matrix of values; `None` if it is not square, or of loops for which left and right have no common
-    /// meaning.
+    /// The determinant of the matrix of values; `None` if it is not square, or of loops for which left and right have
+    /// no common meaning.
     pub fn determinant(&self) -> Option<&Integer> {
         self.determinant.as_ref()
     }

@@ -15,8 +15,8 @@ const NONE: u32 = u32::MAX;
 
 /// Edges in the interior of a surface such that each component, cut open along them, is a disk; without loose ends.
 ///
-/// It consists of **seams**, paths between **corners**: vertices where one, three or more of its edges meet, and vertices of the boundary. A
-/// disk needs no seam; a sphere gets a slit of one edge, unless it has a single vertex.
+/// It consists of **seams**, paths between **corners**: vertices where one, three or more of its edges meet, and
+/// vertices of the boundary. A disk needs no seam; a sphere gets a slit of one edge, unless it has a single vertex.
 ///
 /// # References
 /// J. Erickson, S. Har-Peled, *Optimally cutting a surface into a disk* (2004).
@@ -44,13 +44,13 @@ pub struct CutGraph {
 /// What a surface is cut open at along a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SeamKind {
-    /// Glued together again there, the disk becomes an annulus, and the seam lies on a cycle of seams and boundary: it is part of
-    /// what opens a handle.
+    /// Glued together again there, the disk becomes an annulus, and the seam lies on a cycle of seams and boundary: it
+    /// is part of what opens a handle.
     Handle,
     /// Glued together again there, the disk becomes a Moebius band: it opens a crosscap.
     Crosscap,
-    /// It joins boundary loops, or the seams of handles and crosscaps with these or with each other: without it the graph and the
-    /// boundary fall apart.
+    /// It joins boundary loops, or the seams of handles and crosscaps with these or with each other: without it the
+    /// graph and the boundary fall apart.
     Join,
     /// It opens a sphere.
     Slit,
@@ -100,11 +100,12 @@ impl Seam {
 }
 
 impl CutGraph {
-    /// The cut graph of a tree-cotree decomposition without its loose ends. `lengths` has a length for each edge; without it, each edge has
-    /// the length 1.
+    /// The cut graph of a tree-cotree decomposition without its loose ends. `lengths` has a length for each edge;
+    /// without it, each edge has the length 1.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Shape`] and [`crate::ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not negative.
+    /// [`crate::ErrorKind::Shape`] and [`crate::ErrorKind::InvalidInput`] for lengths that are not one for each edge,
+    /// finite and not negative.
     ///
     /// # Complexity
     /// Linear, and near-linear in the seams.
@@ -170,8 +171,8 @@ impl CutGraph {
         Ok(Self { seams, is_cut })
     }
 
-    /// The same graph with seams exchanged for shorter ones: each in turn is replaced by the shortest path that cuts the surface, cut
-    /// open along the others, to a disk; until none gets shorter, or `rounds` times through all seams.
+    /// The same graph with seams exchanged for shorter ones: each in turn is replaced by the shortest path that cuts
+    /// the surface, cut open along the others, to a disk; until none gets shorter, or `rounds` times through all seams.
     ///
     /// The result need not be the shortest cut graph; to find that is hard.
     ///
@@ -301,8 +302,8 @@ impl CutGraph {
         if new < old * (1.0 - 1e-12) { Self::of_edges(map, is_cut, lengths).map(Some) } else { Ok(None) }
     }
 
-    /// For the Moebius band that the disk becomes when it is glued at a seam: the edges that a closed path of faces crosses which
-    /// crosses the seam once.
+    /// For the Moebius band that the disk becomes when it is glued at a seam: the edges that a closed path of faces
+    /// crosses which crosses the seam once.
     fn parity_of_core(&self, map: &GeneralizedMap, edge_count: usize, step: u32) -> Vec<bool> {
         let start = map.first_side(EdgeId::from_u32(step >> 1));
         let goal = map.face(map.mate(start).expect("seams are in the interior"));
@@ -353,9 +354,9 @@ fn prune(map: &GeneralizedMap, is_cut: &mut [bool]) {
     let mut degrees = vec![0u32; map.skeleton().vertex_count()];
     // The exclusive or of the steps out of each vertex: of a single one its number.
     let mut sums = vec![0u32; degrees.len()];
-    for edge in 0..is_cut.len() {
+    for (edge, &is_cut) in is_cut.iter().enumerate() {
         let is_outer = map.mate(map.first_side(EdgeId::new(edge))).is_none();
-        if is_cut[edge] || is_outer {
+        if is_cut || is_outer {
             for step in [2 * edge, 2 * edge + 1] {
                 degrees[ends[step] as usize] += 1;
                 sums[ends[step] as usize] ^= step as u32;

@@ -32,7 +32,8 @@ pub enum Exactness<C> {
     },
 }
 
-/// Whether a cochain of degree 1 is closed and whether it is exact, with the potential, the walk or the face that shows it.
+/// Whether a cochain of degree 1 is closed and whether it is exact, with the potential, the walk or the face that shows
+/// it.
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] for a cochain of another degree; [`ErrorKind::NotInComplex`] naming an edge that is not there;

@@ -23,7 +23,8 @@ impl HarmonicForm {
         &self.values
     }
 
-    /// A function on the vertices whose coboundary is the integral cochain less this form; zero at the first vertex of each component.
+    /// A function on the vertices whose coboundary is the integral cochain less this form; zero at the first vertex of
+    /// each component.
     pub fn potential(&self) -> &[f64] {
         &self.potential
     }
@@ -39,16 +40,18 @@ impl HarmonicForm {
     }
 }
 
-/// The cotangent weight of each edge of a surface of triangles: half the sum of the cotangents of the angles opposite to it.
+/// The cotangent weight of each edge of a surface of triangles: half the sum of the cotangents of the angles opposite
+/// to it.
 ///
-/// Angles are those of the plane triangles with these edge lengths. The weights are the inner product of one-forms that are linear on
-/// the triangles, so the Laplacian of functions that they make is never negative; but a weight is zero or below where the
-/// opposite angles add up to 180 degrees or more. Where all weights have to be positive, as in a
-/// [`MetricComplex`](crate::topology::MetricComplex), flip such edges or take the larger of the weight and a small positive number.
+/// Angles are those of the plane triangles with these edge lengths. The weights are the inner product of one-forms that
+/// are linear on the triangles, so the Laplacian of functions that they make is never negative; but a weight is zero or
+/// below where the opposite angles add up to 180 degrees or more. Where all weights have to be positive, as in a
+/// [`MetricComplex`](crate::topology::MetricComplex), flip such edges or take the larger of the weight and a small
+/// positive number.
 ///
 /// # Errors
-/// [`ErrorKind::Shape`] unless there is one length for each edge; [`ErrorKind::InvalidInput`] naming a face that is no triangle, or a
-/// triangle whose longest side is not shorter than the other two together.
+/// [`ErrorKind::Shape`] unless there is one length for each edge; [`ErrorKind::InvalidInput`] naming a face that is no
+/// triangle, or a triangle whose longest side is not shorter than the other two together.
 ///
 /// # Complexity
 /// Linear.
@@ -57,7 +60,8 @@ impl HarmonicForm {
 /// U. Pinkall, K. Polthier, *Computing discrete minimal surfaces and their conjugates* (1993).
 ///
 /// # Examples
-/// Two triangles with a right angle and legs of length 1, glued along the hypotenuse: its weight is 0, those of the legs are 1/2.
+/// Two triangles with a right angle and legs of length 1, glued along the hypotenuse: its weight is 0, those of the
+/// legs are 1/2.
 /// ```
 /// use coface::algebra::RaggedArray;
 /// use coface::surface::{GeneralizedMap, PolygonMesh};
@@ -99,22 +103,23 @@ pub fn cotangent_weights(map: &GeneralizedMap, lengths: &[f64]) -> Result<Vec<f6
     Ok(weights)
 }
 
-/// The harmonic one-forms of closed integral cochains: of all cochains of the class the one with the least weighted sum of squares. It is
-/// closed, and coclosed: the weighted sum over the edges out of each vertex is zero.
+/// The harmonic one-forms of closed integral cochains: of all cochains of the class the one with the least weighted sum
+/// of squares. It is closed, and coclosed: the weighted sum over the edges out of each vertex is zero.
 ///
-/// `weights` has a weight for each edge, such as [`cotangent_weights`], or 1. Where there is a boundary, the form is tangential to it.
+/// `weights` has a weight for each edge, such as [`cotangent_weights`], or 1. Where there is a boundary, the form is
+/// tangential to it.
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] unless there is one finite weight for each edge and the cochains are of degree 1;
-/// [`ErrorKind::NotInComplex`] for a cochain with other edges; [`ErrorKind::TooLarge`] if the Laplacian of functions is not positive,
-/// as it can be with weights that are not, or its factor does not fit.
+/// [`ErrorKind::NotInComplex`] for a cochain with other edges; [`ErrorKind::TooLarge`] if the Laplacian of functions is
+/// not positive, as it can be with weights that are not, or its factor does not fit.
 ///
 /// # Complexity
 /// One sparse Cholesky factor of the vertices, near-linear on surfaces in practice, and two solutions for each form.
 ///
 /// # References
-/// B. Eckmann, *Harmonische Funktionen und Randwertaufgaben in einem Komplex* (1944); X. Gu, S.-T. Yau, *Computational Conformal
-/// Geometry* (2008).
+/// B. Eckmann, *Harmonische Funktionen und Randwertaufgaben in einem Komplex* (1944); X. Gu, S.-T. Yau, *Computational
+/// Conformal Geometry* (2008).
 ///
 /// # Examples
 /// On a torus of one square the loops along the sides are harmonic already: nothing can be spread.

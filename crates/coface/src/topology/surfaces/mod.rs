@@ -1,21 +1,22 @@
 //! Surfaces cut open: spanning trees, loops, cut graphs, fundamental domains.
 //!
 //! # Words and conventions
-//! * The **dual graph** of a surface has the faces as nodes and an arc for each edge with a face on either side; loops and
-//!   several arcs between two nodes are kept.
-//! * A [`TreeCotree`] splits the edges: a spanning **tree** of the vertices, a spanning **cotree** of the dual graph that
-//!   crosses none of its edges, and the **generators**, which are left. A generator closes up along the tree to a
+//! * The **dual graph** of a surface has the faces as nodes and an arc for each edge with a face on either side; loops
+//!   and several arcs between two nodes are kept.
+//! * A [`TreeCotree`] splits the edges: a spanning **tree** of the vertices, a spanning **cotree** of the dual graph
+//!   that crosses none of its edges, and the **generators**, which are left. A generator closes up along the tree to a
 //!   loop at the base; these loops generate the fundamental group.
-//! * The **cut graph** is all edges that the cotree does not cross. What remains of a component cut along it is a disk, its
-//!   **fundamental domain**; a [`FundamentalDomain`] is the polygon that its boundary is, with a letter for each generator.
+//! * The **cut graph** is all edges that the cotree does not cross. What remains of a component cut along it is a disk,
+//!   its **fundamental domain**; a [`FundamentalDomain`] is the polygon that its boundary is, with a letter for each
+//!   generator.
 //! * On a component with boundary one boundary edge belongs to the cotree: through it one gets to the outside. So there
 //!   are $1 - \chi$ generators, and they generate freely. On a closed component there are $2 - \chi$, with one relator.
-//! * A [`ClosedWalk`] is a cycle; a [`SurfaceHomology`] tells its class and what it bounds. A [`CocycleBasis`] is a basis of
-//!   first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops; [`harmonic_forms`] are the real
-//!   ones of least energy.
+//! * A [`ClosedWalk`] is a cycle; a [`SurfaceHomology`] tells its class and what it bounds. A [`CocycleBasis`] is a
+//!   basis of first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops; [`harmonic_forms`]
+//!   are the real ones of least energy.
 //! * A [`SurfaceHomotopy`] has the words of walks: it tells which can be contracted, and which are homotopic.
-//! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`] search from
-//!   all vertices, [`shortest_loops`] from one.
+//! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`]
+//!   search from all vertices, [`shortest_loops`] from one.
 
 mod closed_walk;
 mod cocycle_basis;

@@ -56,8 +56,8 @@ impl Closing {
     }
 }
 
-/// The dual graph near the root: faces with all vertices reached as nodes from 1 on; node 0 is everything else, holes included. Its
-/// arcs are the closing edges.
+/// The dual graph near the root: faces with all vertices reached as nodes from 1 on; node 0 is everything else, holes
+/// included. Its arcs are the closing edges.
 pub(super) struct LocalDual {
     pub(super) node_count: usize,
     /// By rising length.
@@ -124,8 +124,8 @@ impl<'a> RootSearch<'a> {
         }
     }
 
-    /// The closing edges whose loops are shorter than `bound`, with the dual graph that they are arcs of. Arcs of longer loops are
-    /// contracted.
+    /// The closing edges whose loops are shorter than `bound`, with the dual graph that they are arcs of. Arcs of
+    /// longer loops are contracted.
     pub(super) fn local_dual(&mut self, bound: f64) -> LocalDual {
         let (map, ends) = (self.map, self.map.skeleton().edge_ends());
         let mut arcs = Vec::new();
@@ -222,8 +222,8 @@ impl<'a> RootSearch<'a> {
 }
 
 impl LocalDual {
-    /// The arcs that are left when nodes with a single arc, but node 0, are taken away with it again and again. The loops of the
-    /// others bound disks.
+    /// The arcs that are left when nodes with a single arc, but node 0, are taken away with it again and again. The
+    /// loops of the others bound disks.
     pub(super) fn pruned(&self) -> Vec<Closing> {
         let mut degrees = vec![0u32; self.node_count];
         // The exclusive or of the arcs at each node: of a single one its number.

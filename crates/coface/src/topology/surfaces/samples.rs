@@ -10,7 +10,8 @@ pub(super) fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap 
     GeneralizedMap::new(space.unwrap().freeze().two_skeleton().unwrap()).unwrap()
 }
 
-/// One polygon with these letters on its sides; letter -i is side i backwards. A letter that stands alone is on the boundary.
+/// One polygon with these letters on its sides; letter -i is side i backwards. A letter that stands alone is on the
+/// boundary.
 pub(super) fn polygon(letters: &[i32]) -> GeneralizedMap {
     let sides = letters.len() as u32;
     let flags = 2 * sides;
@@ -53,8 +54,8 @@ pub(super) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> Generalize
     GeneralizedMap::new(skeleton).unwrap()
 }
 
-/// The same surface with some faces taken away: those with a bit in `removed`. What is left may have vertices of several fans, in
-/// which case nothing is given.
+/// The same surface with some faces taken away: those with a bit in `removed`. What is left may have vertices of
+/// several fans, in which case nothing is given.
 pub(super) fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<GeneralizedMap> {
     let skeleton = map.skeleton();
     let kept = (0..skeleton.face_count()).filter(|face| removed >> (face % 64) & 1 == 0);

@@ -44,12 +44,13 @@ impl ShortestCycle {
 
 /// The shortest closed walk of a kind through a vertex; `None` if its component has none.
 ///
-/// It is an edge closed up along shortest paths, and may go forth and back on a way to the vertex. `lengths` has a length for each edge;
-/// without it, each edge has the length 1. Of several shortest ones the edge with the lowest number decides.
+/// It is an edge closed up along shortest paths, and may go forth and back on a way to the vertex. `lengths` has a
+/// length for each edge; without it, each edge has the length 1. Of several shortest ones the edge with the lowest
+/// number decides.
 ///
 /// # Errors
-/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not negative;
-/// [`ErrorKind::NotInComplex`] for a vertex that is not there.
+/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not
+/// negative; [`ErrorKind::NotInComplex`] for a vertex that is not there.
 ///
 /// # Complexity
 /// $O(n \log n)$, and the test of the loops that are not seen to bound a disk by the dual graph near the vertex.
@@ -87,8 +88,8 @@ pub fn shortest_cycle_through(
 
 /// The shortest cycle of a kind on the surface; `None` if there is none.
 ///
-/// `lengths` is as for [`shortest_cycle_through`]. The searches from all vertices may reach `most` vertices in all, each
-/// counted as often as it is reached; a search goes only as far as half the length of the best cycle known.
+/// `lengths` is as for [`shortest_cycle_through`]. The searches from all vertices may reach `most` vertices in all,
+/// each counted as often as it is reached; a search goes only as far as half the length of the best cycle known.
 ///
 /// # Errors
 /// As [`shortest_cycle_through`]; [`ErrorKind::TooLarge`] when more vertices than `most` are reached.

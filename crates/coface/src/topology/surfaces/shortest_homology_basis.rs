@@ -8,22 +8,22 @@ use crate::{Error, ErrorKind, VertexId};
 
 /// Closed walks whose classes are a basis of the first homology over Z/2 and whose lengths have the least sum.
 ///
-/// At each vertex the loops of the edges that a tree of shortest paths and a cotree of longest loops leave over are candidates; of all of
-/// them the shortest independent ones are kept, told apart by the classes of edges. On an orientable surface, closed or not, and on every
-/// surface with boundary they need not be a basis over Z. `lengths` has a length for each edge; without it, each edge has the length 1.
-/// Searches may reach `most` vertices in all, each counted as often as it is reached; they go only as far as half the length of
-/// the longest loop of the basis known.
+/// At each vertex the loops of the edges that a tree of shortest paths and a cotree of longest loops leave over are
+/// candidates; of all of them the shortest independent ones are kept, told apart by the classes of edges. On an
+/// orientable surface, closed or not, and on every surface with boundary they need not be a basis over Z. `lengths` has
+/// a length for each edge; without it, each edge has the length 1. Searches may reach `most` vertices in all, each
+/// counted as often as it is reached; they go only as far as half the length of the longest loop of the basis known.
 ///
 /// # Errors
-/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not negative;
-/// [`ErrorKind::TooLarge`] when more vertices than `most` are reached.
+/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not
+/// negative; [`ErrorKind::TooLarge`] when more vertices than `most` are reached.
 ///
 /// # Complexity
 /// $O(n^2 \log n + n k^3)$ for n edges and k loops at most.
 ///
 /// # References
-/// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005); O. Busaryev, S. Cabello, C. Chen, T. K. Dey,
-/// Y. Wang, *Annotating simplices with a homology basis and its applications* (2012).
+/// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005); O. Busaryev, S. Cabello, C.
+/// Chen, T. K. Dey, Y. Wang, *Annotating simplices with a homology basis and its applications* (2012).
 ///
 /// # Examples
 /// On a torus of 4 by 6 squares, each cut in two, the shortest loops have 4 and 6 edges.

@@ -6,25 +6,26 @@ use super::{ClosedWalk, ShortestCycle};
 use crate::surface::GeneralizedMap;
 use crate::{Error, ErrorKind, VertexId};
 
-/// Loops at a vertex that generate the fundamental group of its component, as short as can be: their lengths, in rising order, are not
-/// above those of any other system of generators. There are $2 - \chi$ on a closed component; on one with boundary there are
-/// $1 - \chi$, and they generate freely.
+/// Loops at a vertex that generate the fundamental group of its component, as short as can be: their lengths, in rising
+/// order, are not above those of any other system of generators. There are $2 - \chi$ on a closed component; on one
+/// with boundary there are $1 - \chi$, and they generate freely.
 ///
-/// They are the edges that a tree of shortest paths from the vertex and a cotree of longest loops leave over, closed up along the tree.
-/// In a component with boundary the cotree, unlike that of a [`TreeCotree`](super::TreeCotree), may reach the outside through any number
-/// of edges, so cutting along the loops and the tree need not leave one disk. `lengths` has a length for each edge; without it, each
-/// edge has the length 1.
+/// They are the edges that a tree of shortest paths from the vertex and a cotree of longest loops leave over, closed up
+/// along the tree. In a component with boundary the cotree, unlike that of a [`TreeCotree`](super::TreeCotree), may
+/// reach the outside through any number of edges, so cutting along the loops and the tree need not leave one disk.
+/// `lengths` has a length for each edge; without it, each edge has the length 1.
 ///
 /// # Errors
-/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not negative;
-/// [`ErrorKind::NotInComplex`] for a vertex that is not there.
+/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not
+/// negative; [`ErrorKind::NotInComplex`] for a vertex that is not there.
 ///
 /// # Complexity
 /// $O(n \log n)$, and the lengths of the loops.
 ///
 /// # References
-/// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005), for closed surfaces. With a boundary the same
-/// exchange of edges gives a shortest basis of homology over Z/2 at the vertex, which no system of generators falls short of.
+/// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005), for closed surfaces. With a
+/// boundary the same exchange of edges gives a shortest basis of homology over Z/2 at the vertex, which no system of
+/// generators falls short of.
 ///
 /// # Examples
 /// On a torus of 4 by 6 squares, each cut in two: loops of 4 and 6 edges at every vertex.

@@ -8,30 +8,30 @@ use crate::{CellId, EdgeId, Error, ErrorKind, HalfedgeId};
 
 /// The closed cochain that comes from slicing a surface along a closed walk.
 ///
-/// On the sliced surface let f be the function that is 1 at the vertices of the left copy of the walk and 0 at all others. It
-/// is not defined on the surface itself, but its coboundary is: f jumps by 1 everywhere along the walk. So the value on an
-/// edge is -1 for each time that its source touches the walk from the left and 1 for each time that its target does. At a
-/// corner of the walk the edges between the outgoing and the incoming step touch it from the left, so that the walk
-/// may meet itself. Where it turns back on the same edge, all other edges there are to its left.
+/// On the sliced surface let f be the function that is 1 at the vertices of the left copy of the walk and 0 at all
+/// others. It is not defined on the surface itself, but its coboundary is: f jumps by 1 everywhere along the walk. So
+/// the value on an edge is -1 for each time that its source touches the walk from the left and 1 for each time that its
+/// target does. At a corner of the walk the edges between the outgoing and the incoming step touch it from the left, so
+/// that the walk may meet itself. Where it turns back on the same edge, all other edges there are to its left.
 ///
 /// # Conventions
 /// The left of a step is the face whose rim runs as the step does, turned as [`FaceOrientation::signs`] says. On a
 /// component that is not orientable, left is so told at the first step, and carried along.
 ///
 /// # Errors
-/// [`ErrorKind::InvalidInput`] for a walk that comes back with left and right exchanged: slicing along it leaves one side
-/// only, and there is no jump. [`ErrorKind::NotInComplex`] for a walk that is not of this surface.
+/// [`ErrorKind::InvalidInput`] for a walk that comes back with left and right exchanged: slicing along it leaves one
+/// side only, and there is no jump. [`ErrorKind::NotInComplex`] for a walk that is not of this surface.
 ///
 /// # Complexity
 /// The sum of the degrees of the vertices that are met. [`Slicing`] keeps the orientation for many walks.
 ///
 /// # References
-/// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005), for the loops; X. Gu, S.-T. Yau,
-/// *Computational Conformal Geometry* (2008), for the cocycles.
+/// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005), for the loops; X. Gu, S.-T.
+/// Yau, *Computational Conformal Geometry* (2008), for the cocycles.
 ///
 /// # Examples
-/// On the torus made of one square, with a loop along either side, slicing along one gives the cochain that is 1 or -1 on
-/// the other.
+/// On the torus made of one square, with a loop along either side, slicing along one gives the cochain that is 1 or -1
+/// on the other.
 /// ```
 /// use coface::surface::{GeneralizedMap, HalfedgeMesh};
 /// use coface::topology::{ClosedWalk, slicing_cocycle};
@@ -45,11 +45,11 @@ pub fn slicing_cocycle(map: &GeneralizedMap, walk: &ClosedWalk) -> Result<Cochai
     Slicing::new(map).cocycle(walk)
 }
 
-/// The algebraic intersection number of two closed walks: how often the second crosses the first from its right to its left,
-/// less how often it does so from left to right. Common parts are pushed apart first.
+/// The algebraic intersection number of two closed walks: how often the second crosses the first from its right to its
+/// left, less how often it does so from left to right. Common parts are pushed apart first.
 ///
-/// It depends on the homology classes only, and is skew. On a component that is not orientable its sign depends on where
-/// the walks start.
+/// It depends on the homology classes only, and is skew. On a component that is not orientable its sign depends on
+/// where the walks start.
 ///
 /// # Errors
 /// As [`slicing_cocycle`] for the first walk; [`ErrorKind::NotInComplex`] for a second one that is not of this surface.

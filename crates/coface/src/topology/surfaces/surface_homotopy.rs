@@ -6,15 +6,16 @@ use crate::surface::GeneralizedMap;
 use crate::topology::{CanonicalSystem, SurfaceGroup};
 use crate::{EdgeId, Error, ErrorKind};
 
-/// The fundamental groups of the components of a surface, with the words of walks: contractible or not, homotopic or not.
+/// The fundamental groups of the components of a surface, with the words of walks: contractible or not, homotopic or
+/// not.
 ///
 /// # Conventions
-/// Letters and bases are those of [`CutSurface`]: letter i is generator i of the component, counted from 1. Walks that start
-/// elsewhere are moved along the tree to the base.
+/// Letters and bases are those of [`CutSurface`]: letter i is generator i of the component, counted from 1. Walks that
+/// start elsewhere are moved along the tree to the base.
 ///
 /// # References
-/// F. Lazarus, J. Rivaud, *On the homotopy test on surfaces* (2012); J. Erickson, K. Whittlesey, *Transforming curves on surfaces
-/// redux* (2013).
+/// F. Lazarus, J. Rivaud, *On the homotopy test on surfaces* (2012); J. Erickson, K. Whittlesey, *Transforming curves
+/// on surfaces redux* (2013).
 ///
 /// # Examples
 /// On the torus made of one square the two loops commute.
@@ -151,7 +152,8 @@ impl<'a> SurfaceHomotopy<'a> {
         }
     }
 
-    /// The closed walk at the base of a component that has this word: its loops one after another, without turning back on a step.
+    /// The closed walk at the base of a component that has this word: its loops one after another, without turning back
+    /// on a step.
     ///
     /// # Panics
     /// If there is no such component or generator.
@@ -180,9 +182,9 @@ impl<'a> SurfaceHomotopy<'a> {
         ClosedWalk::new(self.map.skeleton(), steps).expect("loops at a base are closed walks")
     }
 
-    /// The canonical loops of a closed component as closed walks at its base: $a_1, b_1, a_2, b_2, \dots$ such that the product of
-    /// their commutators can be contracted, or $c_1, c_2, \dots$ with squares. With them the system at the level of words. `None` where
-    /// there is a boundary; none on a sphere, which has no loops.
+    /// The canonical loops of a closed component as closed walks at its base: $a_1, b_1, a_2, b_2, \dots$ such that the
+    /// product of their commutators can be contracted, or $c_1, c_2, \dots$ with squares. With them the system at the
+    /// level of words. `None` where there is a boundary; none on a sphere, which has no loops.
     ///
     /// # Complexity
     /// The words have $O(n^2)$ letters in all for n generators, see [`SurfaceGroup::canonical_system`]; each is a loop.
