@@ -63,7 +63,7 @@ pub enum Exactness<C> {
 /// # Ok(()) }
 /// ```
 pub fn exactness(skeleton: &TwoSkeleton, cochain: &Cochain<Integer>) -> Result<Exactness<Integer>, Error> {
-    decide(skeleton, cochain, Integer::ZERO, Integer::is_zero)
+    decide(skeleton, cochain, &Integer::ZERO, Integer::is_zero)
 }
 
 /// As [`exactness`] for real cochains: sums of absolute value at most `tolerance` count as zero.
@@ -96,13 +96,13 @@ pub fn exactness_within(
         return Err(Error::invalid(format!("the tolerance is {tolerance}"))
             .with_cure("give the largest absolute value of a sum that counts as zero"));
     }
-    decide(skeleton, cochain, 0.0, |sum| sum.abs() <= tolerance)
+    decide(skeleton, cochain, &0.0, |sum| sum.abs() <= tolerance)
 }
 
 fn decide<C: Coefficient>(
     skeleton: &TwoSkeleton,
     cochain: &Cochain<C>,
-    zero: C,
+    zero: &C,
     is_zero: impl Fn(&C) -> bool,
 ) -> Result<Exactness<C>, Error> {
     let [vertex_count, edge_count, face_count] = skeleton.f_vector();

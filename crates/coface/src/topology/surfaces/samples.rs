@@ -71,7 +71,7 @@ pub(super) fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<Generaliz
                 number[edge.index()] = ends.len() as u32 / 2;
                 ends.extend(skeleton.edge(edge).map(|vertex| vertex.to_u32()));
             }
-            steps.push(2 * number[edge.index()] | (step & 1));
+            steps.push((number[edge.index()] << 1) | (step & 1));
         }
         faces.push(&steps);
     }
