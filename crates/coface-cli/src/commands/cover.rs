@@ -201,8 +201,8 @@ impl Cover {
         answer(common, &object, || {
             let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
             let facts = [
-                fact("surface", below.join(", "), ""),
-                fact("cover", above.join(", "), "each face twice, once for each side"),
+                fact("surface", names(&below), ""),
+                fact("cover", names(&above), "each face twice, once for each side"),
                 fact("cells", counts([v, e, f]), ""),
             ];
             text::facts(&format!("orientation double cover of {name}"), &facts)
@@ -247,6 +247,16 @@ fn model(
             faces().map(|face| cover.face_copy(face) as i64).collect(),
         )?)?
         .with_data(data("length", GroupKind::Polygons, lengths)?)
+}
+
+/// The names of components, not too many.
+fn names(all: &[String]) -> String {
+    let (few, more) = surface::few(all.len());
+    match (few, more) {
+        (0, _) => "none".to_owned(),
+        (_, 0) => all.join(", "),
+        _ => format!("{} and {more} more", all[..few].join(", ")),
+    }
 }
 
 fn counts([v, e, f]: [usize; 3]) -> String {
