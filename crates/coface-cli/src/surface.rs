@@ -30,6 +30,11 @@ pub(crate) fn read(
         SurfaceModel::of(loaded.model)
     };
     let explained = |error: Error| match error.kind() {
+        // A volume mesh cannot be repaired by splitting.
+        ErrorKind::NonManifold if is_volume => {
+            Error::new(error.kind(), format!("the boundary is no surface: {}", error.message()))
+                .with_cure("see coface info; cells must not touch along single edges or vertices")
+        }
         ErrorKind::NonManifold => Error::new(error.kind(), format!("no surface: {}", error.message()))
             .with_cure(
                 "see coface info; coface convert --split-edges pairs --split-vertices can make it one",

@@ -335,6 +335,8 @@ fn what_is_no_surface_is_refused_with_the_cure() {
     let beam = shipped("beam_h5t12.mesh");
     let text = coface(&["cut", argument(&beam)]).fails_with(1).to_owned();
     assert!(text.contains("--boundary"), "{text}");
+    let text = coface(&["cut", "--boundary", argument(&beam)]).fails_with(1).to_owned();
+    assert!(text.contains("the boundary is no surface") && !text.contains("--split"), "{text}");
     let cylinder = shipped("cylinder.vtk");
     let report = coface(&["cut", "--boundary", "--simplify", "--json", argument(&cylinder)]).json();
     assert_eq!(report["components"][0]["euler_characteristic"], 1);
