@@ -9,7 +9,7 @@ use coface::io::read_path;
 use coface::report::Producer;
 use coface::surface::GeneralizedMap;
 use coface::topology::{
-    CoverExtent, CoverGeometry, CoverLayout, CutSurface, SurfaceGroup, TreeCotree, UniversalCover,
+    CoverExtent, CoverLayout, CoverPlane, CutSurface, SurfaceGroup, TreeCotree, UniversalCover,
 };
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -39,8 +39,8 @@ fn surfaces() -> Vec<(String, GeneralizedMap)> {
 fn check_faces_of_first_copy(map: &GeneralizedMap, cover: &UniversalCover, layout: &CoverLayout) {
     let straight = |vertex: u32| {
         let [x, y] = layout.points()[vertex as usize];
-        let scale = match layout.geometry() {
-            CoverGeometry::Flat => 1.0,
+        let scale = match layout.plane() {
+            CoverPlane::Flat => 1.0,
             _ => 2.0 / (1.0 + x * x + y * y),
         };
         [scale * x, scale * y]
@@ -97,7 +97,7 @@ fn real_surfaces_have_covers() {
                 let layout = cover.layout(&map, None).unwrap();
                 println!("  layout in {:?}", started.elapsed());
                 let inside = |[x, y]: &[f64; 2]| x * x + y * y < 1.0;
-                assert!(layout.geometry() == CoverGeometry::Flat || layout.points().iter().all(inside));
+                assert!(layout.plane() == CoverPlane::Flat || layout.points().iter().all(inside));
                 check_faces_of_first_copy(&map, &cover, &layout);
             }
         }

@@ -10,7 +10,7 @@ use coface::algebra::RaggedArray;
 use coface::geometry::Positions;
 use coface::io::{CellData, GroupKind, Model};
 use coface::report::SurfaceModel;
-use coface::topology::{CoverExtent, CoverGeometry, CutSurface, TreeCotree, UniversalCover};
+use coface::topology::{CoverExtent, CoverPlane, CutSurface, TreeCotree, UniversalCover};
 use coface::{Error, FaceId, VertexId};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -92,9 +92,9 @@ impl Cover {
             cover.letters().into_iter().map(|edge| surface.edge_numbers(edge)).collect();
         let words: Vec<Vec<i32>> =
             (0..cover.copy_count()).map(|copy| cover.copy_word(copy).letters().to_vec()).collect();
-        let geometry = layout.as_ref().map(|(geometry, _)| match geometry {
-            CoverGeometry::Flat => "flat",
-            CoverGeometry::Hyperbolic => "disk",
+        let plane = layout.as_ref().map(|(plane, _)| match plane {
+            CoverPlane::Flat => "flat",
+            CoverPlane::Hyperbolic => "disk",
             _ => "other",
         });
         let object = json!({
@@ -110,7 +110,7 @@ impl Cover {
             "euler_characteristic": cover.euler_characteristic(),
             "letters": letters,
             "words": words,
-            "layout": geometry,
+            "layout": plane,
         });
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
@@ -121,14 +121,14 @@ impl Cover {
         answer(common, &object, || page(&name, &object, &cover))
     }
 
-    /// The geometry and the positions of a layout, if there is one and it is wanted.
+    /// The plane and the positions of a layout, if there is one and it is wanted.
     fn layout(
         &self,
         cover: &UniversalCover,
         surface: &SurfaceModel,
         name: &str,
         common: &Common,
-    ) -> Result<Option<(CoverGeometry, Positions)>, Failure> {
+    ) -> Result<Option<(CoverPlane, Positions)>, Failure> {
         if self.layout == Layout::None {
             return Ok(None);
         }
@@ -143,8 +143,8 @@ impl Cover {
             Err(error) => return Err(error.in_file(name.to_owned()).into()),
         };
         let is_wanted = match self.layout {
-            Layout::Flat => found.geometry() == CoverGeometry::Flat,
-            Layout::Disk => found.geometry() == CoverGeometry::Hyperbolic,
+            Layout::Flat => found.plane() == CoverPlane::Flat,
+            Layout::Disk => found.plane() == CoverPlane::Hyperbolic,
             Layout::Auto | Layout::None => true,
         };
         if !is_wanted {
@@ -154,7 +154,7 @@ impl Cover {
             )));
         }
         let coordinates = found.points().iter().flat_map(|&[x, y]| [x, y, 0.0]).collect();
-        Ok(Some((found.geometry(), Positions::from_flat(3, coordinates)?)))
+        Ok(Some((found.plane(), Positions::from_flat(3, coordinates)?)))
     }
 
     fn double_cover(

@@ -41,7 +41,7 @@ mod surfaces;
 
 pub use basis::HomologyBasis;
 pub use coefficients::Coefficients;
-pub use covering::{CoverExtent, CoverGeometry, CoverLayout, UniversalCover};
+pub use covering::{CoverExtent, CoverLayout, CoverPlane, UniversalCover};
 pub use cup::CochainAlgebra;
 pub use cup_table::{CupProductTable, cup_product_table};
 pub use fundamental::{

@@ -6,10 +6,10 @@ use super::{flat, hyperbolic};
 use crate::surface::GeneralizedMap;
 use crate::{Error, ErrorKind, VertexId};
 
-/// The geometry of a [`CoverLayout`].
+/// The plane that a [`CoverLayout`] is in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum CoverGeometry {
+pub enum CoverPlane {
     /// The Euclidean plane.
     Flat,
     /// The disk of Poincare: the hyperbolic plane as the inside of the unit circle.
@@ -22,14 +22,14 @@ pub enum CoverGeometry {
 /// itself never depends on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoverLayout {
-    geometry: CoverGeometry,
+    plane: CoverPlane,
     points: Vec<[f64; 2]>,
 }
 
 impl CoverLayout {
-    /// The geometry.
-    pub fn geometry(&self) -> CoverGeometry {
-        self.geometry
+    /// The plane that it is in.
+    pub fn plane(&self) -> CoverPlane {
+        self.plane
     }
 
     /// The points in the order of the vertices.
@@ -37,16 +37,16 @@ impl CoverLayout {
         &self.points
     }
 
-    /// The distance of two vertices in the geometry.
+    /// The distance of two vertices in this plane.
     ///
     /// # Panics
     /// If there is no such vertex.
     pub fn distance(&self, a: VertexId, b: VertexId) -> f64 {
         let [p, q] = [a, b].map(|vertex| self.points[vertex.index()]);
         let chord = (p[0] - q[0]).hypot(p[1] - q[1]);
-        match self.geometry {
-            CoverGeometry::Flat => chord,
-            CoverGeometry::Hyperbolic => {
+        match self.plane {
+            CoverPlane::Flat => chord,
+            CoverPlane::Hyperbolic => {
                 let room = |[x, y]: [f64; 2]| 1.0 - x * x - y * y;
                 2.0 * (chord / (room(p) * room(q)).sqrt()).asinh()
             }
@@ -100,9 +100,9 @@ impl UniversalCover {
         }
         let characteristic = domain.euler_characteristic();
         let springs = || Springs::new(map, domain, weights);
-        let (geometry, points) = match (characteristic, domain.is_closed()) {
-            (0, _) => (CoverGeometry::Flat, flat::points(self, &springs()?)?),
-            (..0, true) => (CoverGeometry::Hyperbolic, hyperbolic::points(self, &springs()?)?),
+        let (plane, points) = match (characteristic, domain.is_closed()) {
+            (0, _) => (CoverPlane::Flat, flat::points(self, &springs()?)?),
+            (..0, true) => (CoverPlane::Hyperbolic, hyperbolic::points(self, &springs()?)?),
             _ => {
                 let kind = if domain.is_closed() { "closed" } else { "bounded" };
                 return Err(Error::new(
@@ -114,6 +114,6 @@ impl UniversalCover {
                 .with_cure("layouts are for characteristic 0, and for closed surfaces below 0"));
             }
         };
-        Ok(CoverLayout { geometry, points })
+        Ok(CoverLayout { plane, points })
     }
 }

@@ -1,7 +1,7 @@
 //! Layouts: isometric copies, no face turned over.
 
 use super::tests::{cover_of, map_of, polygon, split_edges, subdivided, without_faces};
-use super::{CoverExtent, CoverGeometry, CoverLayout, UniversalCover};
+use super::{CoverExtent, CoverLayout, CoverPlane, UniversalCover};
 use crate::algebra::Sign;
 use crate::simplicial::known_spaces;
 use crate::surface::GeneralizedMap;
@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 
 /// The model in which geodesics are straight.
 fn straight(layout: &CoverLayout) -> Vec<[f64; 2]> {
-    let bend = |[x, y]: [f64; 2]| match layout.geometry() {
-        CoverGeometry::Hyperbolic => [x, y].map(|z| 2.0 * z / (1.0 + x * x + y * y)),
+    let bend = |[x, y]: [f64; 2]| match layout.plane() {
+        CoverPlane::Hyperbolic => [x, y].map(|z| 2.0 * z / (1.0 + x * x + y * y)),
         _ => [x, y],
     };
     layout.points().iter().map(|&point| bend(point)).collect()
@@ -59,7 +59,7 @@ fn check(name: &str, map: &GeneralizedMap, cover: &UniversalCover, layout: &Cove
     for (face, area) in areas(cover, layout).into_iter().enumerate() {
         assert!(area > 0.0, "{name}: face {face} is turned over, {area}");
     }
-    if layout.geometry() == CoverGeometry::Hyperbolic {
+    if layout.plane() == CoverPlane::Hyperbolic {
         assert!(layout.points().iter().all(|[x, y]| x * x + y * y < 1.0));
     }
 }
@@ -83,7 +83,7 @@ fn flat_layouts_are_embedded() {
     for (name, map) in &surfaces {
         let cover = cover_of(map, 0, CoverExtent::Radius(2));
         let layout = cover.layout(map, None).unwrap();
-        assert_eq!(layout.geometry(), CoverGeometry::Flat);
+        assert_eq!(layout.plane(), CoverPlane::Flat);
         check(name, map, &cover, &layout);
         let weights: Vec<f64> = (0..map.f_vector()[1]).map(|edge| 1.0 + (edge * 7 % 5) as f64).collect();
         check(name, map, &cover, &cover.layout(map, Some(&weights)).unwrap());

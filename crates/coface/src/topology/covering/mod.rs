@@ -21,5 +21,5 @@ mod springs;
 mod tests;
 mod universal_cover;
 
-pub use layout::{CoverGeometry, CoverLayout};
+pub use layout::{CoverLayout, CoverPlane};
 pub use universal_cover::{CoverExtent, UniversalCover};
