@@ -44,7 +44,7 @@ pub(crate) struct Cocycles {
     /// the chain complex (any model) [default: crossing on surfaces, else general]
     #[arg(long, value_enum)]
     method: Option<Method>,
-    /// Say whether a cochain is closed and exact: a .json file with [[value,[vertex,vertex]],..]
+    /// Say whether a cochain is closed and exact: a .json file with [[value, [vertex, vertex]], ..]
     #[arg(long, value_name = "FILE")]
     test: Option<PathBuf>,
     /// With --test of a cochain that is not of integers: sums up to this absolute value count as zero
