@@ -234,7 +234,7 @@ impl CutGraph {
 
     /// The sum of the lengths of all edges.
     pub fn length(&self) -> f64 {
-        self.seams.iter().map(|seam| seam.length).sum()
+        self.seams.iter().fold(0.0, |sum, seam| sum + seam.length)
     }
 
     /// The graph with one seam replaced, if that makes it shorter.

@@ -24,7 +24,8 @@ use crate::{EdgeId, Error, ErrorKind};
 /// use coface::topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
 /// # fn main() -> Result<(), coface::Error> {
 /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
-/// let homotopy = SurfaceHomotopy::new(&torus, &TreeCotree::new(&torus))?;
+/// let trees = TreeCotree::new(&torus);
+/// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
 /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
 /// assert!(homotopy.is_contractible(&walk(&[0, 2, 1, 3])?)?);
 /// assert!(homotopy.are_homotopic(&walk(&[0, 2])?, &walk(&[2, 0])?)?);
@@ -202,7 +203,8 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface::topology::{SurfaceHomotopy, TreeCotree, intersection_number};
     /// # fn main() -> Result<(), coface::Error> {
     /// let torus = GeneralizedMap::new(known_spaces::cyclic_torus(2)?.freeze().two_skeleton()?)?;
-    /// let homotopy = SurfaceHomotopy::new(&torus, &TreeCotree::new(&torus))?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let (loops, _) = homotopy.canonical_loops(0).expect("the torus is closed");
     /// assert_eq!(intersection_number(&torus, &loops[0], &loops[1])?.abs(), 1);
     /// # Ok(()) }
