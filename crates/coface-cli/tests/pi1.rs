@@ -164,3 +164,31 @@ fn walks_are_compared() {
     let run = coface_reading(&["pi1", "-", "--walks", argument(&path)], b"[[10,11,12],[20,21,22]]");
     assert!(run.fails_with(1).contains("step 2 of walk 0 goes from vertex 12 to 20"), "{}", run.stderr);
 }
+
+/// The torus with seven vertices.
+const TORUS: &[u8] =
+    b"[[0,1,3],[1,2,4],[2,3,5],[3,4,6],[4,5,0],[5,6,1],[6,0,2],[0,2,3],[1,3,4],[2,4,5],[3,5,6],[4,6,0],[5,0,1],[6,1,2]]";
+
+#[test]
+fn short_cycles_are_found_on_request() {
+    for (kind, count) in [("non-contractible", 1), ("non-separating", 1), ("homology-basis", 2)] {
+        let answer = coface_reading(&["pi1", "-", "--json", "--quiet", "--cycles", kind], TORUS).json();
+        let cycles = answer["cycles"].as_array().unwrap();
+        assert_eq!(cycles.len(), count);
+        for cycle in cycles {
+            assert_eq!(cycle["length"], 3.0);
+            let vertices = cycle["vertices"].as_array().unwrap();
+            assert_eq!((vertices.len(), vertices.first()), (4, vertices.last()));
+        }
+    }
+    let through = ["pi1", "-", "--json", "--quiet", "--cycles", "non-contractible", "--through", "5"];
+    let cycle = &coface_reading(&through, TORUS).json()["cycles"][0];
+    assert!(cycle["vertices"].as_array().unwrap().contains(&5.into()));
+    let missing = ["pi1", "-", "--cycles", "non-contractible", "--through", "7"];
+    assert!(coface_reading(&missing, TORUS).fails_with(1).contains("no vertex 7"));
+    let sphere = coface_reading(
+        &["pi1", "-", "--json", "--quiet", "--cycles", "non-contractible"],
+        b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]",
+    );
+    assert_eq!(sphere.json()["cycles"], json!([]));
+}

@@ -343,3 +343,20 @@ fn what_is_no_surface_is_refused_with_the_cure() {
     let text = coface_reading(&["cut", "-", "--base", "77"], TORUS.as_bytes()).fails_with(1).to_owned();
     assert!(text.contains("there is no vertex 77"), "{text}");
 }
+
+#[test]
+fn halfedges_become_facet_lists_with_labels() {
+    let folder = tempfile::tempdir().unwrap();
+    let [facets, labels] = ["facets.json", "labels.json"].map(|name| folder.path().join(name));
+    // The torus with one vertex, of two triangles: it takes the second subdivision.
+    let torus = br#"{"next":[2,3,4,5,0,1]}"#;
+    let words =
+        ["convert", "-", "--triangulate", "--labels", argument(&labels), "-o", argument(&facets), "--quiet"];
+    assert_eq!(coface_reading(&words, torus).status, 0);
+    let answer = coface(&["info", argument(&facets), "--json"]).json();
+    assert_eq!((&answer["name"], &answer["f_vector"][2]), (&"torus".into(), &72.into()));
+    let labels: Value = serde_json::from_str(&std::fs::read_to_string(&labels).unwrap()).unwrap();
+    let labels = labels["carriers"].as_array().unwrap();
+    assert_eq!(labels.iter().filter(|label| label[0] == 0).count(), 1, "the one vertex");
+    assert_eq!(labels.iter().filter(|label| label[0] == 1).count(), 9, "three in each edge");
+}

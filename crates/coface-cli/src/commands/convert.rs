@@ -25,7 +25,7 @@ pub(crate) struct Convert {
     /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig
     #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
     to: Option<Format>,
-    /// Make a gluing table a facet list: its first barycentric subdivision, or the second where that is needed
+    /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed
     #[arg(long)]
     triangulate: bool,
     /// With --triangulate: for each new vertex the cell [degree, number] of the table that it lies in, as JSON

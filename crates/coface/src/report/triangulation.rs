@@ -1,15 +1,17 @@
-//! Gluing tables as simplicial complexes.
+//! Gluing tables and halfedge permutations as simplicial complexes.
 
 use crate::algebra::RaggedArray;
 use crate::io::{Model, Structure};
 use crate::simplicial::Carrier;
+use crate::surface::HalfedgeMesh;
 use crate::{Error, ErrorKind};
 
-/// A gluing table as a facet list: its first barycentric subdivision if that tells simplices apart by their vertices, else
-/// its second. For each vertex of the result the face class (dimension and number) that it lies in the interior of.
+/// A gluing table or a surface of halfedges as a facet list: its first barycentric subdivision if that tells simplices apart by
+/// their vertices, else its second; halfedges that are a simplicial complex as they stand are not subdivided. For each
+/// vertex of the result the face class, or the cell of the surface (dimension and number) that it lies in the interior of.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] for models that are no gluing tables; [`ErrorKind::TooLarge`] beyond 32 bits.
+/// [`ErrorKind::UnsupportedFormat`] for other models; [`ErrorKind::InvalidInput`] for halfedges that are no permutations; [`ErrorKind::TooLarge`] beyond 32 bits.
 ///
 /// # Examples
 /// ```
@@ -26,11 +28,19 @@ use crate::{Error, ErrorKind};
 /// # Ok(()) }
 /// ```
 pub fn triangulated(model: &Model) -> Result<(Model, Vec<Carrier>), Error> {
-    let Some(Structure::Gluings(table)) = model.structure() else {
-        return Err(Error::new(ErrorKind::UnsupportedFormat, "only gluing tables are subdivided")
+    let (complex, carriers) = match model.structure() {
+        Some(Structure::Gluings(table)) => table.faces()?.barycentric_subdivision()?.triangulation()?,
+        Some(Structure::Halfedges { next, twin }) => {
+            HalfedgeMesh::from_permutations(next, twin)?.triangulation()?
+        }
+        _ => {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "only gluing tables and halfedge permutations are subdivided",
+            )
             .with_cure("convert the model without --triangulate"));
+        }
     };
-    let (complex, carriers) = table.faces()?.barycentric_subdivision()?.triangulation()?;
     let frozen = complex.freeze();
     let top = frozen.dimension().unwrap_or(0);
     let facets = (0..frozen.simplex_count(top)).map(|i| frozen.numbers(top, i));

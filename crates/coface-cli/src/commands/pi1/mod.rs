@@ -47,6 +47,12 @@ pub(crate) struct Pi1 {
     /// On a surface: which of these closed paths can be contracted, which bound, which are homotopic or homologous; JSON {"walks":[[v0,v1,..,v0],..]}
     #[arg(long, value_name = "FILE", conflicts_with = "shortest")]
     walks: Option<PathBuf>,
+    /// Of a surface: the shortest closed path of a kind, or shortest ones that are a basis of homology modulo 2, by the lengths of edges; --loops writes these then
+    #[arg(long, value_enum, value_name = "KIND", conflicts_with_all = ["simplify", "canonical", "walks"])]
+    cycles: Option<CycleRequest>,
+    /// With --cycles: only closed paths through this vertex
+    #[arg(long, value_name = "VERTEX", requires = "cycles")]
+    through: Option<u32>,
     /// Write the generators as closed paths at the base: JSON {"loops":[[v0,v1,..,v0],..]}, or lines in OBJ, VTK, ...
     #[arg(long, value_name = "OUT")]
     loops: Option<PathBuf>,
@@ -59,6 +65,17 @@ pub(crate) struct Pi1 {
     /// Stop simplifying after so many seconds; without it, results do not depend on the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     time_limit: Option<Duration>,
+}
+
+/// Which closed paths are to be short.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum CycleRequest {
+    /// One that cannot be contracted
+    NonContractible,
+    /// One that does not cut its component apart
+    NonSeparating,
+    /// A basis of homology modulo 2
+    HomologyBasis,
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {
@@ -130,7 +147,7 @@ impl Counts {
 
 impl Pi1 {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        if self.shortest || self.canonical || self.walks.is_some() {
+        if self.shortest || self.canonical || self.walks.is_some() || self.cycles.is_some() {
             return surface::run(self, common);
         }
         let progress = Progress::start(common.quiet);
@@ -163,7 +180,7 @@ impl Pi1 {
             Some(_) => loops.map(|(component, word)| groups.loop_vertices(component, word)).collect(),
         };
         let bases: Vec<u32> = (0..shown.len()).map(|i| number(groups.base(i))).collect();
-        let found = Found { shown, bases, loops, walks: None };
+        let found = Found { shown, bases, loops, walks: None, cycles: None };
         found.give(self, common, progress, &name, &producer, &number)
     }
 
@@ -190,6 +207,14 @@ struct Found {
     /// The loops of all components, if they are to be written.
     loops: Vec<Vec<VertexId>>,
     walks: Option<walks::Compared>,
+    /// Short closed paths that were asked for.
+    cycles: Option<Vec<Cycle>>,
+}
+
+/// A closed path with its length.
+struct Cycle {
+    length: f64,
+    vertices: Vec<VertexId>,
 }
 
 impl Found {
@@ -204,13 +229,25 @@ impl Found {
     ) -> Result<(), Failure> {
         if let Some(path) = &verb.loops {
             progress.stage("writing loops");
-            write_loops(path, &self.loops, producer.positions().clone(), number)?;
+            let cycles: Option<Vec<Vec<VertexId>>> = self
+                .cycles
+                .as_ref()
+                .map(|cycles| cycles.iter().map(|cycle| cycle.vertices.clone()).collect());
+            let loops = cycles.as_ref().unwrap_or(&self.loops);
+            write_loops(path, loops, producer.positions().clone(), number)?;
         }
         drop(progress);
         let components = self.shown.iter().zip(&self.bases);
         let components: Vec<Value> = components.map(|(group, &base)| object(group, base)).collect();
         let mut object = json!({ "file": name, "simplified": verb.simplify, "components": components });
-        let page = page(name, &self.shown, &self.bases, self.walks.as_ref());
+        let page = page(name, &self, number);
+        if let Some(cycles) = &self.cycles {
+            let numbered =
+                |cycle: &Cycle| cycle.vertices.iter().map(|&vertex| number(vertex)).collect::<Vec<u32>>();
+            let cycles = cycles.iter();
+            object["cycles"] =
+                cycles.map(|cycle| json!({ "length": cycle.length, "vertices": numbered(cycle) })).collect();
+        }
         if let Some(walks) = self.walks {
             object["walks"] = walks.walks;
             object["pairs"] = walks.pairs;
@@ -283,7 +320,8 @@ fn object(group: &Shown, base: u32) -> Value {
 const FEW: usize = 12;
 const LETTERS: usize = 400;
 
-fn page(name: &str, groups: &[Shown], bases: &[u32], walks: Option<&walks::Compared>) -> String {
+fn page(name: &str, found: &Found, number: &dyn Fn(VertexId) -> u32) -> String {
+    let (groups, bases, walks) = (&found.shown, &found.bases, found.walks.as_ref());
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
@@ -331,6 +369,16 @@ fn page(name: &str, groups: &[Shown], bases: &[u32], walks: Option<&walks::Compa
     }
     for (label, verdict) in walks.into_iter().flat_map(|walks| &walks.facts) {
         fact(label, verdict.clone(), "");
+    }
+    for cycle in found.cycles.iter().flatten() {
+        let few: Vec<String> =
+            cycle.vertices.iter().take(FEW).map(|&vertex| number(vertex).to_string()).collect();
+        let more = if cycle.vertices.len() > FEW { " .." } else { "" };
+        let gloss = format!("long, through {}{more}", few.join(" "));
+        fact("cycle", format!("{:.6}", cycle.length), &gloss);
+    }
+    if found.cycles.as_ref().is_some_and(Vec::is_empty) {
+        fact("cycles", "none".to_owned(), "no closed path is of this kind");
     }
     if groups.is_empty() {
         fact("group", "none".to_owned(), "the complex is empty");

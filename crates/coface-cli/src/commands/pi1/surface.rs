@@ -1,6 +1,6 @@
 //! Loops of surfaces: shortest, canonical, and walks that are given.
 
-use super::{Counts, Found, Pi1, Shown, check, walks};
+use super::{Counts, Cycle, CycleRequest, Found, Pi1, Shown, check, walks};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -11,7 +11,8 @@ use coface::algebra::Word;
 use coface::report::Producer;
 use coface::surface::GeneralizedMap;
 use coface::topology::{
-    AbelianGroup, ClosedWalk, Effort, Presentation, SurfaceGroup, SurfaceHomotopy, TreeCotree, shortest_loops,
+    AbelianGroup, ClosedWalk, CycleKind, Effort, Presentation, ShortestCycle, SurfaceGroup, SurfaceHomotopy,
+    TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
 };
 
 /// The group of one component of a surface, in the generators that are shown.
@@ -72,7 +73,7 @@ pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
     progress.stage("cutting the surface open");
     let map = GeneralizedMap::new(skeleton).map_err(|error| error.in_file(name.clone()))?;
     let lengths = lengths(verb, &producer, &map, &numbers)?;
-    if verb.shortest && lengths.is_none() && !common.quiet {
+    if (verb.shortest || verb.cycles.is_some()) && lengths.is_none() && !common.quiet {
         remark("there are no positions: each edge has the length 1");
     }
     let trees = TreeCotree::greedy(&map, base, lengths.as_deref())?;
@@ -120,8 +121,58 @@ pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
             Some(walks::compare(path, &surface, &components, &numbers)?)
         }
     };
-    let found = Found { shown, bases, loops: paths, walks };
+    let cycles = match verb.cycles {
+        None => None,
+        Some(request) => {
+            progress.stage("looking for short closed paths");
+            let through = match verb.through {
+                None => None,
+                Some(wanted) => {
+                    let place = numbers.iter().position(|&number| number == wanted);
+                    let missing =
+                        || Failure::new(format!("{name}: there is no vertex {wanted} to go through"));
+                    Some(VertexId::new(place.ok_or_else(missing)?))
+                }
+            };
+            Some(cycles(request, through, &map, lengths.as_deref())?)
+        }
+    };
+    let found = Found { shown, bases, loops: paths, walks, cycles };
     found.give(verb, common, progress, &name, &producer, &number)
+}
+
+/// How many vertices searches from all roots may reach in all.
+const MOST_REACHED: usize = 2_000_000_000;
+
+fn cycles(
+    request: CycleRequest,
+    through: Option<VertexId>,
+    map: &GeneralizedMap,
+    lengths: Option<&[f64]>,
+) -> Result<Vec<Cycle>, Failure> {
+    let one = |kind: CycleKind| -> Result<Vec<ShortestCycle>, coface::Error> {
+        Ok(match through {
+            Some(vertex) => shortest_cycle_through(map, vertex, lengths, kind)?,
+            None => shortest_cycle(map, lengths, kind, MOST_REACHED)?,
+        }
+        .into_iter()
+        .collect())
+    };
+    let found = match request {
+        CycleRequest::NonContractible => one(CycleKind::NonContractible)?,
+        CycleRequest::NonSeparating => one(CycleKind::NonSeparating)?,
+        CycleRequest::HomologyBasis if through.is_some() => {
+            return Err(Failure::new(
+                "a basis of homology does not go through one vertex; leave --through out",
+            ));
+        }
+        CycleRequest::HomologyBasis => shortest_homology_basis(map, lengths, MOST_REACHED)?,
+    };
+    let cycle = |found: ShortestCycle| Cycle {
+        length: found.length(),
+        vertices: found.walk().vertices(map.skeleton()),
+    };
+    Ok(found.into_iter().map(cycle).collect())
 }
 
 /// The lengths of edges by the positions of their ends, if they are asked for and there.
@@ -132,7 +183,7 @@ fn lengths(
     numbers: &[u32],
 ) -> Result<Option<Vec<f64>>, Failure> {
     let positions = producer.positions();
-    if !verb.shortest || positions.dimension() == 0 {
+    if !(verb.shortest || verb.cycles.is_some()) || positions.dimension() == 0 {
         return Ok(None);
     }
     let ends: Vec<u32> = map.skeleton().edge_ends().iter().map(|&end| numbers[end as usize]).collect();

@@ -97,8 +97,8 @@ fn know(
         return Ok(Known { start, steps, component, word, class, element: None, conjugacy: None });
     };
     let group = &surface.homotopy.groups()[i];
-    let word = surface.homotopy.word(walk)?;
-    let (element, conjugacy) = (group.normal_form(&word), group.conjugacy_form(&word));
+    let element = surface.homotopy.element(walk)?.unwrap_or_else(|| group.identity());
+    let conjugacy = group.class_of(element.clone());
     let mut word = group.word(&element);
     if let Some(images) = &components[i].images {
         word = word.image(images);

@@ -1,7 +1,7 @@
 //! Conjugate elements: closed curves up to free homotopy.
 
 use super::group::Kind;
-use super::normal_form::Form;
+use super::normal_form::{Form, NormalForm};
 use super::quad_system::{Hub, QuadSystem};
 use super::walk::Walk;
 use super::{SurfaceGroup, klein_bottle};
@@ -53,8 +53,18 @@ impl SurfaceGroup {
     /// # Ok(()) }
     /// ```
     pub fn conjugacy_form(&self, word: &Word) -> ConjugacyForm {
-        let form = self.normal_form(word);
-        ConjugacyForm(match (&self.kind, form.0) {
+        self.class_of(self.normal_form(word))
+    }
+
+    /// The conjugacy class of an element; see [`Self::conjugacy_form`].
+    ///
+    /// # Panics
+    /// If the element is of another kind of group.
+    ///
+    /// # Complexity
+    /// As for a word as long as the element.
+    pub fn class_of(&self, element: NormalForm) -> ConjugacyForm {
+        ConjugacyForm(match (&self.kind, element.0) {
             (_, Form::Letters(letters)) => {
                 let word = Word::from_letters(letters).cyclically_reduced();
                 Class::Letters(least_rotation(word.letters().to_vec()).into())
@@ -64,7 +74,8 @@ impl SurfaceGroup {
             }
             (_, Form::Exponents(exponents)) => Class::Exponents(exponents),
             (Kind::Hyperbolic(_, quads), Form::Walk(edges)) => {
-                let is_one_sided = self.orientation_character(word) == Sign::Minus;
+                let sign = edges.iter().fold(Sign::Plus, |sign, &edge| sign.times(quads.sign(edge)));
+                let is_one_sided = sign == Sign::Minus;
                 let edges = if is_one_sided { [edges.clone(), edges].concat() } else { edges.into_vec() };
                 let closed = |orientation| closed_chords(quads, edges.clone(), orientation);
                 let rightmost = closed(Sign::Plus);

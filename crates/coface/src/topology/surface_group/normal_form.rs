@@ -129,6 +129,33 @@ impl SurfaceGroup {
         })
     }
 
+    /// The element of a walk that goes from corner to corner of the polygon of the scheme: each step is given by the numbers of
+    /// letters before the corners that it leaves and reaches.
+    ///
+    /// # Complexity
+    /// Linear in the number of steps for the groups of closed surfaces; in that of free groups each step has as many letters as lie
+    /// between its corners.
+    pub(in crate::topology) fn element_of_steps(
+        &self,
+        steps: impl Iterator<Item = [usize; 2]>,
+    ) -> NormalForm {
+        match (&self.kind, &self.relator()) {
+            (Kind::Hyperbolic(_, quads), _) => {
+                NormalForm(rightmost(quads, steps.flatten().map(|corner| corner as u32 % quads.degree())))
+            }
+            (_, Some(relator)) => {
+                let mut word = Word::new();
+                for [from, to] in steps {
+                    let (low, high) = (from.min(to), from.max(to));
+                    let part = Word::from_letters(relator.letters()[low..high].iter().copied());
+                    word.append(&if from <= to { part } else { part.inverse() });
+                }
+                self.normal_form(&word)
+            }
+            (_, None) => self.identity(),
+        }
+    }
+
     /// The product of two elements.
     ///
     /// # Panics

@@ -3,7 +3,7 @@
 use super::{ClosedWalk, CutSurface, TreeCotree};
 use crate::algebra::Word;
 use crate::surface::GeneralizedMap;
-use crate::topology::{CanonicalSystem, SurfaceGroup};
+use crate::topology::{CanonicalSystem, NormalForm, SurfaceGroup};
 use crate::{EdgeId, Error, ErrorKind};
 
 /// The fundamental groups of the components of a surface, with the words of walks: contractible or not, homotopic or
@@ -106,16 +106,38 @@ impl<'a> SurfaceHomotopy<'a> {
         Ok(self.cut.path_word(self.map, walk.steps()))
     }
 
+    /// The element of the fundamental group that a walk is, moved along the tree to the base; `None` at an isolated vertex.
+    ///
+    /// # Errors
+    /// As [`Self::component`].
+    ///
+    /// # Complexity
+    /// Linear in the length of the walk on closed components, whatever their genus: a step leads from one corner of the
+    /// fundamental polygon to another, which is two edges of the system of quadrangles. With a boundary as [`Self::word`].
+    pub fn element(&self, walk: &ClosedWalk) -> Result<Option<NormalForm>, Error> {
+        let Some(component) = self.component(walk)? else { return Ok(None) };
+        let (group, domain) = (&self.groups[component], &self.cut.domains()[component]);
+        if domain.relator().is_none() {
+            return Ok(Some(group.normal_form(&self.word(walk)?)));
+        }
+        let corners = walk.steps().iter().map(|&step| {
+            let side = self.map.first_side(EdgeId::from_u32(step >> 1));
+            let ends = [side, self.map.next(side)].map(|side| self.cut.corner_position(side));
+            let [from, to] = ends.map(|position| domain.letters_before(position));
+            if self.map.step(side) == step { [from, to] } else { [to, from] }
+        });
+        Ok(Some(group.element_of_steps(corners)))
+    }
+
     /// Whether a walk can be contracted to a point.
     ///
     /// # Errors
     /// As [`Self::component`].
     ///
     /// # Complexity
-    /// As [`Self::word`].
+    /// As [`Self::element`].
     pub fn is_contractible(&self, walk: &ClosedWalk) -> Result<bool, Error> {
-        let Some(component) = self.component(walk)? else { return Ok(true) };
-        Ok(self.groups[component].is_trivial(&self.word(walk)?))
+        Ok(self.element(walk)?.is_none_or(|element| element.is_identity()))
     }
 
     /// Whether two walks from the same vertex can be deformed into each other while that stays where it is.
@@ -124,7 +146,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// As [`Self::component`]; [`ErrorKind::InvalidInput`] for walks from different vertices.
     ///
     /// # Complexity
-    /// As [`Self::word`].
+    /// As [`Self::element`].
     pub fn are_homotopic(&self, a: &ClosedWalk, b: &ClosedWalk) -> Result<bool, Error> {
         if a.start() != b.start() {
             return Err(Error::invalid(format!(
@@ -134,8 +156,7 @@ impl<'a> SurfaceHomotopy<'a> {
             ))
             .with_cure("ask for free homotopy"));
         }
-        let Some(component) = self.component(a)? else { return Ok(true) };
-        Ok(self.groups[component].are_equal(&self.word(a)?, &self.word(b)?))
+        Ok(self.element(a)? == self.element(b)?)
     }
 
     /// Whether two closed walks can be deformed into each other, wherever they start.
@@ -144,10 +165,15 @@ impl<'a> SurfaceHomotopy<'a> {
     /// As [`Self::component`].
     ///
     /// # Complexity
-    /// As [`Self::word`] and [`SurfaceGroup::conjugacy_form`].
+    /// As [`Self::element`] and [`SurfaceGroup::conjugacy_form`].
     pub fn are_freely_homotopic(&self, a: &ClosedWalk, b: &ClosedWalk) -> Result<bool, Error> {
         match (self.component(a)?, self.component(b)?) {
-            (Some(i), Some(j)) if i == j => Ok(self.groups[i].are_conjugate(&self.word(a)?, &self.word(b)?)),
+            (Some(i), Some(j)) if i == j => {
+                let [a, b] = [self.element(a)?, self.element(b)?];
+                let class =
+                    |element: Option<NormalForm>| element.map(|element| self.groups[i].class_of(element));
+                Ok(class(a) == class(b))
+            }
             (None, None) => Ok(a.start() == b.start()),
             _ => Ok(false),
         }
@@ -326,6 +352,14 @@ mod tests {
                 }
             }
             prop_assert!(homotopy.are_homotopic(&walk, &other).unwrap(), "{}", name);
+            // From corner to corner and by words, an element is the same.
+            for walk in [&walk, &other] {
+                let Some(component) = homotopy.component(walk).unwrap() else { continue };
+                let (group, word) = (&homotopy.groups()[component], homotopy.word(walk).unwrap());
+                let element = homotopy.element(walk).unwrap().unwrap();
+                prop_assert_eq!(&element, &group.normal_form(&word), "{}", name);
+                prop_assert_eq!(group.class_of(element), group.conjugacy_form(&word), "{}", name);
+            }
             let difference = walk.chain().minus(&other.chain()).unwrap();
             prop_assert!(matches!(homology.bounding(&difference).unwrap(), Bounding::Bounds(_)), "{}", name);
             // Started elsewhere.
