@@ -495,4 +495,6 @@ fn many_faces(skeleton: &TwoSkeleton, face_of: &[u32], edge: u32) -> Error {
 }
 
 #[cfg(test)]
+pub(crate) mod samples;
+#[cfg(test)]
 mod tests;

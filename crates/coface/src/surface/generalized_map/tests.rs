@@ -1,3 +1,4 @@
+use super::samples::polygon;
 use super::*;
 use crate::algebra::RaggedArray;
 use crate::simplicial::known_spaces;
@@ -8,21 +9,6 @@ fn map_of(faces: &[&[u32]], ends: &[u32], vertex_count: usize) -> Result<General
     GeneralizedMap::new(
         TwoSkeleton::new(vertex_count, ends.to_vec(), RaggedArray::from_lists(faces)).unwrap(),
     )
-}
-
-/// One polygon with these letters on its sides; letter -i is side i backwards.
-fn polygon(letters: &[i32]) -> GeneralizedMap {
-    let sides = letters.len() as u32;
-    let flags = 2 * sides;
-    let other_end = (0..flags).map(|flag| flag ^ 1).collect();
-    let corner =
-        (0..flags).map(|flag| if flag % 2 == 0 { (flag + flags - 1) % flags } else { (flag + 1) % flags });
-    let mate = (0..flags).map(|flag| {
-        let letter = letters[flag as usize / 2];
-        let found = (0..sides).find(|&s| s != flag / 2 && letters[s as usize].abs() == letter.abs());
-        found.map_or(flag, |s| 2 * s + ((flag & 1) ^ u32::from(letters[s as usize] != letter)))
-    });
-    GeneralizedMap::from_involutions(&[other_end, corner.collect(), mate.collect()]).unwrap().0
 }
 
 /// All invariants, told by the flags alone.

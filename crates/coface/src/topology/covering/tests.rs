@@ -1,10 +1,10 @@
 //! Universal covers of all sorts of surfaces.
 
 use super::{CoverExtent, UniversalCover};
-use crate::algebra::{RaggedArray, Sign};
-use crate::chains::TwoSkeleton;
+use crate::algebra::Sign;
 use crate::simplicial::{SimplicialComplex, known_spaces};
 use crate::surface::GeneralizedMap;
+pub(super) use crate::surface::samples::{polygon, without_faces};
 use crate::topology::{Ball, CutSurface, TreeCotree};
 use crate::{FaceId, VertexId};
 use proptest::prelude::*;
@@ -14,44 +14,10 @@ pub(super) fn map_of(space: &SimplicialComplex) -> GeneralizedMap {
     GeneralizedMap::new(space.freeze().two_skeleton().unwrap()).unwrap()
 }
 
-/// The surface of a polygon with one vertex.
-pub(super) fn polygon(letters: &[i32]) -> GeneralizedMap {
-    let count = letters.iter().map(|letter| letter.unsigned_abs() as usize).max().unwrap();
-    let steps: Vec<u32> =
-        letters.iter().map(|letter| 2 * (letter.unsigned_abs() - 1) + u32::from(*letter < 0)).collect();
-    let skeleton = TwoSkeleton::new(1, vec![0; 2 * count], RaggedArray::from_lists([steps])).unwrap();
-    GeneralizedMap::new(skeleton).unwrap()
-}
-
 /// A polygon triangulated from its center twice over: a simplicial surface.
 pub(super) fn subdivided(letters: &[i32]) -> GeneralizedMap {
     let count = letters.iter().map(|letter| letter.unsigned_abs()).max().unwrap();
     map_of(&known_spaces::presentation_complex(count, &[letters.to_vec()]).unwrap())
-}
-
-/// The same surface without some faces.
-pub(super) fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<GeneralizedMap> {
-    let skeleton = map.skeleton();
-    let kept =
-        skeleton.faces().iter().enumerate().filter(|(face, _)| !gone.contains(face)).map(|(_, rim)| rim);
-    let faces = RaggedArray::from_lists(kept);
-    let mut is_used = vec![false; skeleton.edge_count()];
-    for &step in faces.items() {
-        is_used[step as usize / 2] = true;
-    }
-    let mut numbers = Vec::new();
-    let mut ends = Vec::new();
-    for (edge, used) in is_used.iter().enumerate() {
-        numbers.push(ends.len() as u32 / 2);
-        if *used {
-            ends.extend_from_slice(&skeleton.edge_ends()[2 * edge..2 * edge + 2]);
-        }
-    }
-    let mut faces = faces;
-    for step in faces.items_mut() {
-        *step = 2 * numbers[*step as usize / 2] + (*step & 1);
-    }
-    GeneralizedMap::new(TwoSkeleton::new(skeleton.vertex_count(), ends, faces).unwrap()).ok()
 }
 
 pub(super) fn cover_of(map: &GeneralizedMap, component: usize, extent: CoverExtent) -> UniversalCover {

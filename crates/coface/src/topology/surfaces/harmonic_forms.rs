@@ -272,10 +272,10 @@ impl Laplacian {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{all_kinds, genus, map_of};
     use super::*;
     use crate::CellId;
     use crate::simplicial::known_spaces;
+    use crate::surface::samples::{all_kinds, genus, map_of};
     use crate::topology::{CocycleBasis, HomologyBasis, MetricComplex, SurfaceHomology, TreeCotree};
 
     fn check(name: &str, map: &GeneralizedMap, weights: &[f64]) {
@@ -336,7 +336,7 @@ mod tests {
         let mut lengths = vec![1.0; 21];
         lengths[5] = 3.0;
         assert!(cotangent_weights(&torus, &lengths).unwrap_err().message().contains("has no area"));
-        let square = super::super::samples::polygon(&[1, 2, -1, -2]);
+        let square = crate::surface::samples::polygon(&[1, 2, -1, -2]);
         assert!(cotangent_weights(&square, &[1.0, 1.0]).unwrap_err().message().contains("4 sides"));
         assert_eq!(harmonic_forms(&torus, &[], &[1.0]).unwrap_err().kind(), ErrorKind::Shape);
     }

@@ -25,8 +25,6 @@ mod cut_surface;
 mod exactness;
 mod harmonic_forms;
 mod root_search;
-#[cfg(test)]
-mod samples;
 mod shortest_cycle;
 mod shortest_homology_basis;
 mod shortest_loops;

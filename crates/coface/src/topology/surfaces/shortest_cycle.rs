@@ -202,9 +202,9 @@ pub(super) fn with_holes_filled(map: &GeneralizedMap) -> GeneralizedMap {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{all_kinds, of_next, with_holes};
     use super::*;
     use crate::simplicial::known_spaces;
+    use crate::surface::samples::{all_kinds, of_next, with_holes};
     use proptest::prelude::*;
 
     /// All closed walks without repeated vertices, and through an edge forth only: by brute force.
@@ -299,7 +299,7 @@ mod tests {
 
     #[test]
     fn bad_requests_are_refused() {
-        let torus = super::super::samples::map_of(known_spaces::cyclic_torus(2));
+        let torus = crate::surface::samples::map_of(known_spaces::cyclic_torus(2));
         let error = shortest_cycle(&torus, None, CycleKind::NonContractible, 3).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::TooLarge);
         let error = shortest_cycle_through(&torus, VertexId::new(7), None, CycleKind::NonContractible);
@@ -325,7 +325,7 @@ mod tests {
             removed in any::<u64>(), lengths in prop::collection::vec(1u8..5, 30),
         ) {
             for closed in [known_spaces::cyclic_torus(2), known_spaces::small_klein_bottle(), known_spaces::projective_plane()] {
-                let closed = super::super::samples::map_of(closed);
+                let closed = crate::surface::samples::map_of(closed);
                 if let Some(map) = with_holes(&closed, removed & (removed >> 32)) {
                     let count = map.skeleton().edge_count();
                     let lengths: Vec<f64> = lengths[..count].iter().map(|&x| f64::from(x)).collect();

@@ -188,9 +188,9 @@ impl Bits {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{all_kinds, genus, map_of, of_next, with_holes};
     use super::*;
     use crate::simplicial::known_spaces;
+    use crate::surface::samples::{all_kinds, genus, map_of, of_next, with_holes};
     use proptest::prelude::*;
 
     /// The shortest basis among the loops of all edges at all roots, and of all pairs of paths: greedy, by elimination.

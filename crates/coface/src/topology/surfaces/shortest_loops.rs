@@ -65,10 +65,10 @@ pub fn shortest_loops(
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{all_kinds, map_of, of_next, with_holes};
     use super::*;
     use crate::algebra::Word;
     use crate::simplicial::known_spaces;
+    use crate::surface::samples::{all_kinds, map_of, of_next, with_holes};
     use crate::topology::{AbelianGroup, Presentation, SurfaceHomology, SurfaceHomotopy, TreeCotree};
     use proptest::prelude::*;
 

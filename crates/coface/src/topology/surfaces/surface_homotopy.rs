@@ -243,15 +243,19 @@ impl<'a> SurfaceHomotopy<'a> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::samples::{all_kinds, genus, of_next};
+pub(super) mod tests {
     use super::*;
     use crate::VertexId;
+    use crate::surface::samples::{all_kinds, genus, of_next};
     use crate::topology::{Bounding, SurfaceHomology, intersection_number};
     use proptest::prelude::*;
 
     /// A closed walk from the base that takes the choices in turn and goes back along the tree.
-    fn random_walk(map: &GeneralizedMap, trees: &TreeCotree, choices: &[usize]) -> Option<ClosedWalk> {
+    pub(in crate::topology::surfaces) fn random_walk(
+        map: &GeneralizedMap,
+        trees: &TreeCotree,
+        choices: &[usize],
+    ) -> Option<ClosedWalk> {
         let ends = map.skeleton().edge_ends();
         let base = trees.components()[0].base();
         let mut at = base;

@@ -1,12 +1,13 @@
-use super::super::samples::{all_kinds, genus, map_of, of_next, polygon, with_faces_turned, with_holes};
 use super::*;
+use crate::EdgeId;
 use crate::algebra::{Sign, smith_form};
 use crate::chains::Chain;
 use crate::simplicial::known_spaces;
+use crate::surface::samples::{all_kinds, genus, map_of, of_next, polygon, with_faces_turned, with_holes};
+use crate::topology::surfaces::surface_homotopy::tests::random_walk;
 use crate::topology::{
     Bounding, Exactness, HomologyBasis, TreeCotree, exactness, homology, intersection_number,
 };
-use crate::{EdgeId, VertexId};
 use proptest::prelude::*;
 
 fn is_exact(map: &GeneralizedMap, cochain: &Cochain<Integer>) -> bool {
@@ -238,23 +239,10 @@ proptest! {
         let homology = SurfaceHomology::new(&map, &trees);
         let loops = homology.loops();
         let form = CocycleBasis::by_slicing(&map, loops).unwrap();
-        let ends = map.skeleton().edge_ends();
-        let walk = |choices: &[usize]| {
-            let mut at = trees.components()[0].base();
-            let mut steps = Vec::new();
-            for &choice in choices {
-                let out: Vec<u32> = (0..ends.len() as u32).filter(|&s| ends[s as usize] == at.to_u32()).collect();
-                let step = out[choice % out.len()];
-                steps.push(step);
-                at = VertexId::from_u32(ends[(step ^ 1) as usize]);
-            }
-            steps.extend(trees.path_to(&map, at).into_iter().rev().map(|step| step ^ 1));
-            steps
-        };
         let half = choices.len() / 2;
-        let (a, b) = (walk(&choices[..half]), walk(&choices[half..]));
+        let walks = [&choices[..half], &choices[half..]].map(|part| random_walk(&map, &trees, part));
+        let [Some(a), Some(b)] = walks else { return Ok(()) };
         if a.is_empty() || b.is_empty() { return Ok(()) }
-        let [a, b] = [a, b].map(|steps| ClosedWalk::new(map.skeleton(), steps).unwrap());
         let [x, y] = [&a, &b].map(|walk| homology.class_of_walk(walk).unwrap());
         let mut expected = 0;
         for (i, row) in form.pairing().iter().enumerate() {

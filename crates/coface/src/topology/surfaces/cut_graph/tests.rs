@@ -1,7 +1,7 @@
-use super::super::samples::{all_kinds, genus, map_of, of_next, with_holes};
 use super::*;
 use crate::simplicial::known_spaces;
 use crate::surface::SurfaceType;
+use crate::surface::samples::{all_kinds, genus, map_of, of_next, with_holes};
 use proptest::prelude::*;
 
 fn check(name: &str, map: &GeneralizedMap, lengths: &[f64]) {

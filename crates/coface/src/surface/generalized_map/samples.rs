@@ -6,13 +6,13 @@ use crate::simplicial::{SimplicialComplex, known_spaces};
 use crate::surface::{GeneralizedMap, HalfedgeMesh};
 use crate::{EdgeId, Error};
 
-pub(super) fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap {
+pub(crate) fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap {
     GeneralizedMap::new(space.unwrap().freeze().two_skeleton().unwrap()).unwrap()
 }
 
 /// One polygon with these letters on its sides; letter -i is side i backwards. A letter that stands alone is on the
 /// boundary.
-pub(super) fn polygon(letters: &[i32]) -> GeneralizedMap {
+pub(crate) fn polygon(letters: &[i32]) -> GeneralizedMap {
     let sides = letters.len() as u32;
     let flags = 2 * sides;
     let other_end = (0..flags).map(|flag| flag ^ 1).collect();
@@ -27,12 +27,12 @@ pub(super) fn polygon(letters: &[i32]) -> GeneralizedMap {
 }
 
 /// The closed oriented surface of a permutation of halfedges.
-pub(super) fn of_next(next: Vec<u32>) -> GeneralizedMap {
+pub(crate) fn of_next(next: Vec<u32>) -> GeneralizedMap {
     GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton()).unwrap()
 }
 
 /// The closed oriented surface of this genus, a sum of grids of tori.
-pub(super) fn genus(genus: usize) -> GeneralizedMap {
+pub(crate) fn genus(genus: usize) -> GeneralizedMap {
     let torus = || known_spaces::torus_grid(&[4, 4]).unwrap();
     let sum =
         (1..genus).fold(torus(), |sum, _| known_spaces::oriented_sum(&sum, &torus(), Sign::Plus).unwrap());
@@ -40,7 +40,7 @@ pub(super) fn genus(genus: usize) -> GeneralizedMap {
 }
 
 /// The same surface with some faces turned over; bit f of `turned` is for face f.
-pub(super) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> GeneralizedMap {
+pub(crate) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> GeneralizedMap {
     let skeleton = map.skeleton();
     let faces = skeleton.faces().iter().enumerate().map(|(face, rim)| {
         if turned >> (face % 64) & 1 == 0 {
@@ -54,33 +54,35 @@ pub(super) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> Generalize
     GeneralizedMap::new(skeleton).unwrap()
 }
 
-/// The same surface with some faces taken away: those with a bit in `removed`. What is left may have vertices of
+/// The same surface without some faces, and without edges that no face is left at. What is left may have vertices of
 /// several fans, in which case nothing is given.
-pub(super) fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<GeneralizedMap> {
+pub(crate) fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<GeneralizedMap> {
     let skeleton = map.skeleton();
-    let kept = (0..skeleton.face_count()).filter(|face| removed >> (face % 64) & 1 == 0);
-    let rims: Vec<&[u32]> = kept.map(|face| skeleton.faces().list(face)).collect();
+    let rims =
+        skeleton.faces().iter().enumerate().filter(|(face, _)| !gone.contains(face)).map(|(_, rim)| rim);
+    let mut faces = RaggedArray::from_lists(rims);
     let mut number = vec![u32::MAX; skeleton.edge_count()];
     let mut ends = Vec::new();
-    let mut faces = RaggedArray::new();
-    for rim in rims {
-        let mut steps = Vec::new();
-        for &step in rim {
-            let edge = EdgeId::from_u32(step >> 1);
-            if number[edge.index()] == u32::MAX {
-                number[edge.index()] = ends.len() as u32 / 2;
-                ends.extend(skeleton.edge(edge).map(|vertex| vertex.to_u32()));
-            }
-            steps.push((number[edge.index()] << 1) | (step & 1));
+    for step in faces.items_mut() {
+        let edge = EdgeId::from_u32(*step >> 1);
+        if number[edge.index()] == u32::MAX {
+            number[edge.index()] = ends.len() as u32 / 2;
+            ends.extend(skeleton.edge(edge).map(|vertex| vertex.to_u32()));
         }
-        faces.push(&steps);
+        *step = 2 * number[edge.index()] + (*step & 1);
     }
     let skeleton = TwoSkeleton::new(skeleton.vertex_count(), ends, faces).unwrap();
     GeneralizedMap::new(skeleton).ok()
 }
 
+/// The same surface without the faces that have a bit in `removed`; see [`without_faces`].
+pub(crate) fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<GeneralizedMap> {
+    let gone = (0..map.f_vector()[2]).filter(|face| removed >> (face % 64) & 1 == 1);
+    without_faces(map, &gone.collect::<Vec<_>>())
+}
+
 /// Surfaces of all kinds, with their names.
-pub(super) fn all_kinds() -> Vec<(&'static str, GeneralizedMap)> {
+pub(crate) fn all_kinds() -> Vec<(&'static str, GeneralizedMap)> {
     vec![
         ("torus of 7 vertices", map_of(known_spaces::cyclic_torus(2))),
         ("sphere", map_of(known_spaces::simplex_boundary(2))),
