@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use crate::{surface, text};
-use clap::{Args, ValueEnum};
+use clap::{ArgGroup, Args, ValueEnum};
 use coface::algebra::RaggedArray;
 use coface::geometry::Positions;
 use coface::io::{CellData, GroupKind, Model};
@@ -25,15 +25,16 @@ use std::path::PathBuf;
 /// below; "copy" on both, and "length" on polygons, the distance of the copy. It lies in the plane or, by --layout, in the
 /// hyperbolic disk, so that copies are congruent.
 #[derive(Args)]
+#[command(group(ArgGroup::new("extent").required(true).args(["radius", "copies", "orientation"])))]
 pub(crate) struct Cover {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// All copies up to this distance
-    #[arg(long, value_name = "N", conflicts_with = "orientation", required_unless_present_any = ["copies", "orientation"])]
+    #[arg(long, value_name = "N")]
     radius: Option<usize>,
     /// So many copies, the nearest first
-    #[arg(long, value_name = "N", conflicts_with_all = ["radius", "orientation"])]
+    #[arg(long, value_name = "N")]
     copies: Option<usize>,
     /// The orientation double cover instead: every face twice, so that all agree
     #[arg(long)]
