@@ -16,6 +16,7 @@
 //! Answers are exact; an [`Error`] names the place, the fault and the cure. The guide is in the folder `examples`.
 
 pub mod algebra;
+pub mod arrangement;
 pub mod cellular;
 pub mod chains;
 mod error;

@@ -1,0 +1,89 @@
+//! Congruence of whole chain complexes.
+
+use super::{CellClasses, CellCongruence, CongruenceMethod, cell_congruence};
+use crate::Error;
+use crate::chains::ChainComplex;
+
+/// The quotient of a chain complex by the congruence of its vertices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChainCongruence {
+    complex: ChainComplex,
+    classes: Vec<CellClasses>,
+    changed: Vec<Vec<u32>>,
+}
+
+impl ChainCongruence {
+    /// The complex of the classes.
+    pub fn complex(&self) -> &ChainComplex {
+        &self.complex
+    }
+
+    /// The classes of the cells of each degree.
+    pub fn classes(&self) -> &[CellClasses] {
+        &self.classes
+    }
+
+    /// For each degree the cells whose boundary lost terms without vanishing; see [`CellCongruence::changed`].
+    pub fn changed(&self) -> &[Vec<u32>] {
+        &self.changed
+    }
+
+    /// For each degree the number of collapsed cells.
+    pub fn collapsed_counts(&self) -> Vec<usize> {
+        self.classes.iter().map(CellClasses::collapsed_count).collect()
+    }
+}
+
+/// The quotient of a complex by classes of its vertices: the classes of cells degree by degree, from below.
+///
+/// The map from cells to classes with their signs, collapsed cells going to zero, is a chain map; so the boundary of a
+/// boundary is zero in the quotient whatever the classes are.
+///
+/// # Errors
+/// [`crate::ErrorKind::Shape`] unless each vertex has a class; those of [`cell_congruence`].
+///
+/// # Complexity
+/// Near-linear in the entries of the boundary matrices.
+///
+/// # Examples
+/// Two triangles, each with its own three vertices and edges, that share an edge in space: four vertices, five edges and two
+/// triangles remain.
+/// ```
+/// use coface::algebra::RaggedArray;
+/// use coface::arrangement::congruence::{CellClasses, CongruenceMethod, chain_congruence};
+/// use coface::surface::PolygonMesh;
+/// # fn main() -> Result<(), coface::Error> {
+/// let triangles = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]), &[])?.chain_complex();
+/// let vertices = CellClasses::unsigned(vec![0, 1, 2, 1, 0, 3])?;
+/// let merged = chain_congruence(&triangles, vertices, CongruenceMethod::Lists)?;
+/// assert_eq!(merged.complex().f_vector(), [4, 5, 2]);
+/// # Ok(()) }
+/// ```
+pub fn chain_congruence(
+    complex: &ChainComplex,
+    vertices: CellClasses,
+    method: CongruenceMethod,
+) -> Result<ChainCongruence, Error> {
+    if vertices.cell_count() != complex.cell_count(0) {
+        return Err(Error::new(
+            crate::ErrorKind::Shape,
+            format!("{} classes of vertices for {} vertices", vertices.cell_count(), complex.cell_count(0)),
+        ));
+    }
+    let vertex_count = vertices.class_count();
+    let (mut boundaries, mut classes, mut changed) = (Vec::new(), vec![vertices], vec![Vec::new()]);
+    for matrix in complex.boundary_matrices() {
+        let lower = classes.last().expect("there are the classes of the vertices");
+        let found: CellCongruence = cell_congruence(matrix, lower, method)?;
+        changed.push(found.changed().to_vec());
+        let (boundary, own) = found.into_parts();
+        boundaries.push(boundary);
+        classes.push(own);
+    }
+    let complex = if boundaries.is_empty() {
+        ChainComplex::of_points(vertex_count)
+    } else {
+        ChainComplex::new(boundaries)?
+    };
+    Ok(ChainCongruence { complex, classes, changed })
+}

@@ -1,0 +1,289 @@
+//! Pairs of points that are near each other.
+
+use crate::VertexId;
+use crate::geometry::Positions;
+use rayon::prelude::*;
+
+/// Fewer points than this are compared each with each.
+const FEW: usize = 32;
+/// Points a cell of a grid has, about.
+const PER_CELL: usize = 8;
+
+/// A point with its first three coordinates, missing ones zero.
+#[derive(Clone, Copy)]
+struct Point {
+    at: [f64; 3],
+    id: u32,
+}
+
+/// Finds near points: at most `tolerance` apart, in any dimension.
+///
+/// A grid over the first three coordinates is refined where points are many. A point near the wall of a cell belongs to
+/// the cells on both sides, so that two near points are in one cell somewhere. Cells are at least four tolerances wide; what
+/// is denser is cut into cubes all of whose points are near each other.
+pub(super) struct NearPoints<'a> {
+    positions: &'a Positions,
+    tolerance: f64,
+    /// Whether all pairs are wanted, or only as many as connect what is near.
+    all: bool,
+}
+
+impl<'a> NearPoints<'a> {
+    /// Pairs of near points that connect all points that are joined by chains of near ones.
+    pub(super) fn connecting(positions: &'a Positions, tolerance: f64) -> Vec<[u32; 2]> {
+        Self { positions, tolerance, all: false }.pairs()
+    }
+
+    /// All pairs of near points, the lower one first, rising.
+    ///
+    /// # Complexity
+    /// Quadratic in the number of points that are all near each other.
+    pub(super) fn all(positions: &'a Positions, tolerance: f64) -> Vec<[u32; 2]> {
+        let mut pairs = Self { positions, tolerance, all: true }.pairs();
+        pairs.par_sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
+    fn pairs(&self) -> Vec<[u32; 2]> {
+        let points: Vec<Point> = (0..self.positions.len() as u32)
+            .map(|id| {
+                let mut at = [0.0; 3];
+                for (own, &coordinate) in at.iter_mut().zip(self.positions.point(VertexId::from_u32(id))) {
+                    *own = coordinate;
+                }
+                Point { at, id }
+            })
+            .collect();
+        let mut pairs = Vec::new();
+        self.visit(&points, &mut pairs);
+        pairs
+    }
+
+    fn is_near(&self, p: &Point, q: &Point) -> bool {
+        let limit = self.tolerance * self.tolerance;
+        if self.positions.dimension() <= 3 {
+            let [x, y, z] = [0, 1, 2].map(|axis| p.at[axis] - q.at[axis]);
+            return x * x + y * y + z * z <= limit;
+        }
+        let [p, q] = [p, q].map(|point| self.positions.point(VertexId::from_u32(point.id)));
+        p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum::<f64>() <= limit
+    }
+
+    fn visit(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
+        if points.len() <= FEW {
+            return self.compare(points, pairs);
+        }
+        let Some(grid) = Grid::new(points, self.tolerance) else { return self.visit_dense(points, pairs) };
+        let (starts, sorted) = grid.distribute(points, self.tolerance);
+        // Cells in runs of some thousand points, so that the pairs of a run are found by one thread.
+        let mut runs = vec![0];
+        for cell in 1..starts.len() {
+            if starts[cell] - starts[runs[runs.len() - 1]] >= 1 << 13 || cell + 1 == starts.len() {
+                runs.push(cell);
+            }
+        }
+        let found: Vec<Vec<[u32; 2]>> = runs
+            .par_windows(2)
+            .map(|run| {
+                let mut found = Vec::new();
+                for cell in run[0]..run[1] {
+                    self.visit(&sorted[starts[cell]..starts[cell + 1]], &mut found);
+                }
+                found
+            })
+            .collect();
+        found.into_iter().for_each(|found| pairs.extend(found));
+    }
+
+    /// Each with each.
+    fn compare(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
+        let mut classes: Vec<u32> = (0..points.len() as u32).collect();
+        for (i, p) in points.iter().enumerate() {
+            for (j, q) in points.iter().enumerate().take(i) {
+                let (old, new) = (classes[i], classes[j]);
+                if (self.all || old != new) && self.is_near(p, q) {
+                    pairs.push([p.id.min(q.id), p.id.max(q.id)]);
+                    classes[..=i].iter_mut().filter(|class| **class == old).for_each(|class| *class = new);
+                }
+            }
+        }
+    }
+
+    /// Many points within a few tolerances.
+    fn visit_dense(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
+        if self.all || self.positions.dimension() > 3 || self.tolerance == 0.0 {
+            return self.compare(points, pairs);
+        }
+        let side = self.tolerance / 3f64.sqrt();
+        let low = bounds(points)[0];
+        let cube = |p: &Point| [0, 1, 2].map(|axis| ((p.at[axis] - low[axis]) / side) as i64);
+        let mut cubes: Vec<([i64; 3], Point)> = points.iter().map(|p| (cube(p), *p)).collect();
+        cubes.sort_unstable_by_key(|(cube, p)| (*cube, p.id));
+        let groups: Vec<&[([i64; 3], Point)]> = cubes.chunk_by(|a, b| a.0 == b.0).collect();
+        let mut classes: Vec<u32> = (0..groups.len() as u32).collect();
+        for (i, group) in groups.iter().enumerate() {
+            for (_, p) in &group[1..] {
+                let first = group[0].1.id;
+                pairs.push([p.id.min(first), p.id.max(first)]);
+            }
+            for (j, other) in groups.iter().enumerate().take(i) {
+                let (old, new) = (classes[i], classes[j]);
+                let is_far = (0..3).any(|axis| (group[0].0[axis] - other[0].0[axis]).abs() > 2);
+                if old == new || is_far {
+                    continue;
+                }
+                let near = group.iter().find_map(|(_, p)| {
+                    other
+                        .iter()
+                        .find(|(_, q)| self.is_near(p, q))
+                        .map(|(_, q)| [p.id.min(q.id), p.id.max(q.id)])
+                });
+                if let Some(pair) = near {
+                    pairs.push(pair);
+                    classes[..=i].iter_mut().filter(|class| **class == old).for_each(|class| *class = new);
+                }
+            }
+        }
+    }
+}
+
+/// The least and the greatest coordinates.
+fn bounds(points: &[Point]) -> [[f64; 3]; 2] {
+    let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for point in points {
+        for axis in 0..3 {
+            bounds[0][axis] = bounds[0][axis].min(point.at[axis]);
+            bounds[1][axis] = bounds[1][axis].max(point.at[axis]);
+        }
+    }
+    bounds
+}
+
+/// A grid of equal boxes.
+struct Grid {
+    low: [f64; 3],
+    /// Boxes a unit of length.
+    scale: [f64; 3],
+    counts: [usize; 3],
+}
+
+impl Grid {
+    /// A grid with about one box for a few points, at least two of them; `None` if the points are within a few tolerances.
+    fn new(points: &[Point], tolerance: f64) -> Option<Self> {
+        let [low, high] = bounds(points);
+        let extent = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+        let least = 4.0 * tolerance;
+        let wide: Vec<usize> =
+            (0..3).filter(|&axis| extent[axis] > 2.0 * least && extent[axis] > 0.0).collect();
+        if wide.is_empty() {
+            return None;
+        }
+        // Sides of boxes so that all together fill the bounds; thin axes are not cut.
+        let boxes = (points.len() / PER_CELL) as f64;
+        let longest = wide.iter().map(|&axis| extent[axis]).fold(0.0, f64::max);
+        let product: f64 = wide.iter().map(|&axis| extent[axis] / longest).product();
+        let side = longest * (product / boxes).powf(1.0 / wide.len() as f64);
+        let mut counts = [1; 3];
+        let mut most = points.len();
+        for &axis in &wide {
+            let wanted = (extent[axis] / side).min(extent[axis] / least).min(most as f64);
+            counts[axis] = (wanted as usize).max(if extent[axis] == longest { 2 } else { 1 });
+            most = (most / counts[axis]).max(1);
+        }
+        let scale =
+            [0, 1, 2].map(|axis| if counts[axis] > 1 { counts[axis] as f64 / extent[axis] } else { 0.0 });
+        scale.iter().all(|scale| scale.is_finite()).then_some(Self { low, scale, counts })
+    }
+
+    /// The points by boxes: those of box b are `starts[b]..starts[b + 1]`, with those beyond its walls that are within the
+    /// tolerance.
+    fn distribute(&self, points: &[Point], tolerance: f64) -> (Vec<usize>, Vec<Point>) {
+        let mut starts = vec![0; self.counts.iter().product::<usize>() + 1];
+        for point in points {
+            self.boxes(point, tolerance, |place| starts[place + 1] += 1);
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let mut sorted = vec![points[0]; starts[starts.len() - 1]];
+        for point in points {
+            self.boxes(point, tolerance, |place| {
+                sorted[next[place]] = *point;
+                next[place] += 1;
+            });
+        }
+        (starts, sorted)
+    }
+
+    fn boxes(&self, point: &Point, tolerance: f64, mut visit: impl FnMut(usize)) {
+        let along = |axis: usize, shift: f64| {
+            let place = (point.at[axis] + shift - self.low[axis]) * self.scale[axis];
+            // Casts take what is below zero to zero.
+            (place as usize).min(self.counts[axis] - 1)
+        };
+        // A little more than the tolerance, for the rounding of places.
+        let reach = tolerance * 1.000_001;
+        let [first, last] = [-reach, reach].map(|shift| [0, 1, 2].map(|axis| along(axis, shift)));
+        for i in first[0]..=last[0] {
+            for j in first[1]..=last[1] {
+                for k in first[2]..=last[2] {
+                    visit((i * self.counts[1] + j) * self.counts[2] + k);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::UnionFind;
+    use proptest::prelude::*;
+
+    fn brute(positions: &Positions, tolerance: f64) -> Vec<[u32; 2]> {
+        let point = |i: u32| positions.point(VertexId::from_u32(i));
+        let mut pairs = Vec::new();
+        for i in 0..positions.len() as u32 {
+            for j in i + 1..positions.len() as u32 {
+                let square: f64 = point(i).iter().zip(point(j)).map(|(x, y)| (x - y) * (x - y)).sum();
+                if square <= tolerance * tolerance {
+                    pairs.push([i, j]);
+                }
+            }
+        }
+        pairs
+    }
+
+    fn classes(count: usize, pairs: &[[u32; 2]]) -> Vec<u32> {
+        let mut partition = UnionFind::new(count);
+        pairs.iter().for_each(|&[a, b]| {
+            partition.unite(a, b);
+        });
+        partition.class_numbers()
+    }
+
+    proptest! {
+        /// Points on a lattice with a few far away, clusters and equal points among them, in dimensions 1 to 4.
+        #[test]
+        fn near_points_agree_with_all_pairs(
+            dimension in 1usize..5,
+            numbers in prop::collection::vec((0i32..40, prop::bool::weighted(0.1)), 0..700),
+            tolerance in prop::sample::select(vec![0.0, 1.0, 1.5, 4.0, 30.0]),
+            stretch in prop::sample::select(vec![1.0, 0.01, 1000.0]),
+        ) {
+            let flat: Vec<f64> = numbers
+                .iter()
+                .map(|&(number, is_far)| f64::from(number) * if is_far { stretch } else { 1.0 })
+                .collect();
+            let flat = flat[..flat.len() / dimension * dimension].to_vec();
+            let positions = Positions::from_flat(dimension, flat).unwrap();
+            let expected = brute(&positions, tolerance);
+            prop_assert_eq!(&NearPoints::all(&positions, tolerance), &expected);
+            let connecting = NearPoints::connecting(&positions, tolerance);
+            prop_assert!(connecting.iter().all(|pair| expected.binary_search(pair).is_ok()));
+            prop_assert_eq!(classes(positions.len(), &connecting), classes(positions.len(), &expected));
+        }
+    }
+}

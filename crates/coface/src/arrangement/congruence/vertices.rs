@@ -1,0 +1,245 @@
+//! Congruence of vertices.
+
+use super::near_points::NearPoints;
+use crate::algebra::{RaggedArray, UnionFind};
+use crate::geometry::Positions;
+use crate::{Error, VertexId};
+
+/// Which vertices are congruent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum ClassRule {
+    /// All that are joined by chains of vertices, each within the tolerance of the next. It does not depend on the
+    /// order of the vertices; a class can be longer than the tolerance.
+    #[default]
+    Transitive,
+    /// In the order of the vertices each that has no class yet opens one, with all others without class within the
+    /// tolerance of it. No member is farther than the tolerance from the first; the classes depend on the order.
+    Greedy,
+}
+
+/// Where a class of vertices is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Representative {
+    /// At its lowest member.
+    #[default]
+    Lowest,
+    /// At the mean of its members.
+    Mean,
+    /// At the median of its members on each axis; for an even number the lower one, so that it is a coordinate of the input.
+    Median,
+}
+
+/// Classes of congruent vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VertexCongruence {
+    members: RaggedArray,
+    class_of: Vec<u32>,
+    positions: Positions,
+    largest_diameter: f64,
+}
+
+impl VertexCongruence {
+    /// The members of each class, rising; classes by their lowest members.
+    pub fn members(&self) -> &RaggedArray {
+        &self.members
+    }
+
+    /// The number of classes.
+    pub fn class_count(&self) -> usize {
+        self.members.len()
+    }
+
+    /// The class of each vertex.
+    pub fn class_of(&self) -> &[u32] {
+        &self.class_of
+    }
+
+    /// The positions of the classes.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The largest distance of two members of a class; of classes with more than 1000 members the diagonal of the box around
+    /// them, which is no less.
+    pub fn largest_diameter(&self) -> f64 {
+        self.largest_diameter
+    }
+}
+
+/// The classes of vertices within a tolerance of each other, a length in the unit of the positions.
+///
+/// # Errors
+/// [`crate::ErrorKind::InvalidInput`] for a tolerance that is negative or not a number.
+///
+/// # Complexity
+/// Nearly linear where not many vertices are within a tolerance; parallel, with the same result whatever the number of
+/// threads.
+///
+/// # Examples
+/// Three points in a row, 0.8 apart: by chains all are congruent; greedily the third is not.
+/// ```
+/// use coface::arrangement::congruence::{ClassRule, Representative, vertex_congruence};
+/// use coface::geometry::Positions;
+/// # fn main() -> Result<(), coface::Error> {
+/// let row = Positions::from_flat(1, vec![0.0, 0.8, 1.6])?;
+/// let chained = vertex_congruence(&row, 1.0, ClassRule::Transitive, Representative::Lowest)?;
+/// assert_eq!((chained.class_count(), chained.largest_diameter()), (1, 1.6));
+/// let greedy = vertex_congruence(&row, 1.0, ClassRule::Greedy, Representative::Mean)?;
+/// assert_eq!(greedy.class_of(), [0, 0, 1]);
+/// assert_eq!(greedy.positions().as_flat(), [0.4, 1.6]);
+/// # Ok(()) }
+/// ```
+pub fn vertex_congruence(
+    positions: &Positions,
+    tolerance: f64,
+    rule: ClassRule,
+    representative: Representative,
+) -> Result<VertexCongruence, Error> {
+    if tolerance.is_nan() || tolerance < 0.0 {
+        return Err(Error::invalid(format!("{tolerance} is no tolerance"))
+            .with_cure("give a length that is not negative, in the unit of the positions"));
+    }
+    let (class_of, class_count) = match rule {
+        ClassRule::Transitive => chained(positions, tolerance),
+        ClassRule::Greedy => greedy(positions, tolerance),
+    };
+    let members = RaggedArray::grouped(class_count, class_of.iter().copied());
+    let mut flat = Vec::with_capacity(class_count * positions.dimension());
+    let mut largest_diameter: f64 = 0.0;
+    for class in members.iter() {
+        let points = || class.iter().map(|&vertex| positions.point(VertexId::from_u32(vertex)));
+        if class.len() > 1 {
+            largest_diameter = largest_diameter.max(diameter(&points().collect::<Vec<_>>()));
+        }
+        let first = points().next().expect("a class has members");
+        for (axis, &lowest) in first.iter().enumerate() {
+            flat.push(match representative {
+                Representative::Lowest => lowest,
+                // Differences first, so that equal points have themselves as their mean.
+                Representative::Mean => {
+                    lowest + points().map(|point| point[axis] - lowest).sum::<f64>() / class.len() as f64
+                }
+                Representative::Median => {
+                    let mut coordinates: Vec<f64> = points().map(|point| point[axis]).collect();
+                    coordinates.sort_unstable_by(f64::total_cmp);
+                    coordinates[(coordinates.len() - 1) / 2]
+                }
+            });
+        }
+    }
+    let positions = Positions::from_flat(positions.dimension(), flat)?;
+    Ok(VertexCongruence { members, class_of, positions, largest_diameter })
+}
+
+fn chained(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
+    let mut partition = UnionFind::new(positions.len());
+    for [a, b] in NearPoints::connecting(positions, tolerance) {
+        partition.unite(a, b);
+    }
+    let count = partition.class_count();
+    (partition.class_numbers(), count)
+}
+
+fn greedy(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
+    const NONE: u32 = u32::MAX;
+    let pairs = NearPoints::all(positions, tolerance);
+    let mut class_of = vec![NONE; positions.len()];
+    let mut count = 0;
+    let mut pairs = pairs.into_iter().peekable();
+    for vertex in 0..positions.len() as u32 {
+        let opens = class_of[vertex as usize] == NONE;
+        if opens {
+            class_of[vertex as usize] = count;
+        }
+        // Lower vertices are in classes by now, so only the pairs that start here matter.
+        while let Some([_, other]) = pairs.next_if(|pair| pair[0] == vertex) {
+            if opens && class_of[other as usize] == NONE {
+                class_of[other as usize] = count;
+            }
+        }
+        count += u32::from(opens);
+    }
+    (class_of, count as usize)
+}
+
+fn diameter(points: &[&[f64]]) -> f64 {
+    let distance = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt();
+    if points.len() <= 1000 {
+        let mut largest: f64 = 0.0;
+        for (i, p) in points.iter().enumerate() {
+            for q in &points[..i] {
+                largest = largest.max(distance(p, q));
+            }
+        }
+        return largest;
+    }
+    let extreme = |pick: fn(f64, f64) -> f64, start: f64| -> Vec<f64> {
+        (0..points[0].len()).map(|axis| points.iter().map(|point| point[axis]).fold(start, pick)).collect()
+    };
+    distance(&extreme(f64::max, f64::NEG_INFINITY), &extreme(f64::min, f64::INFINITY))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_cross_is_one_class_in_any_order() {
+        let arm = 0.8;
+        let points = [[0.0, 0.0], [arm, 0.0], [-arm, 0.0], [0.0, arm], [0.0, -arm]];
+        for first in 0..5 {
+            let mut order = points;
+            order.rotate_left(first);
+            let positions = Positions::from_flat(2, order.concat()).unwrap();
+            let classes =
+                vertex_congruence(&positions, 1.0, ClassRule::Transitive, Representative::Mean).unwrap();
+            assert_eq!(classes.class_count(), 1);
+            assert!(classes.positions().as_flat().iter().all(|x| x.abs() < 1e-15));
+        }
+    }
+
+    #[test]
+    fn no_tolerance_means_equal_points() {
+        let positions = Positions::from_flat(2, vec![1., 2., 3., 4., 1., 2., -0.0, 5., 0.0, 5.]).unwrap();
+        for rule in [ClassRule::Transitive, ClassRule::Greedy] {
+            let classes = vertex_congruence(&positions, 0.0, rule, Representative::Median).unwrap();
+            assert_eq!(classes.class_of(), [0, 1, 0, 2, 2]);
+            assert_eq!(classes.largest_diameter(), 0.0);
+        }
+        assert!(vertex_congruence(&positions, -1.0, ClassRule::Greedy, Representative::Lowest).is_err());
+        let none =
+            vertex_congruence(&Positions::default(), 1.0, ClassRule::Greedy, Representative::Mean).unwrap();
+        assert_eq!(none.class_count(), 0);
+    }
+
+    proptest! {
+        #[test]
+        fn classes_partition_the_vertices(
+            flat in prop::collection::vec(-20i32..20, 0..300), greedy: bool, tolerance in 0u8..6,
+        ) {
+            let flat: Vec<f64> = flat[..flat.len() / 2 * 2].iter().map(|&x| f64::from(x)).collect();
+            let positions = Positions::from_flat(2, flat).unwrap();
+            let rule = if greedy { ClassRule::Greedy } else { ClassRule::Transitive };
+            let tolerance = f64::from(tolerance);
+            let found = vertex_congruence(&positions, tolerance, rule, Representative::Lowest).unwrap();
+            let mut seen = vec![false; positions.len()];
+            let mut last = None;
+            for (class, members) in found.members().iter().enumerate() {
+                prop_assert!(last < Some(members[0]));
+                last = Some(members[0]);
+                for &member in members {
+                    prop_assert!(!std::mem::replace(&mut seen[member as usize], true));
+                    prop_assert_eq!(found.class_of()[member as usize] as usize, class);
+                }
+            }
+            prop_assert!(seen.into_iter().all(|seen| seen));
+            if !greedy {
+                // Once more changes nothing unless representatives came near each other; distances to others only matter
+                // between classes, so the lowest members of different classes may be near, their classes not.
+                let again = vertex_congruence(&positions, 0.0, rule, Representative::Lowest).unwrap();
+                prop_assert!(again.class_count() >= found.class_count());
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Complexes brought together: congruence of cells.
+//!
+//! # Words and conventions
+//! * Vertices are **congruent** when they are within a tolerance of each other, or joined by a chain of such vertices. A
+//!   **class** is all that are congruent; classes are numbered by their lowest members.
+//! * Cells are congruent when their boundaries, written in classes, are the same up to sign. Each cell has a **sign** against
+//!   the lowest member of its class.
+//! * The **quotient** complex has the classes as cells. A cell whose boundary vanishes in it is **collapsed**: it has no class.
+
+pub mod congruence;
