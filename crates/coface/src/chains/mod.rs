@@ -18,6 +18,7 @@ mod complex;
 mod flow;
 mod matching;
 mod morse;
+mod product;
 mod reduction;
 mod subcomplex;
 mod two_skeleton;
@@ -29,6 +30,7 @@ pub use coefficient::Coefficient;
 pub use complex::ChainComplex;
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
+pub use product::ProductComplex;
 pub use reduction::Reduction;
 pub use two_skeleton::TwoSkeleton;
 
