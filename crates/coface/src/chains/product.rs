@@ -23,7 +23,7 @@ use crate::{CellId, Error};
 /// assert_eq!(square.complex().f_vector(), [4, 4, 1]);
 /// // The face is the product of the two edges; its boundary runs around it.
 /// assert_eq!(square.factors(2, CellId::new(0)), [(1, CellId::new(0)), (1, CellId::new(0))]);
-/// assert_eq!(square.complex().boundary_matrix(2).expect("there is a face").column(0).entries(), [1, -1, -1, 1]);
+/// assert_eq!(square.complex().boundary_matrix(2).expect("there is a face").column(0).entries(), [-1, 1, 1, -1]);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -206,9 +206,9 @@ impl Mapped {
             }
         }
         // What has no boundary now had none before, or is collapsed.
-        for cell in 0..cell_count {
+        for (cell, lowest) in lowest.iter_mut().enumerate() {
             if self.column(cell).0.is_empty() && !is_open(cell) {
-                lowest[cell] = NONE;
+                *lowest = NONE;
             }
         }
         lowest

@@ -3,8 +3,6 @@
 mod cells;
 mod chains;
 mod near_points;
-#[cfg(test)]
-mod tests;
 mod vertices;
 
 pub use cells::{CellClasses, CellCongruence, cell_congruence};

@@ -234,11 +234,18 @@ mod tests {
                 }
             }
             prop_assert!(seen.into_iter().all(|seen| seen));
-            if !greedy {
-                // Once more changes nothing unless representatives came near each other; distances to others only matter
-                // between classes, so the lowest members of different classes may be near, their classes not.
-                let again = vertex_congruence(&positions, 0.0, rule, Representative::Lowest).unwrap();
-                prop_assert!(again.class_count() >= found.class_count());
+            // Chained classes are closed: nothing outside is within the tolerance. Greedy ones are near their first members.
+            for (vertex, &class) in found.class_of().iter().enumerate() {
+                let near = |other: u32| {
+                    let [p, q] = [vertex as u32, other].map(|v| positions.point(VertexId::from_u32(v)));
+                    p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum::<f64>() <= tolerance * tolerance
+                };
+                if greedy {
+                    prop_assert!(near(found.members().list(class as usize)[0]));
+                } else {
+                    let others = (0..positions.len() as u32).filter(|&other| near(other));
+                    prop_assert!(others.clone().all(|other| found.class_of()[other as usize] == class));
+                }
             }
         }
     }

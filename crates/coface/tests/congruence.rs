@@ -1,12 +1,17 @@
 //! Quotients against each other and against known numbers.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
-use super::*;
-use crate::CellId;
-use crate::algebra::{RaggedArray, Sign};
-use crate::chains::ChainComplex;
-use crate::geometry::Positions;
-use crate::simplicial::{FrozenComplex, SimplicialComplex};
-use crate::surface::PolygonMesh;
+use coface::CellId;
+use coface::algebra::{RaggedArray, Sign, SparseMatrix, UnionFind};
+use coface::arrangement::congruence::{
+    CellClasses, ChainCongruence, ClassRule, CongruenceMethod, Representative, chain_congruence,
+    vertex_congruence,
+};
+use coface::chains::ChainComplex;
+use coface::geometry::Positions;
+use coface::simplicial::{FrozenComplex, SimplicialComplex};
+use coface::surface::PolygonMesh;
 use proptest::prelude::*;
 
 /// The squares of all cubes of a k x k x k grid, every one with vertices of its own that are off by up to 1e-8.
@@ -85,7 +90,7 @@ fn opposite_edges_are_one_with_opposite_signs() {
     let ends = edges.iter().enumerate().flat_map(|(e, &[a, b])| [(a, e, -1), (b, e, 1)]);
     let faces = (0..8).map(|e| (e, e / 4, 1));
     let matrix = |rows, columns, entries: Vec<(usize, usize, i64)>| {
-        crate::algebra::SparseMatrix::from_entries(rows, columns, entries).unwrap()
+        SparseMatrix::from_entries(rows, columns, entries).unwrap()
     };
     let complex =
         ChainComplex::new(vec![matrix(8, 8, ends.collect()), matrix(8, 2, faces.collect())]).unwrap();
@@ -97,6 +102,39 @@ fn opposite_edges_are_one_with_opposite_signs() {
     assert_eq!(found.classes()[1].class(CellId::new(7)), Some((1, Sign::Minus)));
     assert_eq!(found.complex().boundary_matrix(2).unwrap().entry(1, 0), 1);
     assert_eq!(found.complex().boundary_matrix(2).unwrap().entry(1, 1), -1);
+}
+
+/// Real block-diagonal complexes with the numbers that an independent program found at several tolerances.
+#[test]
+fn real_complexes_have_the_recorded_quotients() {
+    let Some(data) = std::env::var_os("COFACE_DATA").map(std::path::PathBuf::from) else {
+        println!("skipped: COFACE_DATA names no folder");
+        return;
+    };
+    for example in 1..=3 {
+        let text =
+            std::fs::read_to_string(data.join(format!("congruence/congruence_ex{example}.json"))).unwrap();
+        let record: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let flat: Vec<Vec<f64>> = serde_json::from_value(record["vertices"].clone()).unwrap();
+        let positions = Positions::from_flat(3, flat.concat()).unwrap();
+        // Rows of the file are cells of the higher degree: the transposes of boundary matrices.
+        let matrix = |key: &str| {
+            let matrix = &record[key];
+            let [rows, columns] = ["rows", "cols"].map(|count| matrix[count].as_u64().unwrap() as usize);
+            let entries: Vec<(usize, usize, i64)> = serde_json::from_value(matrix["coo"].clone()).unwrap();
+            let entries = entries.into_iter().map(|(row, column, entry)| (column, row, entry));
+            SparseMatrix::from_entries(columns, rows, entries).unwrap()
+        };
+        let complex = ChainComplex::new(vec![matrix("d0"), matrix("d1")]).unwrap();
+        for (tolerance, expected) in record["expected"].as_object().unwrap() {
+            let found = quotient(&positions, &complex, tolerance.parse().unwrap());
+            let counts = ["V", "E", "F"].map(|key| expected[key].as_u64().unwrap() as usize);
+            assert_eq!(found.complex().f_vector(), counts, "example {example} at {tolerance}");
+            let collapsed =
+                ["collapsed_edges", "collapsed_faces"].map(|key| expected[key].as_u64().unwrap() as usize);
+            assert_eq!(found.collapsed_counts()[1..], collapsed);
+        }
+    }
 }
 
 fn random_complex(facets: &[Vec<u32>]) -> FrozenComplex {
@@ -113,7 +151,7 @@ proptest! {
         let facets: Vec<Vec<u32>> = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
         let complex = random_complex(&facets).chain_complex().unwrap();
         let count = complex.cell_count(0);
-        let mut partition = crate::algebra::UnionFind::new(count);
+        let mut partition = UnionFind::new(count);
         for (a, b) in merged {
             partition.unite((a % count) as u32, (b % count) as u32);
         }
