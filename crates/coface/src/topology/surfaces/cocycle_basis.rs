@@ -39,17 +39,19 @@ pub struct CocycleBasis {
 }
 
 impl CocycleBasis {
-    /// A basis of the first cohomology by the crossing cochains of generators, with the simple loops of the generators;
-    /// see [`SurfaceHomology::cocycles`].
+    /// A basis of the first cohomology by the crossing cochains of generators, see [`SurfaceHomology::cocycles`], and the simple
+    /// loops of generators that it is dual to: a basis of the first homology modulo torsion. In a component that is closed and
+    /// not orientable that is one loop less than there are generators.
     ///
     /// # Complexity
     /// Linear in the values that are not zero and the lengths of the loops, and the matrix of values.
     pub fn by_crossing(homology: &SurfaceHomology<'_>) -> Self {
-        let (cocycles, pairing) = homology.cocycles();
-        let loops = homology.loops();
-        // A matrix with as many rows as columns is the identity.
-        let determinant = (cocycles.len() == loops.len()).then_some(Integer::ONE);
-        Self { loops, cocycles, pairing, determinant }
+        let (cocycles, values) = homology.cocycles();
+        let free = homology.free_generators();
+        let all = homology.loops();
+        let loops = free.iter().map(|&i| all[i].clone()).collect();
+        let pairing = values.iter().map(|row| free.iter().map(|&i| row[i]).collect()).collect();
+        Self { loops, cocycles, pairing, determinant: Some(Integer::ONE) }
     }
 
     /// The cocycles of these loops by slicing; see [`super::slicing_cocycle`]. Cocycle i has on loop j the intersection

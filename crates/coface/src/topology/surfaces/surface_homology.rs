@@ -136,6 +136,14 @@ impl<'a> SurfaceHomology<'a> {
         (cocycles, values)
     }
 
+    /// The numbers of the generators whose loops are a basis of the first homology modulo torsion: all but the pivots of
+    /// relations. On these loops the values of [`Self::cocycles`] are the identity.
+    pub(super) fn free_generators(&self) -> Vec<usize> {
+        let pivots = self.pivots();
+        let numbered = self.generators.iter().enumerate();
+        numbered.filter(|&(i, &(_, component))| pivots[component] != Some(i)).map(|(i, _)| i).collect()
+    }
+
     /// For each component the first generator that its relation has.
     fn pivots(&self) -> Vec<Option<usize>> {
         let mut pivots = vec![None; self.trees.components().len()];

@@ -22,7 +22,9 @@ fn check(name: &str, map: &GeneralizedMap) {
     let basis = CocycleBasis::by_crossing(&found);
     let groups = homology(&complex);
     let betti = groups.groups().get(1).map_or(0, |group| group.betti());
-    assert_eq!(basis.cocycles().len(), betti, "{name}");
+    assert_eq!((basis.cocycles().len(), basis.loops().len()), (betti, betti), "{name}");
+    let identity = |i: usize| (0..betti).map(move |j| i64::from(i == j)).collect::<Vec<_>>();
+    assert!(basis.pairing().iter().enumerate().all(|(i, row)| *row == identity(i)), "{name}");
     let general = HomologyBasis::unshortened(&complex);
     let mut rows = Vec::new();
     for (cocycle, row) in basis.cocycles().iter().zip(basis.pairing()) {
