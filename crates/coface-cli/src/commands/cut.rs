@@ -113,12 +113,12 @@ impl Cut {
             }
         }
         let is_inner = |edge: &EdgeId| map.mate(map.first_side(*edge)).is_some();
-        let mut edges: Vec<EdgeId> = if self.simplify {
+        let edges: Vec<EdgeId> = if self.simplify {
             graph.edges()
         } else {
             cut.cut_graph(map).into_iter().filter(is_inner).collect()
         };
-        let mut seams: Vec<ShownSeam> = graph
+        let seams: Vec<ShownSeam> = graph
             .seams()
             .iter()
             .map(|seam| ShownSeam {
@@ -128,26 +128,6 @@ impl Cut {
                 component: trees.component_of_vertex(seam.ends()[0]).unwrap_or_default(),
             })
             .collect();
-        for seam in seams.iter_mut().filter(|seam| seam.kind == "slit") {
-            // Of a whole tree along which a sphere is cut, one edge is enough; it must be one of the tree.
-            let is_there =
-                |edge: &EdgeId| trees.component_of_face(map.face(map.first_side(*edge))) == seam.component;
-            let edge = EdgeId::from_u32(seam.steps[0] >> 1);
-            if self.simplify {
-                // Both sides of one edge alone have the same ends, so files would close it again.
-                if let Some(step) = next_step(map, seam.steps[0]) {
-                    seam.steps.push(step);
-                    seam.length = seam.length.zip(lengths.as_ref()).map(|(x, y)| x + y[(step >> 1) as usize]);
-                    edges.push(EdgeId::from_u32(step >> 1));
-                }
-            } else if edges.binary_search(&edge).is_err()
-                && let Some(edge) = edges.iter().find(|edge| is_there(edge))
-            {
-                seam.steps = vec![2 * edge.to_u32()];
-                seam.length = lengths.as_ref().map(|lengths| lengths[edge.index()]);
-            }
-        }
-        edges.sort_unstable();
         progress.stage("cutting");
         let slice = map.slice_edges(&edges)?;
         let mut components =
@@ -251,14 +231,6 @@ fn answer(common: &Common, object: &Value, page: &str) -> Result<(), Failure> {
         (false, Some(_)) if common.quiet => Ok(()),
         (false, _) => print_text(page),
     }
-}
-
-/// A step on from the end of a step, to a vertex that is at neither of its ends.
-fn next_step(map: &GeneralizedMap, step: u32) -> Option<u32> {
-    let ends = map.skeleton().edge_ends();
-    let [from, at] = [ends[step as usize], ends[(step ^ 1) as usize]];
-    let is_on = |&next: &u32| ends[next as usize] == at && ![from, at].contains(&ends[(next ^ 1) as usize]);
-    (0..ends.len() as u32).find(is_on)
 }
 
 /// The steps of a path given by the numbers of its vertices.

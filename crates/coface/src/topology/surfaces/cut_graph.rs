@@ -18,7 +18,8 @@ const NONE: u32 = u32::MAX;
 /// Edges in the interior of a surface such that each component, cut open along them, is a disk; without loose ends.
 ///
 /// It consists of **seams**, paths between **corners**: vertices where one, three or more of its edges meet, and
-/// vertices of the boundary. A disk needs no seam; a sphere gets a slit of one edge, unless it has a single vertex.
+/// vertices of the boundary. A disk needs no seam. A sphere gets a slit of two
+/// edges of the tree, so that its sides are told apart by their ends; of one if there are no more, of none if it has a single vertex.
 ///
 /// # References
 /// J. Erickson, S. Har-Peled, *Optimally cutting a surface into a disk* (2004).
@@ -121,20 +122,7 @@ impl CutGraph {
         let mut is_cut: Vec<bool> =
             roles.map(|(edge, role)| *role != EdgeRole::Cotree && is_inner(edge)).collect();
         prune(map, &mut is_cut);
-        // The shortest edge of each sphere that has an edge with two ends.
-        let mut slits: Vec<Option<u32>> = vec![None; trees.components().len()];
-        for edge in 0..lengths.len() as u32 {
-            let [a, b] = map.skeleton().edge(EdgeId::from_u32(edge));
-            let component = trees.component_of_vertex(a).expect("the end of an edge is in a component");
-            let found = &trees.components()[component];
-            if a != b && !found.has_boundary() && found.generators().is_empty() {
-                let slit = &mut slits[component];
-                if slit.is_none_or(|slit| lengths[edge as usize] < lengths[slit as usize]) {
-                    *slit = Some(edge);
-                }
-            }
-        }
-        for slit in slits.into_iter().flatten() {
+        for slit in slits(map, trees, &lengths).into_iter().flatten() {
             is_cut[slit as usize] = true;
         }
         Self::of_edges(map, is_cut, &lengths)
@@ -294,7 +282,7 @@ impl CutGraph {
         }
         prune(map, &mut is_cut);
         for slit in self.seams.iter().filter(|seam| seam.kind == SeamKind::Slit) {
-            is_cut[(slit.steps[0] >> 1) as usize] = true;
+            slit.steps.iter().for_each(|&step| is_cut[(step >> 1) as usize] = true);
         }
         let length = |is_cut: &[bool]| -> f64 {
             lengths.iter().zip(is_cut).filter(|(_, cut)| **cut).map(|(length, _)| length).sum()
@@ -334,6 +322,36 @@ impl CutGraph {
         }
         is_crossed
     }
+}
+
+/// The slit of each sphere: the shortest edge of its tree, and the shortest one that meets it there.
+fn slits(map: &GeneralizedMap, trees: &TreeCotree, lengths: &[f64]) -> Vec<Option<u32>> {
+    let is_shorter = |edge: u32, other: Option<u32>| {
+        other.is_none_or(|other| lengths[edge as usize] < lengths[other as usize])
+    };
+    let ends = |edge: u32| map.skeleton().edge(EdgeId::from_u32(edge));
+    let mut slits = [vec![None; trees.components().len()], vec![None; trees.components().len()]];
+    let tree = || (0..lengths.len() as u32).filter(|&edge| trees.roles()[edge as usize] == EdgeRole::Tree);
+    for second in [false, true] {
+        for edge in tree() {
+            let component =
+                trees.component_of_vertex(ends(edge)[0]).expect("the end of an edge is in a component");
+            let found = &trees.components()[component];
+            if found.has_boundary() || !found.generators().is_empty() {
+                continue;
+            }
+            let first: Option<u32> = slits[0][component];
+            let meets = |first: u32| first != edge && ends(first).iter().any(|end| ends(edge).contains(end));
+            if second && !first.is_some_and(meets) {
+                continue;
+            }
+            let slit = &mut slits[usize::from(second)][component];
+            if is_shorter(edge, *slit) {
+                *slit = Some(edge);
+            }
+        }
+    }
+    slits.concat()
 }
 
 /// The vertices on the boundary.
