@@ -2,7 +2,7 @@
 
 use super::shortest_paths::{ShortestPaths, checked_lengths, first_vertices};
 use crate::algebra::{RaggedArray, Sign, UnionFind};
-use crate::surface::{FaceOrientation, GeneralizedMap};
+use crate::surface::GeneralizedMap;
 use crate::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
 
 /// No step, no side, no component.
@@ -96,11 +96,11 @@ impl TreeCotree {
     /// # Complexity
     /// Linear.
     pub fn new(map: &GeneralizedMap) -> Self {
-        let orientation = map.orientation();
+        let roots = roots(map);
         let mut is_crossed = vec![false; map.skeleton().edge_count()];
         let mut seen = vec![false; map.skeleton().face_count()];
         let mut queue = Vec::new();
-        for first in roots(map, &orientation) {
+        for &first in &roots {
             seen[first.index()] = true;
             queue.push(first);
             let mut at = 0;
@@ -117,7 +117,7 @@ impl TreeCotree {
             }
             queue.clear();
         }
-        Self::with_cotree(map, is_crossed, None)
+        Self::with_cotree(map, &roots, is_crossed, None)
     }
 
     /// Short loops at a base: those of the edges, with the shortest paths to their ends, that can be had. The tree is one
@@ -170,19 +170,18 @@ impl TreeCotree {
             let arc = map.dual_arc(EdgeId::from_u32(edge)).map(|faces| faces.map(FaceId::to_u32));
             is_crossed[edge as usize] = arc.is_some_and(|[f, g]| partition.unite(f, g));
         }
-        Ok(Self::with_cotree(map, is_crossed, Some((&paths, &edges))))
+        Ok(Self::with_cotree(map, &roots(map), is_crossed, Some((&paths, &edges))))
     }
 
     /// The decomposition whose cotree crosses these edges, a spanning forest of the dual graph. The tree takes edges of
     /// the given paths where it can, then shorter loops first; without paths it is breadth-first.
     fn with_cotree(
         map: &GeneralizedMap,
+        roots: &[FaceId],
         mut is_crossed: Vec<bool>,
         preferred: Option<(&ShortestPaths, &[(u32, f64)])>,
     ) -> Self {
         let skeleton = map.skeleton();
-        let orientation = map.orientation();
-        let roots = roots(map, &orientation);
         // The door to the outside.
         let mut exits = vec![NONE; skeleton.face_count()];
         let mut has_boundary = vec![false; roots.len()];
@@ -417,7 +416,8 @@ impl TreeCotree {
 }
 
 /// The first face of each component; the first one at the boundary if there is a boundary.
-fn roots(map: &GeneralizedMap, orientation: &FaceOrientation) -> Vec<FaceId> {
+fn roots(map: &GeneralizedMap) -> Vec<FaceId> {
+    let orientation = map.orientation();
     let mut first = vec![NONE; orientation.conflicts().len()];
     for face in (0..map.skeleton().face_count()).rev() {
         first[orientation.component(FaceId::new(face))] = face as u32;
