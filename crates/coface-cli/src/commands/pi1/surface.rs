@@ -71,7 +71,10 @@ pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
         }
     };
     progress.stage("cutting the surface open");
-    let map = GeneralizedMap::new(skeleton).map_err(|error| error.in_file(name.clone()))?;
+    let map = GeneralizedMap::new(skeleton).map_err(|error| {
+        let cure = "leave the options of surfaces out, or split it first: coface convert --split-edges pairs --split-vertices";
+        error.with_cure(cure).in_file(name.clone())
+    })?;
     let lengths = lengths(verb, &producer, &map, &numbers)?;
     if (verb.shortest || verb.cycles.is_some()) && lengths.is_none() && !common.quiet {
         remark("there are no positions: each edge has the length 1");
