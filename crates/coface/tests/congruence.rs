@@ -2,17 +2,22 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
-use coface::CellId;
 use coface::algebra::{RaggedArray, Sign, SparseMatrix, UnionFind};
 use coface::arrangement::congruence::{
-    CellClasses, ChainCongruence, ClassRule, CongruenceMethod, Representative, chain_congruence,
-    vertex_congruence,
+    CellClasses, ChainCongruence, ClassRule, Collisions, CongruenceMethod, CongruenceOptions, Representative,
+    chain_congruence, vertex_congruence,
 };
 use coface::chains::ChainComplex;
 use coface::geometry::Positions;
 use coface::simplicial::{FrozenComplex, SimplicialComplex};
 use coface::surface::PolygonMesh;
+use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
+
+const LISTS: CongruenceOptions =
+    CongruenceOptions { method: CongruenceMethod::Lists, collisions: Collisions::Keep };
+const MATRICES: CongruenceOptions = CongruenceOptions { method: CongruenceMethod::Matrices, ..LISTS };
+const REFUSE: CongruenceOptions = CongruenceOptions { collisions: Collisions::Refuse, ..LISTS };
 
 /// The squares of all cubes of a k x k x k grid, every one with vertices of its own that are off by up to 1e-8.
 fn separate_squares(k: u32) -> (Positions, ChainComplex) {
@@ -50,8 +55,8 @@ fn quotient(positions: &Positions, complex: &ChainComplex, tolerance: f64) -> Ch
     let vertices =
         vertex_congruence(positions, tolerance, ClassRule::Transitive, Representative::Lowest).unwrap();
     let classes = CellClasses::unsigned(vertices.class_of().to_vec()).unwrap();
-    let found = chain_congruence(complex, classes.clone(), CongruenceMethod::Lists).unwrap();
-    assert_eq!(found, chain_congruence(complex, classes, CongruenceMethod::Matrices).unwrap());
+    let found = chain_congruence(complex, classes.clone(), None, LISTS).unwrap();
+    assert_eq!(found, chain_congruence(complex, classes, None, MATRICES).unwrap());
     found
 }
 
@@ -81,6 +86,10 @@ fn short_edges_and_small_faces_collapse() {
     assert_eq!(found.collapsed_counts(), [0, 4, 1]);
     assert_eq!(found.changed()[2], [0]);
     assert_eq!(found.classes()[2].class(CellId::new(1)), None);
+    let vertices = CellClasses::unsigned(vec![0, 1, 1, 2, 3, 3, 3]).unwrap();
+    let error = chain_congruence(&complex, vertices, None, REFUSE).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidInput);
+    assert!(error.message().starts_with("cell 2 of degree 1 collapses"), "{error}");
 }
 
 #[test]
@@ -156,8 +165,8 @@ proptest! {
             partition.unite((a % count) as u32, (b % count) as u32);
         }
         let classes = CellClasses::unsigned(partition.class_numbers()).unwrap();
-        let found = chain_congruence(&complex, classes.clone(), CongruenceMethod::Lists).unwrap();
-        prop_assert_eq!(&found, &chain_congruence(&complex, classes, CongruenceMethod::Matrices).unwrap());
+        let found = chain_congruence(&complex, classes.clone(), None, LISTS).unwrap();
+        prop_assert_eq!(&found, &chain_congruence(&complex, classes, None, MATRICES).unwrap());
         for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
             let [lower, own] = [degree - 1, degree].map(|k| found.classes()[k].matrix().unwrap());
             let quotient = found.complex().boundary_matrix(degree).unwrap();
@@ -165,7 +174,7 @@ proptest! {
         }
         // Once more nothing happens.
         let identity = CellClasses::unsigned((0..found.complex().cell_count(0) as u32).collect()).unwrap();
-        let again = chain_congruence(found.complex(), identity, CongruenceMethod::Lists).unwrap();
+        let again = chain_congruence(found.complex(), identity, None, LISTS).unwrap();
         prop_assert_eq!(again.complex(), found.complex());
     }
 }

@@ -1,8 +1,9 @@
 //! Congruence of whole chain complexes.
 
-use super::{CellClasses, CellCongruence, CongruenceMethod, cell_congruence};
-use crate::Error;
+use super::{CellClasses, CellCongruence, Collisions, CongruenceOptions, cell_congruence};
 use crate::chains::ChainComplex;
+use crate::geometry::Positions;
+use crate::{CellId, Error, ErrorKind};
 
 /// The quotient of a chain complex by the congruence of its vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,8 +40,12 @@ impl ChainCongruence {
 /// The map from cells to classes with their signs, collapsed cells going to zero, is a chain map; so the boundary of a
 /// boundary is zero in the quotient whatever the classes are.
 ///
+/// `positions` are those of the classes of vertices.
+///
 /// # Errors
-/// [`crate::ErrorKind::Shape`] unless each vertex has a class; those of [`cell_congruence`].
+/// [`ErrorKind::Shape`] unless each vertex has a class, and each class of vertices a position if there are positions;
+/// those of [`cell_congruence`]; with [`Collisions::Refuse`] [`ErrorKind::InvalidInput`] naming the first cell, of the
+/// lowest degree, that collapsed or whose boundary lost terms.
 ///
 /// # Complexity
 /// Near-linear in the entries of the boundary matrices.
@@ -50,31 +55,42 @@ impl ChainCongruence {
 /// triangles remain.
 /// ```
 /// use coface::algebra::RaggedArray;
-/// use coface::arrangement::congruence::{CellClasses, CongruenceMethod, chain_congruence};
+/// use coface::arrangement::congruence::{CellClasses, CongruenceOptions, chain_congruence};
 /// use coface::surface::PolygonMesh;
 /// # fn main() -> Result<(), coface::Error> {
 /// let triangles = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]), &[])?.chain_complex();
 /// let vertices = CellClasses::unsigned(vec![0, 1, 2, 1, 0, 3])?;
-/// let merged = chain_congruence(&triangles, vertices, CongruenceMethod::Lists)?;
+/// let merged = chain_congruence(&triangles, vertices, None, CongruenceOptions::default())?;
 /// assert_eq!(merged.complex().f_vector(), [4, 5, 2]);
 /// # Ok(()) }
 /// ```
 pub fn chain_congruence(
     complex: &ChainComplex,
     vertices: CellClasses,
-    method: CongruenceMethod,
+    positions: Option<&Positions>,
+    options: CongruenceOptions,
 ) -> Result<ChainCongruence, Error> {
     if vertices.cell_count() != complex.cell_count(0) {
         return Err(Error::new(
-            crate::ErrorKind::Shape,
+            ErrorKind::Shape,
             format!("{} classes of vertices for {} vertices", vertices.cell_count(), complex.cell_count(0)),
         ));
     }
     let vertex_count = vertices.class_count();
+    if let Some(positions) = positions.filter(|positions| positions.len() != vertex_count) {
+        return Err(Error::new(
+            ErrorKind::Shape,
+            format!("{} positions for {vertex_count} classes of vertices", positions.len()),
+        )
+        .with_cure("give the positions of the classes, not those of the vertices"));
+    }
     let (mut boundaries, mut classes, mut changed) = (Vec::new(), vec![vertices], vec![Vec::new()]);
-    for matrix in complex.boundary_matrices() {
+    for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
         let lower = classes.last().expect("there are the classes of the vertices");
-        let found: CellCongruence = cell_congruence(matrix, lower, method)?;
+        let found: CellCongruence = cell_congruence(matrix, lower, options.method)?;
+        if options.collisions == Collisions::Refuse {
+            refuse(degree, &found)?;
+        }
         changed.push(found.changed().to_vec());
         let (boundary, own) = found.into_parts();
         boundaries.push(boundary);
@@ -86,4 +102,17 @@ pub fn chain_congruence(
         ChainComplex::new(boundaries)?
     };
     Ok(ChainCongruence { complex, classes, changed })
+}
+
+/// An error for the first cell that lost its shape.
+fn refuse(degree: usize, found: &CellCongruence) -> Result<(), Error> {
+    let collapsed = (0..found.classes().cell_count())
+        .find(|&cell| found.classes().image(CellId::new(cell)).len() == 0)
+        .map(|cell| (cell, "collapses: what bounds it cancels"));
+    let changed = found.changed().first().map(|&cell| (cell as usize, "loses facets of its boundary"));
+    match [collapsed, changed].into_iter().flatten().min() {
+        None => Ok(()),
+        Some((cell, fault)) => Err(Error::invalid(format!("cell {cell} of degree {degree} {fault}"))
+            .with_cure("choose a smaller tolerance, or let such cells be kept as chains")),
+    }
 }

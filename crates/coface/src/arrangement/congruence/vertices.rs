@@ -4,6 +4,10 @@ use super::near_points::NearPoints;
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::geometry::Positions;
 use crate::{Error, VertexId};
+use rayon::prelude::*;
+
+/// Classes that one task represents.
+const BLOCK: usize = 1 << 12;
 
 /// Which vertices are congruent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -99,36 +103,113 @@ pub fn vertex_congruence(
         return Err(Error::invalid(format!("{tolerance} is no tolerance"))
             .with_cure("give a length that is not negative, in the unit of the positions"));
     }
-    let (class_of, class_count) = match rule {
+    let (class_of, class_count) = class_numbers(positions, tolerance, rule);
+    represented(positions, class_of, class_count, representative)
+}
+
+/// The classes of vertices, merged again as long as classes are within the tolerance of each other.
+///
+/// Once is enough for [`Representative::Lowest`]: members of different classes, or first members of greedy classes, are
+/// farther apart than the tolerance. Means and medians can be nearer. Here classes whose positions are congruent are united
+/// and get a position from all their vertices, until no two are within the tolerance; so doing it once more, with the
+/// positions of the classes, changes nothing. With [`ClassRule::Transitive`] neither the classes nor, up to rounding, means
+/// and medians depend on the order of the vertices. With [`ClassRule::Greedy`] united classes may be longer than the rule
+/// says.
+///
+/// # Errors
+/// As [`vertex_congruence`].
+///
+/// # Complexity
+/// That of [`vertex_congruence`] for each round; each but the last has fewer classes.
+///
+/// # Examples
+/// A pair, and a point that is near to neither of it, but to its mean:
+/// ```
+/// use coface::arrangement::congruence::{
+///     ClassRule, Representative, stable_vertex_congruence, vertex_congruence,
+/// };
+/// use coface::geometry::Positions;
+/// # fn main() -> Result<(), coface::Error> {
+/// let points = Positions::from_flat(2, vec![0., 0., 0., 1., 1.1, 0.5])?;
+/// let (rule, mean) = (ClassRule::Transitive, Representative::Mean);
+/// assert_eq!(vertex_congruence(&points, 1.15, rule, mean)?.class_count(), 2);
+/// assert_eq!(stable_vertex_congruence(&points, 1.15, rule, mean)?.class_count(), 1);
+/// # Ok(()) }
+/// ```
+pub fn stable_vertex_congruence(
+    positions: &Positions,
+    tolerance: f64,
+    rule: ClassRule,
+    representative: Representative,
+) -> Result<VertexCongruence, Error> {
+    let mut found = vertex_congruence(positions, tolerance, rule, representative)?;
+    if representative == Representative::Lowest {
+        return Ok(found);
+    }
+    loop {
+        let (united, count) = class_numbers(found.positions(), tolerance, rule);
+        if count == found.class_count() {
+            return Ok(found);
+        }
+        let class_of = found.class_of.iter().map(|&class| united[class as usize]).collect();
+        found = represented(positions, class_of, count, representative)?;
+    }
+}
+
+/// The class of each vertex and the number of classes.
+fn class_numbers(positions: &Positions, tolerance: f64, rule: ClassRule) -> (Vec<u32>, usize) {
+    match rule {
         ClassRule::Transitive => chained(positions, tolerance),
         ClassRule::Greedy => greedy(positions, tolerance),
-    };
-    let members = RaggedArray::grouped(class_count, class_of.iter().copied());
-    let mut flat = Vec::with_capacity(class_count * positions.dimension());
-    let mut largest_diameter: f64 = 0.0;
-    for class in members.iter() {
-        let points = || class.iter().map(|&vertex| positions.point(VertexId::from_u32(vertex)));
-        if class.len() > 1 {
-            largest_diameter = largest_diameter.max(diameter(&points().collect::<Vec<_>>()));
-        }
-        let first = points().next().expect("a class has members");
-        for (axis, &lowest) in first.iter().enumerate() {
-            flat.push(match representative {
-                Representative::Lowest => lowest,
-                // Differences first, so that equal points have themselves as their mean.
-                Representative::Mean => {
-                    lowest + points().map(|point| point[axis] - lowest).sum::<f64>() / class.len() as f64
-                }
-                Representative::Median => {
-                    let mut coordinates: Vec<f64> = points().map(|point| point[axis]).collect();
-                    coordinates.sort_unstable_by(f64::total_cmp);
-                    coordinates[(coordinates.len() - 1) / 2]
-                }
-            });
-        }
     }
+}
+
+/// Classes with their members, positions and diameters.
+fn represented(
+    positions: &Positions,
+    class_of: Vec<u32>,
+    class_count: usize,
+    representative: Representative,
+) -> Result<VertexCongruence, Error> {
+    let members = RaggedArray::grouped(class_count, class_of.iter().copied());
+    let blocks: Vec<(Vec<f64>, f64)> = (0..class_count.div_ceil(BLOCK))
+        .into_par_iter()
+        .map(|block| {
+            let (mut flat, mut largest): (Vec<f64>, f64) = (Vec::new(), 0.0);
+            for class in block * BLOCK..((block + 1) * BLOCK).min(class_count) {
+                let class = members.list(class);
+                represent(positions, class, representative, &mut flat);
+                if class.len() > 1 {
+                    largest = largest.max(diameter(positions, class));
+                }
+            }
+            (flat, largest)
+        })
+        .collect();
+    let largest_diameter = blocks.iter().map(|&(_, largest)| largest).fold(0.0, f64::max);
+    let flat = blocks.into_iter().flat_map(|(flat, _)| flat).collect();
     let positions = Positions::from_flat(positions.dimension(), flat)?;
     Ok(VertexCongruence { members, class_of, positions, largest_diameter })
+}
+
+/// Appends the position of a class.
+fn represent(positions: &Positions, class: &[u32], representative: Representative, flat: &mut Vec<f64>) {
+    let points = || class.iter().map(|&vertex| positions.point(VertexId::from_u32(vertex)));
+    let first = points().next().expect("a class has members");
+    for (axis, &lowest) in first.iter().enumerate() {
+        flat.push(match representative {
+            Representative::Lowest => lowest,
+            // Differences first, so that equal points have themselves as their mean.
+            Representative::Mean => {
+                lowest + points().map(|point| point[axis] - lowest).sum::<f64>() / class.len() as f64
+            }
+            Representative::Median => {
+                let mut coordinates: Vec<f64> = points().map(|point| point[axis]).collect();
+                coordinates.sort_unstable_by(f64::total_cmp);
+                coordinates[(coordinates.len() - 1) / 2]
+            }
+        });
+    }
 }
 
 fn chained(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
@@ -162,21 +243,24 @@ fn greedy(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
     (class_of, count as usize)
 }
 
-fn diameter(points: &[&[f64]]) -> f64 {
-    let distance = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt();
-    if points.len() <= 1000 {
+fn diameter(positions: &Positions, class: &[u32]) -> f64 {
+    let point = |vertex: u32| positions.point(VertexId::from_u32(vertex));
+    let square = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum::<f64>();
+    if class.len() <= 1000 {
         let mut largest: f64 = 0.0;
-        for (i, p) in points.iter().enumerate() {
-            for q in &points[..i] {
-                largest = largest.max(distance(p, q));
+        for (i, &p) in class.iter().enumerate() {
+            let p = point(p);
+            for &q in &class[..i] {
+                largest = largest.max(square(p, point(q)));
             }
         }
-        return largest;
+        return largest.sqrt();
     }
     let extreme = |pick: fn(f64, f64) -> f64, start: f64| -> Vec<f64> {
-        (0..points[0].len()).map(|axis| points.iter().map(|point| point[axis]).fold(start, pick)).collect()
+        let along = |axis: usize| class.iter().map(|&vertex| point(vertex)[axis]).fold(start, pick);
+        (0..positions.dimension()).map(along).collect()
     };
-    distance(&extreme(f64::max, f64::NEG_INFINITY), &extreme(f64::min, f64::INFINITY))
+    square(&extreme(f64::max, f64::NEG_INFINITY), &extreme(f64::min, f64::INFINITY)).sqrt()
 }
 
 #[cfg(test)]

@@ -1,0 +1,163 @@
+//! Classes of cells with signs.
+
+use crate::CellId;
+use crate::Error;
+use crate::algebra::{RaggedArray, Sign, SparseMatrix};
+
+/// No class.
+pub(super) const NONE: u32 = u32::MAX;
+/// More than one class: they are in the list of split cells.
+const SEVERAL: u32 = u32::MAX - 1;
+
+/// Classes of congruent cells of one degree, with signs.
+///
+/// The **image** of a cell is what it becomes: one class with a sign; no class when it collapsed; several when it was split
+/// into pieces.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CellClasses {
+    members: RaggedArray,
+    class_of: Vec<u32>,
+    signs: Vec<Sign>,
+    split: SplitCells,
+}
+
+/// Cells with several classes, rising, with the lists of these and their signs.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct SplitCells {
+    cells: Vec<u32>,
+    classes: RaggedArray,
+    signs: Vec<Sign>,
+}
+
+impl CellClasses {
+    /// The classes with these numbers, all signs plus: the class of each cell, counted from 0 without gaps in the order of
+    /// the lowest members.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] naming the first cell where the numbers are not in that order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::arrangement::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert_eq!(classes.members().list(0), [0, 2]);
+    /// assert!(CellClasses::unsigned(vec![1, 0]).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn unsigned(class_of: Vec<u32>) -> Result<Self, Error> {
+        let mut count = 0;
+        for (cell, &class) in class_of.iter().enumerate() {
+            if class > count {
+                return Err(Error::invalid(format!(
+                    "cell {cell} is in class {class}, but no cell before it in class {count}"
+                ))
+                .with_cure("number the classes by their lowest members"));
+            }
+            count += u32::from(class == count);
+        }
+        let signs = vec![Sign::Plus; class_of.len()];
+        let members = RaggedArray::grouped(count as usize, class_of.iter().copied());
+        Ok(Self { members, class_of, signs, split: SplitCells::default() })
+    }
+
+    /// The classes of cells that have one class or [`NONE`].
+    pub(super) fn single(class_count: usize, class_of: Vec<u32>, signs: Vec<Sign>) -> Self {
+        let members = if class_of.contains(&NONE) {
+            let with_classes: Vec<u32> =
+                (0..class_of.len() as u32).filter(|&cell| class_of[cell as usize] != NONE).collect();
+            let keys = with_classes.iter().map(|&cell| class_of[cell as usize]);
+            let mut members = RaggedArray::grouped(class_count, keys);
+            members.items_mut().iter_mut().for_each(|position| *position = with_classes[*position as usize]);
+            members
+        } else {
+            RaggedArray::grouped(class_count, class_of.iter().copied())
+        };
+        Self { members, class_of, signs, split: SplitCells::default() }
+    }
+
+    /// The number of classes.
+    pub fn class_count(&self) -> usize {
+        self.members.len()
+    }
+
+    /// The members of each class, rising: the cells that have it in their images; classes by their lowest members.
+    pub fn members(&self) -> &RaggedArray {
+        &self.members
+    }
+
+    /// The class of a cell and its sign against the lowest member; `None` for a cell that collapsed or has several classes.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn class(&self, cell: CellId) -> Option<(usize, Sign)> {
+        let class = self.class_of[cell.index()];
+        (class < SEVERAL).then(|| (class as usize, self.signs[cell.index()]))
+    }
+
+    /// The image of a cell: classes with signs against their lowest members. There is none for a collapsed cell; a class
+    /// that occurs twice counts twice.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::CellId;
+    /// use coface::algebra::Sign;
+    /// use coface::arrangement::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert!(classes.image(CellId::new(2)).eq([(0, Sign::Plus)]));
+    /// # Ok(()) }
+    /// ```
+    pub fn image(&self, cell: CellId) -> impl ExactSizeIterator<Item = (usize, Sign)> + Clone + '_ {
+        let (classes, signs) = self.image_lists(cell.index());
+        classes.iter().zip(signs).map(|(&class, &sign)| (class as usize, sign))
+    }
+
+    /// The image of a cell as two lists.
+    pub(super) fn image_lists(&self, cell: usize) -> (&[u32], &[Sign]) {
+        match self.class_of[cell] {
+            NONE => (&[], &[]),
+            SEVERAL => {
+                let place =
+                    self.split.cells.binary_search(&(cell as u32)).expect("the split cells are listed");
+                let range = self.split.classes.start(place)..self.split.classes.start(place + 1);
+                (&self.split.classes.items()[range.clone()], &self.split.signs[range])
+            }
+            _ => (&self.class_of[cell..=cell], &self.signs[cell..=cell]),
+        }
+    }
+
+    /// Class and sign of each cell, if no cell has several classes; [`NONE`] for a collapsed cell.
+    pub(super) fn as_single(&self) -> Option<(&[u32], &[Sign])> {
+        self.split.cells.is_empty().then_some((&self.class_of, &self.signs))
+    }
+
+    /// The number of cells without a class.
+    pub fn collapsed_count(&self) -> usize {
+        self.class_of.iter().filter(|&&class| class == NONE).count()
+    }
+
+    /// The number of cells.
+    pub fn cell_count(&self) -> usize {
+        self.class_of.len()
+    }
+
+    /// The cells with several classes, rising.
+    pub fn split_cells(&self) -> &[u32] {
+        &self.split.cells
+    }
+
+    /// The matrix that takes cells to classes: a row for each class, a column for each cell.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::TooLarge`] for counts beyond 32 bits.
+    pub fn matrix(&self) -> Result<SparseMatrix, Error> {
+        let entries = (0..self.cell_count()).flat_map(|cell| {
+            self.image(CellId::new(cell)).map(move |(class, sign)| (class, cell, i64::from(sign.to_i32())))
+        });
+        SparseMatrix::from_entries(self.class_count(), self.cell_count(), entries)
+    }
+}
