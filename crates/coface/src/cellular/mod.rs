@@ -9,6 +9,7 @@
 //! * [`VolumeVerdict`], [`VolumeOrientation`]: exact answers with the cells that prove a no.
 //! * [`BoundarySurface`]: the faces of exactly one cell.
 //! * [`cell_volumes`]: what cells with positions measure.
+//! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
 
 mod boundary;
 mod cell_mesh;
@@ -16,6 +17,7 @@ mod face_identification;
 mod manifold;
 mod measure;
 mod shape;
+mod shapes;
 mod two_skeleton;
 
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
@@ -23,3 +25,5 @@ pub use cell_mesh::CellMesh;
 pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};
 pub use shape::CellShape;
+pub(crate) use shapes::turn_cell;
+pub use shapes::{CellKind, PlacedCells};

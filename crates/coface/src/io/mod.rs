@@ -11,6 +11,7 @@ mod decimal;
 mod diagram;
 mod doors;
 mod format;
+mod generated;
 pub mod isosig;
 pub mod json;
 mod limits;
