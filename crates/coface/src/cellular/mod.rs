@@ -10,10 +10,12 @@
 //! * [`BoundarySurface`]: the faces of exactly one cell.
 //! * [`cell_volumes`]: what cells with positions measure.
 //! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
+//! * A [`CuboidGrid`] is a product of subdivided intervals; the numbers of its cells are computed, never stored.
 
 mod boundary;
 mod cell_mesh;
 mod face_identification;
+mod grids;
 mod manifold;
 mod measure;
 mod shape;
@@ -22,6 +24,7 @@ mod two_skeleton;
 
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
+pub use grids::{AxisSet, CuboidGrid, GridCell};
 pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};
 pub use shape::CellShape;
