@@ -120,6 +120,44 @@ impl RaggedArray {
         Self { items, starts: Starts::Listed(starts) }
     }
 
+    /// The lists in which each item below `item_count` stands: list x has the positions of the lists with x, rising, once for
+    /// each time it stands there.
+    ///
+    /// # Panics
+    /// If an item is not below `item_count`.
+    ///
+    /// # Complexity
+    /// Linear: a counting sort.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// let edges = RaggedArray::from_lists([[0, 2], [2, 1]]);
+    /// assert_eq!(edges.transposed(4), RaggedArray::from_lists([vec![0], vec![1], vec![0, 1], vec![]]));
+    /// ```
+    #[must_use]
+    pub fn transposed(&self, item_count: usize) -> Self {
+        let mut starts = vec![0u32; item_count + 1];
+        for &item in &self.items {
+            starts[item as usize] += 1;
+        }
+        let mut total = 0;
+        for start in &mut starts {
+            total += *start;
+            *start = total;
+        }
+        // From the end, so that each start comes down to its place and lists rise.
+        let mut lists = vec![0; self.items.len()];
+        for (position, list) in self.iter().enumerate().rev() {
+            for &item in list {
+                let next = &mut starts[item as usize];
+                *next -= 1;
+                lists[*next as usize] = position as u32;
+            }
+        }
+        Self { items: lists, starts: Starts::Listed(starts) }
+    }
+
     /// The number of lists.
     pub fn len(&self) -> usize {
         match &self.starts {
@@ -163,7 +201,7 @@ impl RaggedArray {
     }
 
     /// All lists in order.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + DoubleEndedIterator {
         (0..self.len()).map(|i| self.list(i))
     }
 

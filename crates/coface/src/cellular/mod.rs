@@ -11,11 +11,13 @@
 //! * [`cell_volumes`]: what cells with positions measure.
 //! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
 //! * A [`CuboidGrid`] is a product of subdivided intervals; the numbers of its cells are computed, never stored.
+//! * A [`LarModel`] is cells of any dimension as lists of vertices; an [`Operator`] relates the cells of two degrees.
 
 mod boundary;
 mod cell_mesh;
 mod face_identification;
 mod grids;
+mod lar;
 mod manifold;
 mod measure;
 mod shape;
@@ -25,6 +27,7 @@ mod two_skeleton;
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
 pub use grids::{AxisSet, CuboidGrid, GridCell};
+pub use lar::{LarModel, Operator, Shared};
 pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};
 pub use shape::CellShape;

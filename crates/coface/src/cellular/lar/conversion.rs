@@ -1,0 +1,121 @@
+//! Models of the meshes and complexes that have their cells identified already.
+
+use super::LarModel;
+use crate::Error;
+use crate::algebra::{RaggedArray, SparseMatrix};
+use crate::cellular::CellMesh;
+use crate::simplicial::FrozenComplex;
+use crate::surface::PolygonMesh;
+use crate::{CellId, FaceId};
+
+/// The cells of all degrees of a polygon mesh in the order of their ids, edges from the smaller to the larger end, with the
+/// edges of each face given.
+///
+/// # Examples
+/// ```
+/// use coface::algebra::RaggedArray;
+/// use coface::cellular::LarModel;
+/// use coface::surface::PolygonMesh;
+/// # fn main() -> Result<(), coface::Error> {
+/// let mesh = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2, 3]]), &[[3, 4]])?;
+/// let model = LarModel::try_from(&mesh)?;
+/// assert_eq!(model.f_vector(), [5, 5, 1]);
+/// // The edges are 01, 03, 12, 23 and 34.
+/// assert_eq!(model.facets(2)?.list(0), [0, 2, 3, 1]);
+/// # Ok(()) }
+/// ```
+impl TryFrom<&PolygonMesh> for LarModel {
+    type Error = Error;
+
+    fn try_from(mesh: &PolygonMesh) -> Result<Self, Error> {
+        let edges = RaggedArray::uniform(2, mesh.edge_ends().to_vec())?;
+        let model = Self::new(mesh.vertex_count(), vec![edges, mesh.polygons().clone()])?;
+        model.with_facets(2, face_edges(mesh)?)
+    }
+}
+
+/// The edges of each face, in the order of its sides.
+fn face_edges(mesh: &PolygonMesh) -> Result<RaggedArray, Error> {
+    let starts = (0..=mesh.face_count()).map(|face| mesh.polygons().start(face) as u32).collect();
+    RaggedArray::from_parts(starts, mesh.corner_edges().to_vec())
+}
+
+/// The cells of all degrees of a cell mesh in the order of their ids, with the edges of each face and the faces of each
+/// cell given.
+impl TryFrom<&CellMesh> for LarModel {
+    type Error = Error;
+
+    fn try_from(mesh: &CellMesh) -> Result<Self, Error> {
+        let skeleton = mesh.skeleton();
+        let edges = RaggedArray::uniform(2, skeleton.edge_ends().to_vec())?;
+        let cells = vec![edges, skeleton.polygons().clone(), mesh.cells().clone()];
+        let (mut starts, mut faces) = (vec![0], Vec::new());
+        for cell in 0..mesh.cell_count() {
+            faces.extend(mesh.faces_of_cell(CellId::new(cell)).map(|(face, _): (FaceId, _)| face.to_u32()));
+            starts.push(faces.len() as u32);
+        }
+        Self::new(mesh.vertex_count(), cells)?
+            .with_facets(2, face_edges(skeleton)?)?
+            .with_facets(3, RaggedArray::from_parts(starts, faces)?)
+    }
+}
+
+/// The simplices of all dimensions in the order of the complex, with their facets given. A vertex has the number of its
+/// 0-simplex, so gaps in the numbers of the complex are closed.
+impl TryFrom<&FrozenComplex> for LarModel {
+    type Error = Error;
+
+    fn try_from(complex: &FrozenComplex) -> Result<Self, Error> {
+        let names = complex.flat(0);
+        let has_gaps = names.last().is_some_and(|&last| last as usize >= names.len());
+        let mut cells = Vec::new();
+        for k in 1..=complex.dimension().unwrap_or(0) {
+            let mut numbers = complex.flat(k).to_vec();
+            if has_gaps {
+                for number in &mut numbers {
+                    let rank = names.binary_search(number).expect("vertices of simplices are 0-simplices");
+                    *number = rank as u32;
+                }
+            }
+            cells.push(RaggedArray::uniform(k + 1, numbers)?);
+        }
+        let mut model = Self::new(names.len(), cells)?;
+        for (k, matrix) in (1..).zip(complex.chain_complex()?.boundary_matrices()).skip(1) {
+            model = model.with_facets(k, columns(matrix)?)?;
+        }
+        Ok(model)
+    }
+}
+
+/// The rows with an entry, column by column.
+pub(super) fn columns(matrix: &SparseMatrix) -> Result<RaggedArray, Error> {
+    RaggedArray::from_parts(matrix.column_starts().to_vec(), matrix.rows().to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cellular::CellShape;
+
+    #[test]
+    fn a_hexahedron_is_a_model_with_its_facets() {
+        let cells = RaggedArray::from_lists([[0, 1, 2, 3, 4, 5, 6, 7]]);
+        let mesh =
+            CellMesh::new(9, vec![CellShape::Hexahedron], cells, &RaggedArray::new(), &[[7, 8]]).unwrap();
+        let model = LarModel::try_from(&mesh).unwrap();
+        assert_eq!(model.f_vector(), [9, 13, 6, 1]);
+        assert_eq!(model.given_facets(3).unwrap().item_count(), 6);
+        assert_eq!(model.given_facets(2).unwrap().item_count(), 24);
+    }
+
+    #[test]
+    fn gaps_between_the_numbers_of_simplices_are_closed() {
+        let complex = FrozenComplex::from_facets(&RaggedArray::from_lists([[7, 3, 100, 9, 4]])).unwrap();
+        let model = LarModel::try_from(&complex).unwrap();
+        assert_eq!(model.f_vector(), [5, 10, 10, 5, 1]);
+        assert_eq!(model.cells(4).list(0), [0, 1, 2, 3, 4]);
+        assert_eq!(model.given_facets(4).unwrap().list(0), [0, 1, 2, 3, 4]);
+        let nothing = LarModel::try_from(&FrozenComplex::default()).unwrap();
+        assert_eq!(nothing.dimension(), None);
+    }
+}
