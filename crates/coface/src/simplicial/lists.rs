@@ -137,7 +137,7 @@ fn renumber(items: &mut [u32], ends: &[u32], greatest: u32) -> Vec<u32> {
     names
 }
 
-fn in_list(error: &Error, position: usize) -> Error {
+pub(super) fn in_list(error: &Error, position: usize) -> Error {
     let cure = error.cure().unwrap_or_default().to_owned();
     Error::new(error.kind(), format!("list {position}: {}", error.message())).with_cure(cure)
 }

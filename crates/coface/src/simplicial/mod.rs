@@ -16,6 +16,9 @@
 //! * A [`FrozenComplex`] is a complex at rest, in sorted flat arrays; boundary and incidence matrices are made from it.
 //!   Its cells are in lexicographic order, as are those of every chain complex made here.
 //! * A [`DeltaComplex`] has simplices with ordered vertices, told by their faces: faces of one simplex may coincide.
+//! * [`SignedSimplices`] are oriented simplices: rising vertices and a sign. A [`FacetTable`] has the facets of a list of them,
+//!   a [`Prism`] is the product with an interval, an [`Extrusion`] sweeps them through layers; a [`SimplicialGrid`] is a point
+//!   that is swept along each axis.
 //! * A [`GluingTable`] has simplices with facets glued in pairs; its faces are the [`FaceClasses`].
 
 mod collapse;
@@ -25,6 +28,8 @@ mod construction;
 mod delta;
 mod delta_subdivision;
 mod delta_two_skeleton;
+mod extrusion;
+mod facets;
 mod frozen;
 mod gluing;
 mod gluing_faces;
@@ -39,7 +44,10 @@ mod manifold;
 mod map;
 mod neighborhood;
 mod orientation;
+mod prism;
+mod signed_simplices;
 mod simplex;
+mod simplicial_grid;
 mod subcomplex;
 mod tree;
 mod tree_bulk;
@@ -52,6 +60,8 @@ pub use complex::SimplicialComplex;
 pub use construction::{Composite, VertexPairs};
 pub use delta::DeltaComplex;
 pub use delta_subdivision::{Carrier, Subdivision};
+pub use extrusion::{Extrusion, extrude};
+pub use facets::{FacetTable, facets};
 pub use frozen::FrozenComplex;
 pub use gluing::{GluingRow, GluingTable};
 pub(crate) use gluing::{different_rows, no_permutation};
@@ -63,6 +73,9 @@ pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitn
 pub use map::SimplicialMap;
 pub use neighborhood::SimplexSet;
 pub use orientation::{OddFacetCycle, Orientability, Orientation, orientability, relative_orientation};
+pub use prism::{Prism, prism};
+pub use signed_simplices::SignedSimplices;
 pub use simplex::Simplex;
+pub use simplicial_grid::SimplicialGrid;
 pub use subcomplex::Purity;
 pub use verdict::Verdict;

@@ -17,6 +17,7 @@ mod axis_set;
 mod boundary;
 mod cuboid_grid;
 mod lists;
+mod placed;
 
 pub use axis_set::AxisSet;
 pub use cuboid_grid::{CuboidGrid, GridCell};
