@@ -8,7 +8,7 @@ mod measure;
 mod moments;
 mod positions;
 
-pub(crate) use measure::{Scaled, Sum};
+pub(crate) use measure::{Scaled, Sum, cross, determinant, dot};
 pub use measure::{enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_moment};
 pub use positions::Positions;

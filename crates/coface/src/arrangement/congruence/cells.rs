@@ -2,6 +2,7 @@
 
 use super::classes::NONE;
 use super::mapped::Mapped;
+use super::rewrap::Piece;
 use super::{CellClasses, CongruenceMethod};
 use crate::algebra::{Sign, SparseMatrix};
 use crate::{Error, ErrorKind};
@@ -15,7 +16,8 @@ pub struct CellCongruence {
 }
 
 impl CellCongruence {
-    /// The boundary matrix of the classes: column j is the boundary of the lowest member of class j, in classes.
+    /// The boundary matrix of the classes: column j is the boundary of the lowest member of class j, or of its piece, in
+    /// classes.
     pub fn boundary(&self) -> &SparseMatrix {
         &self.boundary
     }
@@ -26,7 +28,7 @@ impl CellCongruence {
     }
 
     /// The cells that have a class, but whose boundary lost terms: facets collapsed or came together. What such a cell looks
-    /// like has changed; it may be pinched. Rising.
+    /// like has changed; it may be pinched. With those that were split into pieces, or have a facet that was. Rising.
     pub fn changed(&self) -> &[u32] {
         &self.changed
     }
@@ -79,20 +81,23 @@ pub fn cell_congruence(
             ),
         ));
     }
-    let mapped = match method {
-        CongruenceMethod::Lists => Mapped::by_lists(boundary, lower)?,
-        CongruenceMethod::Matrices => Mapped::by_matrices(boundary, lower)?,
-    };
-    compared(&mapped, boundary, lower, method)
+    quotient(boundary, lower, method, |_| Vec::new())
 }
 
-/// Classes of cells whose boundaries are written in classes.
-fn compared(
-    mapped: &Mapped,
+/// The classes of cells, after some of them were split into pieces.
+pub(super) fn quotient(
     boundary: &SparseMatrix,
     lower: &CellClasses,
     method: CongruenceMethod,
+    pieces: impl FnOnce(&Mapped) -> Vec<(u32, Vec<Piece>)>,
 ) -> Result<CellCongruence, Error> {
+    let mut mapped = match method {
+        CongruenceMethod::Lists => Mapped::by_lists(boundary, lower)?,
+        CongruenceMethod::Matrices => Mapped::by_matrices(boundary, lower)?,
+    };
+    let split = pieces(&mapped);
+    let changed = changed_cells(boundary, lower, &mapped, &split);
+    mapped.split(&split)?;
     let lowest = match method {
         CongruenceMethod::Lists => mapped.lowest_by_lists(lower.class_count()),
         CongruenceMethod::Matrices => mapped.lowest_by_map(),
@@ -101,28 +106,47 @@ fn compared(
     let mut class_of = vec![NONE; lowest.len()];
     let mut signs = vec![Sign::Plus; lowest.len()];
     let (mut starts, mut rows, mut entries) = (vec![0u32], Vec::new(), Vec::new());
-    for (cell, &first) in lowest.iter().enumerate() {
-        let (own_rows, own_entries) = mapped.column(cell);
+    for (column, &first) in lowest.iter().enumerate() {
+        let (own_rows, own_entries) = mapped.column(column);
         // What has no boundary now had none before, or is collapsed.
-        if own_rows.is_empty() && !is_open(cell) {
+        if own_rows.is_empty() && !is_open(mapped.owner(column)) {
             continue;
         }
-        if first as usize == cell {
-            class_of[cell] = starts.len() as u32 - 1;
+        if first as usize == column {
+            class_of[column] = starts.len() as u32 - 1;
             rows.extend_from_slice(own_rows);
             entries.extend_from_slice(own_entries);
             starts.push(rows.len() as u32);
         } else {
-            class_of[cell] = class_of[first as usize];
-            signs[cell] = mapped.sign(cell).times(mapped.sign(first as usize));
+            class_of[column] = class_of[first as usize];
+            signs[column] = mapped.sign(column).times(mapped.sign(first as usize));
         }
     }
+    let class_count = starts.len() - 1;
+    let classes = match mapped.owners() {
+        [] => CellClasses::single(class_count, class_of, signs),
+        owners => CellClasses::of_columns(class_count, boundary.column_count(), owners, &class_of, &signs),
+    };
+    let boundary = SparseMatrix::from_trusted_parts(lower.class_count(), starts, rows, entries)?;
+    Ok(CellCongruence { boundary, classes, changed })
+}
+
+/// The cells that keep a boundary, but lost terms of it or came to be several.
+fn changed_cells(
+    boundary: &SparseMatrix,
+    lower: &CellClasses,
+    mapped: &Mapped,
+    split: &[(u32, Vec<Piece>)],
+) -> Vec<u32> {
+    let mut split = split.iter().map(|&(cell, _)| cell).peekable();
     let has_changed = |&cell: &u32| {
         let (left, whole) = (mapped.column(cell as usize).0, boundary.column(cell as usize).rows());
-        left.len() < whole.len() && !left.is_empty()
+        let is_split = split.next_if(|&split| split == cell).is_some();
+        let has_facets_of_several = || {
+            lower.as_single().is_none()
+                && whole.iter().any(|&facet| lower.image_lists(facet as usize).0.len() != 1)
+        };
+        !left.is_empty() && (is_split || left.len() < whole.len() || has_facets_of_several())
     };
-    let changed = (0..lowest.len() as u32).filter(has_changed).collect();
-    let class_count = starts.len() - 1;
-    let boundary = SparseMatrix::from_trusted_parts(lower.class_count(), starts, rows, entries)?;
-    Ok(CellCongruence { boundary, classes: CellClasses::single(class_count, class_of, signs), changed })
+    (0..boundary.column_count() as u32).filter(has_changed).collect()
 }

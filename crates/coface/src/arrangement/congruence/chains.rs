@@ -1,6 +1,10 @@
 //! Congruence of whole chain complexes.
 
-use super::{CellClasses, CellCongruence, Collisions, CongruenceOptions, cell_congruence};
+use super::cells::quotient;
+use super::discards::discard;
+use super::mapped::Mapped;
+use super::rewrap::Rewrapping;
+use super::{CellClasses, CellCongruence, Collisions, CongruenceOptions, Discard};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::{CellId, Error, ErrorKind};
@@ -11,6 +15,8 @@ pub struct ChainCongruence {
     complex: ChainComplex,
     classes: Vec<CellClasses>,
     changed: Vec<Vec<u32>>,
+    /// For each degree the cells whose classes had too few facets.
+    too_small: Vec<Vec<u32>>,
 }
 
 impl ChainCongruence {
@@ -24,12 +30,26 @@ impl ChainCongruence {
         &self.classes
     }
 
-    /// For each degree the cells whose boundary lost terms without vanishing; see [`CellCongruence::changed`].
+    /// For each degree the cells that keep a boundary but lost terms of it, were split, or have a facet that was; see
+    /// [`CellCongruence::changed`].
     pub fn changed(&self) -> &[Vec<u32>] {
         &self.changed
     }
 
-    /// For each degree the number of collapsed cells.
+    /// The cells of a degree without a class, rising, and why.
+    ///
+    /// # Panics
+    /// If the complex has no such degree.
+    pub fn discards(&self, degree: usize) -> impl Iterator<Item = (CellId, Discard)> + '_ {
+        let (classes, too_small) = (&self.classes[degree], &self.too_small[degree]);
+        let cells = (0..classes.cell_count()).map(CellId::new);
+        cells.filter(|&cell| classes.image(cell).len() == 0).map(|cell| {
+            let is_small = too_small.binary_search(&(cell.index() as u32)).is_ok();
+            (cell, if is_small { Discard::TooFewFacets } else { Discard::Collapsed })
+        })
+    }
+
+    /// For each degree the number of cells without a class, whatever the reason.
     pub fn collapsed_counts(&self) -> Vec<usize> {
         self.classes.iter().map(CellClasses::collapsed_count).collect()
     }
@@ -44,7 +64,7 @@ impl ChainCongruence {
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] unless each vertex has a class, and each class of vertices a position if there are positions;
-/// those of [`cell_congruence`]; with [`Collisions::Refuse`] [`ErrorKind::InvalidInput`] naming the first cell, of the
+/// those of [`super::cell_congruence`]; with [`Collisions::Refuse`] [`ErrorKind::InvalidInput`] naming the first cell, of the
 /// lowest degree, that collapsed or whose boundary lost terms.
 ///
 /// # Complexity
@@ -87,7 +107,14 @@ pub fn chain_congruence(
     let (mut boundaries, mut classes, mut changed) = (Vec::new(), vec![vertices], vec![Vec::new()]);
     for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
         let lower = classes.last().expect("there are the classes of the vertices");
-        let found: CellCongruence = cell_congruence(matrix, lower, options.method)?;
+        let pieces = |mapped: &Mapped| {
+            if options.collisions != Collisions::Rewrap || degree == 1 {
+                return Vec::new();
+            }
+            let before = &complex.boundary_matrices()[..degree];
+            Rewrapping { before, classes: &classes, boundaries: &boundaries, positions }.pieces(mapped)
+        };
+        let found = quotient(matrix, lower, options.method, pieces)?;
         if options.collisions == Collisions::Refuse {
             refuse(degree, &found)?;
         }
@@ -96,12 +123,16 @@ pub fn chain_congruence(
         boundaries.push(boundary);
         classes.push(own);
     }
+    let too_small = match options.collisions {
+        Collisions::Rewrap => discard(&mut boundaries, &mut classes, &changed)?,
+        _ => vec![Vec::new(); classes.len()],
+    };
     let complex = if boundaries.is_empty() {
         ChainComplex::of_points(vertex_count)
     } else {
         ChainComplex::new(boundaries)?
     };
-    Ok(ChainCongruence { complex, classes, changed })
+    Ok(ChainCongruence { complex, classes, changed, too_small })
 }
 
 /// An error for the first cell that lost its shape.

@@ -76,6 +76,54 @@ impl CellClasses {
         Self { members, class_of, signs, split: SplitCells::default() }
     }
 
+    /// The classes of cells that have one or more columns each, by the class of each column or [`NONE`].
+    pub(super) fn of_columns(
+        class_count: usize,
+        cell_count: usize,
+        owners: &[u32],
+        class_of_column: &[u32],
+        signs: &[Sign],
+    ) -> Self {
+        let mut found = Self {
+            members: RaggedArray::new(),
+            class_of: Vec::with_capacity(cell_count),
+            signs: Vec::with_capacity(cell_count),
+            split: SplitCells::default(),
+        };
+        let mut start = 0;
+        for columns in owners.chunk_by(|a, b| a == b) {
+            let range = start..start + columns.len();
+            start = range.end;
+            if let [class] = class_of_column[range.clone()] {
+                found.class_of.push(class);
+                found.signs.push(signs[range.start]);
+            } else {
+                found.split.cells.push(columns[0]);
+                found.split.classes.push(&class_of_column[range.clone()]);
+                found.split.signs.extend_from_slice(&signs[range]);
+                found.class_of.push(SEVERAL);
+                found.signs.push(Sign::Plus);
+            }
+        }
+        found.members = grouped_members(class_count, &found);
+        found
+    }
+
+    /// The same with new numbers for the classes, rising, or [`NONE`] for classes that are no more.
+    pub(super) fn renumbered(&self, numbers: &[u32]) -> Self {
+        let number = |&class: &u32| numbers.get(class as usize).copied().unwrap_or(class);
+        let mut split = self.split.clone();
+        split.classes.items_mut().iter_mut().for_each(|class| *class = number(class));
+        Self {
+            members: RaggedArray::from_lists(
+                self.members.iter().zip(numbers).filter(|&(_, &number)| number != NONE).map(|(list, _)| list),
+            ),
+            class_of: self.class_of.iter().map(number).collect(),
+            signs: self.signs.clone(),
+            split,
+        }
+    }
+
     /// The number of classes.
     pub fn class_count(&self) -> usize {
         self.members.len()
@@ -160,4 +208,17 @@ impl CellClasses {
         });
         SparseMatrix::from_entries(self.class_count(), self.cell_count(), entries)
     }
+}
+
+/// The members of each class: each cell once, however often it has the class.
+fn grouped_members(class_count: usize, classes: &CellClasses) -> RaggedArray {
+    let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(classes.cell_count());
+    for cell in 0..classes.cell_count() {
+        pairs.extend(classes.image_lists(cell).0.iter().map(|&class| (class, cell as u32)));
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    let mut members = RaggedArray::grouped(class_count, pairs.iter().map(|&(class, _)| class));
+    members.items_mut().iter_mut().for_each(|position| *position = pairs[*position as usize].1);
+    members
 }

@@ -2,6 +2,7 @@
 
 use super::CellClasses;
 use super::classes::NONE;
+use super::rewrap::Piece;
 use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
@@ -10,11 +11,14 @@ use std::collections::BTreeMap;
 /// Columns that one task writes.
 const BLOCK: usize = 1 << 13;
 
-/// Boundaries written in classes: a column for each cell. Rows of a column rise, no entry is zero.
+/// Boundaries written in classes: a column for each cell, or one for each piece of a cell. Rows of a column rise, no entry
+/// is zero.
 pub(super) struct Mapped {
     starts: Vec<u32>,
     rows: Vec<u32>,
     entries: Vec<i32>,
+    /// The cell of each column, rising; empty if no cell has several.
+    owners: Vec<u32>,
 }
 
 /// Consecutive columns: their lengths, rows and entries.
@@ -23,6 +27,48 @@ type Block = (Vec<u32>, Vec<u32>, Vec<i32>);
 impl Mapped {
     pub(super) fn column_count(&self) -> usize {
         self.starts.len() - 1
+    }
+
+    /// The cell that a column is of.
+    pub(super) fn owner(&self, column: usize) -> usize {
+        self.owners.get(column).map_or(column, |&owner| owner as usize)
+    }
+
+    /// The cell of each column; empty if each cell has one.
+    pub(super) fn owners(&self) -> &[u32] {
+        &self.owners
+    }
+
+    /// Gives cells, rising, columns for their pieces instead of their own.
+    pub(super) fn split(&mut self, cells: &[(u32, Vec<Piece>)]) -> Result<(), Error> {
+        if cells.is_empty() {
+            return Ok(());
+        }
+        let mut split = Self { starts: vec![0], rows: Vec::new(), entries: Vec::new(), owners: Vec::new() };
+        let mut cells = cells.iter().peekable();
+        for cell in 0..self.column_count() {
+            let end = |split: &mut Self| {
+                split.starts.push(split.rows.len() as u32);
+                split.owners.push(cell as u32);
+            };
+            if let Some((_, pieces)) = cells.next_if(|(split, _)| *split as usize == cell) {
+                for piece in pieces {
+                    split.rows.extend(piece.iter().map(|&(row, _)| row));
+                    split.entries.extend(piece.iter().map(|&(_, entry)| entry));
+                    end(&mut split);
+                }
+            } else {
+                let (rows, entries) = self.column(cell);
+                split.rows.extend_from_slice(rows);
+                split.entries.extend_from_slice(entries);
+                end(&mut split);
+            }
+            if u32::try_from(split.rows.len()).is_err() {
+                return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 entries in a quotient"));
+            }
+        }
+        *self = split;
+        Ok(())
     }
 
     pub(super) fn column(&self, cell: usize) -> (&[u32], &[i32]) {
@@ -53,7 +99,7 @@ impl Mapped {
             rows.extend_from_slice(&block_rows);
             entries.extend_from_slice(&block_entries);
         }
-        Ok(Self { starts, rows, entries })
+        Ok(Self { starts, rows, entries, owners: Vec::new() })
     }
 
     /// The product of the matrix of the classes below and the boundary matrix.
@@ -66,6 +112,7 @@ impl Mapped {
             starts: matrix.column_starts().to_vec(),
             rows: matrix.rows().to_vec(),
             entries: matrix.entries().to_vec(),
+            owners: Vec::new(),
         }
     }
 
