@@ -12,6 +12,23 @@ pub enum CongruenceMethod {
 }
 
 /// What becomes of cells that lose their shape: those that collapse, and those whose boundary loses terms.
+///
+/// # Examples
+/// A hexagon with two opposite vertices at one place: one pinched face, or two triangles.
+/// ```
+/// use coface::arrangement::congruence::{CellClasses, Collisions, CongruenceOptions, chain_congruence};
+/// use coface::algebra::RaggedArray;
+/// use coface::surface::PolygonMesh;
+/// # fn main() -> Result<(), coface::Error> {
+/// let hexagon = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]), &[])?.chain_complex();
+/// let quotient = |collisions| {
+///     let vertices = CellClasses::unsigned(vec![0, 1, 2, 0, 3, 4])?;
+///     chain_congruence(&hexagon, vertices, None, CongruenceOptions { collisions, ..Default::default() })
+/// };
+/// assert_eq!(quotient(Collisions::Keep)?.complex().f_vector(), [5, 6, 1]);
+/// assert_eq!(quotient(Collisions::Rewrap)?.complex().f_vector(), [5, 6, 2]);
+/// # Ok(()) }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Collisions {

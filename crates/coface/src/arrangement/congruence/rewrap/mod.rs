@@ -233,12 +233,22 @@ fn wedges(of_facets: &SparseMatrix, copies: &[(u32, Sign)], frame: &Frame) -> Ve
     in_order(pieces.collect())
 }
 
-/// Whether a part lies within another one: a point of a facet that is not of both.
+/// Whether a part lies within another one: the middle of that facet, of those that are not of both, whose middle is the
+/// lowest by coordinates.
 fn is_within(hole: &[u32], whole: &[u32], copies: &[(u32, Sign)], frame: &Frame) -> bool {
-    let is_shared = |facet: u32| whole.iter().any(|&copy| copies[copy as usize].0 == facet);
-    let facet = hole.iter().map(|&copy| copies[copy as usize].0).find(|&facet| !is_shared(facet));
-    let whole = whole.iter().map(|&copy| copies[copy as usize]);
-    facet.is_some_and(|facet| frame.contains(whole, facet))
+    let facet = |copy: &u32| copies[*copy as usize].0;
+    let mut of_whole: Vec<u32> = whole.iter().map(facet).collect();
+    of_whole.sort_unstable();
+    let middles = hole
+        .iter()
+        .map(facet)
+        .filter(|facet| of_whole.binary_search(facet).is_err())
+        .map(|facet| frame.middle(facet));
+    let lowest = middles.min_by(|p, q| {
+        let [first, second, third] = [0, 1, 2].map(|axis| p[axis].total_cmp(&q[axis]));
+        first.then(second).then(third)
+    });
+    lowest.is_some_and(|point| frame.contains(whole.iter().map(|&copy| copies[copy as usize]), point))
 }
 
 impl Frame {
@@ -267,11 +277,19 @@ impl Frame {
         measure * f64::from(sign.to_i32())
     }
 
-    /// Whether the middle of a facet is within a closed boundary.
-    fn contains(&self, boundary: impl Iterator<Item = (u32, Sign)>, facet: u32) -> bool {
+    /// The middle of a facet; in the plane with a third coordinate of zero.
+    fn middle(&self, facet: u32) -> [f64; 3] {
         match self {
-            Self::Plane(plane) => plane.contains(boundary, facet),
-            Self::Space(space) => space.contains(boundary, facet),
+            Self::Plane(plane) => plane.middle(facet),
+            Self::Space(space) => space.middle(facet),
+        }
+    }
+
+    /// Whether a point is within a closed boundary.
+    fn contains(&self, boundary: impl Iterator<Item = (u32, Sign)>, point: [f64; 3]) -> bool {
+        match self {
+            Self::Plane(plane) => plane.contains(boundary, point),
+            Self::Space(space) => space.contains(boundary, point),
         }
     }
 }

@@ -75,10 +75,14 @@ impl Plane {
         cross(tail, head)
     }
 
-    /// Whether the midpoint of an edge is within a closed boundary, by counting the edges above it.
-    pub(super) fn contains(&self, boundary: impl Iterator<Item = (u32, Sign)>, edge: u32) -> bool {
+    /// The midpoint of an edge.
+    pub(super) fn middle(&self, edge: u32) -> [f64; 3] {
         let (tail, head) = self.points[self.index(edge)];
-        let [x, y] = [0, 1].map(|axis| (tail[axis] + head[axis]) / 2.0);
+        [(tail[0] + head[0]) / 2.0, (tail[1] + head[1]) / 2.0, 0.0]
+    }
+
+    /// Whether a point is within a closed boundary, by counting the edges above it.
+    pub(super) fn contains(&self, boundary: impl Iterator<Item = (u32, Sign)>, [x, y, _]: [f64; 3]) -> bool {
         let mut winding = 0;
         for (edge, sign) in boundary {
             let (tail, head) = self.points[self.index(edge)];

@@ -101,9 +101,13 @@ impl Space {
         self.face(face).volume * f64::from(self.orientation.to_i32())
     }
 
-    /// Whether the middle of a face is within a closed boundary: by the sum of the solid angles.
-    pub(super) fn contains(&self, boundary: impl Iterator<Item = (u32, Sign)>, face: u32) -> bool {
-        let eye = self.face(face).mean;
+    /// The mean of the vertices of a face.
+    pub(super) fn middle(&self, face: u32) -> [f64; 3] {
+        self.face(face).mean
+    }
+
+    /// Whether a point is within a closed boundary: by the sum of the solid angles.
+    pub(super) fn contains(&self, boundary: impl Iterator<Item = (u32, Sign)>, eye: [f64; 3]) -> bool {
         let mut sum = 0.0;
         for (face, sign) in boundary {
             let face = self.face(face);
