@@ -38,6 +38,10 @@ impl Rational {
         Ok(Self(RBig::from_parts_signed(numerator.into_big(), denominator.into_big())))
     }
 
+    pub(crate) fn from_big(value: RBig) -> Self {
+        Self(value)
+    }
+
     /// The numerator in lowest terms; it has the sign.
     pub fn numerator(&self) -> Integer {
         Integer::from_big(self.0.numerator().clone())

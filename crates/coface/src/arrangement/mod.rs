@@ -1,4 +1,4 @@
-//! Complexes brought together: congruence of cells.
+//! Complexes brought together: congruence of cells, and what segments cut the plane into ([`planar`]).
 //!
 //! # Words and conventions
 //! * Vertices are **congruent** when they are within a tolerance of each other, or joined by a chain of such vertices. A
@@ -8,3 +8,4 @@
 //! * The **quotient** complex has the classes as cells. A cell whose boundary vanishes in it is **collapsed**: it has no class.
 
 pub mod congruence;
+pub mod planar;

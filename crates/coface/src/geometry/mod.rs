@@ -2,11 +2,12 @@
 //!
 //! [`Positions`] holds the points of one model, in the unit of its file, in any dimension;
 //! [`polygon_area`] and [`enclosed_volume`] measure polygons on them, [`surface_moment`] and [`enclosed_moment`] integrate
-//! monomials, and [`MassProperties`] are what a solid of density 1 has.
+//! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points.
 
 mod measure;
 mod moments;
 mod positions;
+pub mod predicates;
 
 pub(crate) use measure::{Scaled, Sum, cross, determinant, dot};
 pub use measure::{enclosed_volume, polygon_area};

@@ -1,0 +1,141 @@
+//! Halfedges in order around their vertices, and the orbits that they make around faces.
+
+use crate::algebra::{RaggedArray, UnionFind};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// No face, no orbit, no edge.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// How edges go around vertices and faces. Halfedge 2e goes along edge e from its lower to its upper end, 2e + 1 back.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Orbits {
+    /// The halfedges that leave each vertex, counterclockwise from straight down (exclusive).
+    pub(super) rotation: RaggedArray,
+    /// The halfedge after each around the face on its left.
+    pub(super) next: Vec<u32>,
+    /// The halfedges around each face side, each list from its lowest; by rising first halfedges.
+    pub(super) orbits: RaggedArray,
+    pub(super) orbit_of: Vec<u32>,
+    /// The connected component of each vertex, by rising lowest vertices.
+    pub(super) component_of: Vec<u32>,
+    /// The lowest vertex of each component.
+    pub(super) lowest_vertices: Vec<u32>,
+    /// The orbit of each component that sees the outside; none for a vertex on its own.
+    pub(super) outer_orbits: Vec<u32>,
+}
+
+impl Orbits {
+    /// The orbits of edges whose ends and whole order are lexicographic; `turn` says how the direction of one edge turns into
+    /// that of another, both from lower to upper end.
+    pub(super) fn new(
+        vertex_count: usize,
+        ends: &[[u32; 2]],
+        turn: impl Fn(u32, u32) -> Ordering + Sync,
+    ) -> Self {
+        let tails = ends.iter().flat_map(|&ends| ends);
+        // Lists of rising halfedges: those to upper ends and those to lower ones mixed.
+        let mut rotation = RaggedArray::grouped(vertex_count, tails);
+        let starts: Vec<usize> = (0..=vertex_count).map(|v| rotation.start(v)).collect();
+        // Upper ends lie in the half plane to the right and straight up, lower ones opposite: the halves do not mix.
+        let order = |a: &u32, b: &u32| {
+            (a % 2).cmp(&(b % 2)).then_with(|| if a == b { Ordering::Equal } else { turn(b / 2, a / 2) })
+        };
+        let mut lists: Vec<&mut [u32]> = Vec::with_capacity(vertex_count);
+        let mut rest = rotation.items_mut();
+        for list in starts.windows(2) {
+            let (list, after) = rest.split_at_mut(list[1] - list[0]);
+            lists.push(list);
+            rest = after;
+        }
+        lists.into_par_iter().with_min_len(256).for_each(|list| list.sort_unstable_by(order));
+        let mut next = vec![0; 2 * ends.len()];
+        for leaving in rotation.iter() {
+            // Arriving opposite to a halfedge, a face on the left goes on clockwise.
+            for (i, &halfedge) in leaving.iter().enumerate() {
+                let after = leaving[(i + leaving.len() - 1) % leaving.len()];
+                next[(halfedge ^ 1) as usize] = after;
+            }
+        }
+        let mut orbit_of = vec![NONE; next.len()];
+        let (mut starts, mut items) = (vec![0], Vec::with_capacity(next.len()));
+        for first in 0..next.len() as u32 {
+            if orbit_of[first as usize] != NONE {
+                continue;
+            }
+            let orbit = starts.len() as u32 - 1;
+            let mut at = first;
+            while orbit_of[at as usize] == NONE {
+                orbit_of[at as usize] = orbit;
+                items.push(at);
+                at = next[at as usize];
+            }
+            starts.push(items.len() as u32);
+        }
+        let orbits = RaggedArray::from_parts(starts, items).expect("each halfedge is in one orbit");
+        let mut components = UnionFind::new(vertex_count);
+        for &[a, b] in ends {
+            components.unite(a, b);
+        }
+        let component_of = components.class_numbers();
+        let mut lowest_vertices = Vec::with_capacity(components.class_count());
+        for (vertex, &component) in component_of.iter().enumerate() {
+            if component as usize == lowest_vertices.len() {
+                lowest_vertices.push(vertex as u32);
+            }
+        }
+        // All edges of the lowest vertex go right or straight up: left of the last one is the outside.
+        let outer_orbits = lowest_vertices
+            .iter()
+            .map(|&vertex| rotation.list(vertex as usize).last().map_or(NONE, |&h| orbit_of[h as usize]))
+            .collect();
+        Self { rotation, next, orbits, orbit_of, component_of, lowest_vertices, outer_orbits }
+    }
+}
+
+/// Which orbits bound which face.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Faces {
+    /// The face on the side of each orbit; none for the unbounded one.
+    pub(super) of_orbit: Vec<u32>,
+    /// The orbits around each face: the outer one first, then those around its holes.
+    pub(super) orbits: RaggedArray,
+    /// The orbits that bound the unbounded face.
+    pub(super) unbounded_orbits: Vec<u32>,
+    /// The face around each component; none for the unbounded one.
+    pub(super) around_component: Vec<u32>,
+}
+
+impl Faces {
+    /// The faces, given the halfedge directly below each component that has one, with the face on its left.
+    pub(super) fn new(orbits: &Orbits, below: &[Option<u32>]) -> Self {
+        let mut is_outer = vec![false; orbits.orbits.len()];
+        for &orbit in orbits.outer_orbits.iter().filter(|&&orbit| orbit != NONE) {
+            is_outer[orbit as usize] = true;
+        }
+        let mut of_orbit = vec![NONE; is_outer.len()];
+        let mut first_orbits = Vec::new();
+        for (orbit, _) in is_outer.iter().enumerate().filter(|(_, is_outer)| !**is_outer) {
+            of_orbit[orbit] = first_orbits.len() as u32;
+            first_orbits.push(orbit as u32);
+        }
+        let mut around_component = Vec::with_capacity(below.len());
+        for (&outer, &below) in orbits.outer_orbits.iter().zip(below) {
+            // What is below starts further left, so its component comes before this one.
+            let face = below.map_or(NONE, |halfedge| of_orbit[orbits.orbit_of[halfedge as usize] as usize]);
+            around_component.push(face);
+            if outer != NONE {
+                of_orbit[outer as usize] = face;
+            }
+        }
+        let holes = || orbits.outer_orbits.iter().copied().filter(|&orbit| orbit != NONE);
+        let owners = (0..first_orbits.len() as u32)
+            .zip(first_orbits.iter().copied())
+            .chain(holes().map(|orbit| (of_orbit[orbit as usize], orbit)).filter(|&(face, _)| face != NONE));
+        let (keys, members): (Vec<u32>, Vec<u32>) = owners.unzip();
+        let mut grouped = RaggedArray::grouped(first_orbits.len(), keys.iter().copied());
+        grouped.items_mut().iter_mut().for_each(|item| *item = members[*item as usize]);
+        let unbounded_orbits = holes().filter(|&orbit| of_orbit[orbit as usize] == NONE).collect();
+        Self { of_orbit, orbits: grouped, unbounded_orbits, around_component }
+    }
+}
