@@ -21,7 +21,7 @@ mod lar;
 mod manifold;
 mod measure;
 mod shape;
-mod shapes;
+pub mod shapes;
 mod two_skeleton;
 
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};

@@ -2,13 +2,18 @@
 //!
 //! [`Positions`] holds the points of one model, in the unit of its file, in any dimension;
 //! [`polygon_area`] and [`enclosed_volume`] measure polygons on them, [`surface_moment`] and [`enclosed_moment`] integrate
-//! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points.
+//! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points. An
+//! [`AffineMap`] moves points; an [`Angle`] is exact at quarter turns.
 
+mod affine;
+mod angle;
 mod measure;
 mod moments;
 mod positions;
 pub mod predicates;
 
+pub use affine::AffineMap;
+pub use angle::Angle;
 pub(crate) use measure::{Scaled, Sum, cross, determinant, dot};
 pub use measure::{enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_moment};

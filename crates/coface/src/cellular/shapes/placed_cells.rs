@@ -2,7 +2,7 @@
 
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
-use crate::{Error, ErrorKind};
+use crate::{Error, ErrorKind, VertexId};
 
 /// What the cells of one list are, and how they list their vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -178,6 +178,66 @@ impl PlacedCells {
             ));
         }
         Ok(Self { positions, ..self })
+    }
+
+    /// The cells on the vertices that they use, in their order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::cellular::{CellKind, PlacedCells};
+    /// use coface::geometry::Positions;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let line = Positions::from_flat(1, vec![0., 5., 7.])?;
+    /// let segment = PlacedCells::new(line, CellKind::Simplex, 1, RaggedArray::from_lists([[2, 0]]))?;
+    /// let compacted = segment.compacted();
+    /// assert_eq!((compacted.positions().as_flat(), compacted.cells().list(0)), (&[0.0, 7.0][..], &[1, 0][..]));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn compacted(&self) -> Self {
+        let mut number = vec![u32::MAX; self.vertex_count()];
+        self.cells.items().iter().for_each(|&vertex| number[vertex as usize] = 0);
+        let (mut next, mut coordinates) = (0, Vec::new());
+        for (vertex, number) in number.iter_mut().enumerate().filter(|(_, number)| **number == 0) {
+            *number = next;
+            next += 1;
+            coordinates.extend_from_slice(self.positions.point(VertexId::new(vertex)));
+        }
+        let mut cells = self.cells.clone();
+        cells.items_mut().iter_mut().for_each(|vertex| *vertex = number[*vertex as usize]);
+        let positions = Positions::from_flat(self.positions.dimension(), coordinates)
+            .expect("some of the positions are positions");
+        Self { positions, cells, ..*self }
+    }
+
+    /// The same cells in a space of more dimensions: zeros are appended to the coordinates.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] if the space has fewer dimensions than now.
+    ///
+    /// # Examples
+    /// ```
+    /// let circle = coface::cellular::shapes::circle(1.0, 4)?.embedded(3)?;
+    /// assert_eq!(circle.positions().as_flat()[..6], [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    /// # Ok::<(), coface::Error>(())
+    /// ```
+    pub fn embedded(self, space: usize) -> Result<Self, Error> {
+        let old = self.positions.dimension();
+        if space < old {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("positions of dimension {old} do not fit into a space of dimension {space}"),
+            ));
+        }
+        if old == 0 {
+            return Ok(self);
+        }
+        let padded = |point: &[f64]| -> Vec<f64> {
+            point.iter().copied().chain(std::iter::repeat_n(0.0, space - old)).collect()
+        };
+        let coordinates = self.positions.as_flat().chunks(old).flat_map(padded).collect();
+        Ok(Self { positions: Positions::from_flat(space, coordinates)?, ..self })
     }
 
     /// The positions and the cells, given away.
