@@ -354,6 +354,36 @@ fn measures_converge_at_second_order() {
     }
 }
 
+/// No edge meets a triangle but at its ends, exactly: the coordinates are small integers in general position.
+#[test]
+fn the_polyhedron_of_csaszar_does_not_cross_itself() {
+    let torus = shapes::csaszar_torus().unwrap();
+    let report = Report::of(Model::from_placed_cells(torus.clone()).unwrap()).unwrap();
+    assert_eq!((report.name(), report.is_coherently_oriented()), (Some("torus"), Some(true)));
+    assert!(report.signed_volume().unwrap() > 0.0);
+    let corners: Vec<[i64; 3]> =
+        torus.positions().as_flat().chunks(3).map(|p| [0, 1, 2].map(|k| p[k] as i64)).collect();
+    let volume = |[a, b, c, d]: [u32; 4]| -> i64 {
+        let [u, v, w] = [b, c, d].map(|p| [0, 1, 2].map(|k| corners[p as usize][k] - corners[a as usize][k]));
+        u[0] * (v[1] * w[2] - v[2] * w[1])
+            + u[1] * (v[2] * w[0] - v[0] * w[2])
+            + u[2] * (v[0] * w[1] - v[1] * w[0])
+    };
+    let edges = torus.skeleton(1).unwrap();
+    assert_eq!(edges.cell_count(), 21);
+    for triangle in torus.cells().iter() {
+        let &[a, b, c] = triangle else { panic!("no triangle") };
+        for edge in edges.cells().iter().filter(|edge| edge.iter().all(|v| !triangle.contains(v))) {
+            let &[p, q] = edge else { panic!("no edge") };
+            let sides = [volume([a, b, c, p]), volume([a, b, c, q])].map(i64::signum);
+            let around = [[p, q, a, b], [p, q, b, c], [p, q, c, a]].map(|list| volume(list).signum());
+            assert!(!sides.contains(&0) && !around.contains(&0), "general position");
+            let crosses = sides[0] != sides[1] && around[0] == around[1] && around[1] == around[2];
+            assert!(!crosses, "{edge:?} crosses {triangle:?}");
+        }
+    }
+}
+
 #[test]
 fn impossible_shapes_say_what_is_possible() {
     let fault = |result: Result<PlacedCells, Error>| result.unwrap_err().to_string();

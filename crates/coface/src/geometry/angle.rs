@@ -73,7 +73,7 @@ impl Angle {
     /// So many quarter turns, and this part of one more, between -1/2 and 1/2.
     fn of_quadrant(quadrant: i64, part: f64) -> Self {
         let (sine, cosine) = match part.abs() {
-            x if x == 0.5 => (FRAC_1_SQRT_2.copysign(part), FRAC_1_SQRT_2),
+            0.5 => (FRAC_1_SQRT_2.copysign(part), FRAC_1_SQRT_2),
             x if x == 1.0 / 3.0 => (0.5f64.copysign(part), 0.75f64.sqrt()),
             _ => (part * FRAC_PI_2).sin_cos(),
         };

@@ -6,6 +6,9 @@ use crate::algebra::{RaggedArray, Sign};
 use crate::geometry::Positions;
 use crate::{Error, VertexId};
 
+/// Appends the coordinates of the copy of a point in a layer.
+pub(super) type PlaceInLayer<'a> = &'a dyn Fn(&[f64], u32, &mut Vec<f64>);
+
 /// The product of cells with so many steps up: layer k has the copies $v + k n$ of the n vertices, where `place` puts them. The
 /// orientation is that of the cells followed by the direction up.
 ///
@@ -15,7 +18,7 @@ pub(super) fn layered(
     base: &PlacedCells,
     layers: u32,
     space: usize,
-    place: &dyn Fn(&[f64], u32, &mut Vec<f64>),
+    place: PlaceInLayer,
 ) -> Result<PlacedCells, Error> {
     let (kind, dimension) = (base.kind(), base.dimension());
     let count = base.vertex_count() as u32;

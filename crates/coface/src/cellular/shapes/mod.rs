@@ -14,8 +14,9 @@
 //!
 //! | curves | surfaces | solids |
 //! |---|---|---|
-//! | [`circle`], [`helix`] | [`disk`], [`ring`], [`helicoid`], [`cylinder`], [`cone`], [`sphere`], [`torus`], [`crown`], [`moebius`], [`klein_bottle`], [`klein_bottle_in_4d`] | [`cuboid`], [`ball`], [`rod`], [`solid_torus`], [`hollow_cylinder`], [`hollow_ball`], [`plate_with_holes`] |
+//! | [`circle`], [`helix`] | [`disk`], [`ring`], [`helicoid`], [`cylinder`], [`cone`], [`sphere`], [`torus`], [`crown`], [`moebius`], [`klein_bottle`], [`klein_bottle_in_4d`], [`csaszar_torus`] | [`cuboid`], [`ball`], [`rod`], [`solid_torus`], [`hollow_cylinder`], [`hollow_ball`], [`plate_with_holes`] |
 
+mod csaszar;
 mod curves;
 mod faces;
 mod lattice;
@@ -25,6 +26,7 @@ mod solids;
 mod spheres;
 mod surfaces;
 
+pub use csaszar::csaszar_torus;
 pub use curves::{circle, helix};
 pub(crate) use faces::turn_cell;
 pub use placed_cells::{CellKind, PlacedCells};

@@ -156,11 +156,11 @@ fn icosahedron() -> ([[f64; 3]; 12], Vec<[usize; 3]>) {
     // Edges have length 2, all other distances are over 3.
     let is_edge = |a: usize, b: usize| minus(a, b).iter().map(|x| x * x).sum::<f64>() < 5.0;
     let mut faces = Vec::new();
-    for a in 0..12 {
+    for (a, w) in corners.iter().enumerate() {
         for b in a + 1..12 {
             for c in b + 1..12 {
                 if is_edge(a, b) && is_edge(b, c) && is_edge(a, c) {
-                    let (u, v, w) = (minus(b, a), minus(c, a), corners[a]);
+                    let (u, v) = (minus(b, a), minus(c, a));
                     let outward = (u[1] * v[2] - u[2] * v[1]) * w[0]
                         + (u[2] * v[0] - u[0] * v[2]) * w[1]
                         + (u[0] * v[1] - u[1] * v[0]) * w[2];
