@@ -75,6 +75,7 @@ pub(crate) enum Verb {
     Boundary(commands::boundary::Boundary),
     Interior(commands::interior::Interior),
     Skeleton(commands::skeleton::Skeleton),
+    Incidence(commands::incidence::Incidence),
     Convert(commands::convert::Convert),
     Completions(commands::completions::Completions),
     Man(commands::man::Man),

@@ -8,6 +8,7 @@ pub(crate) mod convert;
 pub(crate) mod cover;
 pub(crate) mod cut;
 pub(crate) mod homology;
+pub(crate) mod incidence;
 pub(crate) mod info;
 pub(crate) mod interior;
 pub(crate) mod link;
@@ -37,6 +38,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Boundary(verb) => verb.run(common),
         Verb::Interior(verb) => verb.run(common),
         Verb::Skeleton(verb) => verb.run(common),
+        Verb::Incidence(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(common),

@@ -12,6 +12,7 @@
 //! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
 //! * A [`CuboidGrid`] is a product of subdivided intervals; the numbers of its cells are computed, never stored.
 //! * A [`LarModel`] is cells of any dimension as lists of vertices; an [`Operator`] relates the cells of two degrees.
+//! * [`OrientedCells`] have signs of their facets that make each boundary a cycle: [`oriented_boundary`] finds them.
 
 mod boundary;
 mod cell_mesh;
@@ -20,6 +21,8 @@ mod grids;
 mod lar;
 mod manifold;
 mod measure;
+mod orientation;
+mod parts;
 mod shape;
 pub mod shapes;
 mod two_skeleton;
@@ -27,9 +30,10 @@ mod two_skeleton;
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
 pub use grids::{AxisSet, CuboidGrid, GridCell};
-pub use lar::{LarModel, Operator, Shared};
+pub use lar::{LarModel, Operator, Shared, TopOrientation};
 pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};
+pub use orientation::{CellCoherence, OddCellChain, OrientedCells, oriented_boundary, signed_measures};
 pub use shape::CellShape;
 pub(crate) use shapes::turn_cell;
 pub use shapes::{CellKind, PlacedCells};

@@ -16,6 +16,7 @@ pub mod isosig;
 pub mod json;
 mod limits;
 mod lists;
+pub mod matrix_market;
 pub mod medit;
 #[cfg(test)]
 mod mesh_tests;

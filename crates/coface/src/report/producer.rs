@@ -3,7 +3,7 @@
 use super::Labels;
 use crate::Error;
 use crate::algebra::RaggedArray;
-use crate::cellular::CellMesh;
+use crate::cellular::{CellMesh, LarModel};
 use crate::chains::{ChainComplex, TwoSkeleton};
 use crate::geometry::Positions;
 use crate::io::{Model, Structure};
@@ -135,6 +135,23 @@ impl Producer {
                 .with_cure("give the complex as facets, polygons, cells or halfedges"));
             }
         })
+    }
+
+    /// The cells of all degrees as lists of vertices, numbered as in [`Self::chain_complex`], with their facets.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] for halfedges, gluings and bare chain complexes, whose cells are not told by their
+    /// vertices; [`crate::ErrorKind::TooLarge`] beyond 32 bits.
+    pub fn lar_model(&self) -> Result<LarModel, Error> {
+        match &self.cells {
+            Cells::Polygons(mesh) => LarModel::try_from(mesh),
+            Cells::Solids(mesh) => LarModel::try_from(&**mesh),
+            Cells::Simplices(complex) => LarModel::try_from(complex),
+            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => Err(Error::invalid(
+                "the cells of halfedges, gluings and boundary matrices are not sets of vertices",
+            )
+            .with_cure("give the complex as facets, polygons or cells")),
+        }
     }
 
     /// The vertices of a cell, by their numbers in the file, in an order that has the orientation of the cell: an edge

@@ -18,8 +18,10 @@
 //! # References
 //! A. DiCarlo, A. Paoluzzi, V. Shapiro, *Linear algebraic representation for topological structures* (2014).
 
+mod chain_complex;
 mod conversion;
 mod facets;
+mod incidence;
 mod model;
 mod operator;
 mod overlaps;
@@ -27,6 +29,7 @@ mod overlaps;
 pub(crate) mod samples;
 mod shared_vertices;
 
+pub use chain_complex::TopOrientation;
 pub use model::LarModel;
 pub use operator::Operator;
 pub use shared_vertices::Shared;

@@ -5,10 +5,11 @@
 //! begin at a base that moves on with each row, so that nothing is cleared between rows.
 
 use crate::algebra::RaggedArray;
+use crate::cellular::parts::in_parts;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::sync::{Mutex, PoisonError};
+use std::ops::Range;
 
 /// Lists of items as rows, and the columns that have each item.
 pub(super) struct Overlaps<'a> {
@@ -93,29 +94,9 @@ impl Counter {
 }
 
 impl Overlaps<'_> {
-    /// Gives ranges of rows with a counter of their own to `work`, in parallel; the results in the order of the ranges.
-    ///
-    /// The ranges may depend on the number of threads: what is made of them must not.
-    pub(super) fn in_parts<T: Send>(
-        &self,
-        work: impl Fn(&mut Counter, std::ops::Range<usize>) -> T + Sync,
-    ) -> Vec<T> {
-        const LEAST: usize = 1 << 12;
-        let row_count = self.rows.len();
-        let part_count = (row_count / LEAST).clamp(1, 4 * rayon::current_num_threads());
-        // A counter is as long as there are columns: as many as threads, not as parts.
-        let idle: Mutex<Vec<Counter>> = Mutex::new(Vec::new());
-        (0..part_count)
-            .into_par_iter()
-            .map(|part| {
-                let taken = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
-                let mut counter = taken.unwrap_or_else(|| Counter::new(self.column_count));
-                let bound = |part: usize| (row_count as u128 * part as u128 / part_count as u128) as usize;
-                let result = work(&mut counter, bound(part)..bound(part + 1));
-                idle.lock().unwrap_or_else(PoisonError::into_inner).push(counter);
-                result
-            })
-            .collect()
+    /// Gives ranges of rows with a counter to `work`, in parallel; the results in the order of the ranges.
+    pub(super) fn in_parts<T: Send>(&self, work: impl Fn(&mut Counter, Range<usize>) -> T + Sync) -> Vec<T> {
+        in_parts(self.rows.len(), || Counter::new(self.column_count), work)
     }
 }
 
