@@ -104,9 +104,11 @@ fn signed_operators_compose_to_zero() {
     let (edges, faces, boundary) = (matrix("EV"), matrix("FE"), matrix("EF"));
     for (face, row) in faces.iter().enumerate() {
         assert_eq!(row.iter().map(|x| x.abs()).sum::<i64>(), 4);
-        for v in 0..8 {
-            assert_eq!((0..12).map(|e| row[e] * edges[e][v]).sum::<i64>(), 0);
+        let mut sums = [0; 8];
+        for (entry, edge) in row.iter().zip(&edges) {
+            sums.iter_mut().zip(edge).for_each(|(sum, end)| *sum += entry * end);
         }
+        assert_eq!(sums, [0; 8]);
         assert!((0..12).all(|edge| boundary[edge][face] == row[edge]));
     }
     assert_eq!(reading(&["--operator", "EV", "--signed"], CUBE)["histogram"], json!({"-1": 12, "1": 12}));
