@@ -29,7 +29,7 @@ mod two_skeleton;
 
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
-pub use grids::{AxisSet, CuboidGrid, GridCell};
+pub use grids::{AxisSet, CuboidGrid, GridCell, ProductCells, product};
 pub use lar::{LarModel, Operator, Shared, TopOrientation};
 pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};

@@ -31,6 +31,7 @@ pub use complex::ChainComplex;
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
 pub use product::ProductComplex;
+pub(crate) use product::ProductNumbers;
 pub use reduction::Reduction;
 pub use two_skeleton::TwoSkeleton;
 

@@ -45,14 +45,14 @@ impl CuboidGrid {
         for block in self.blocks(dimension) {
             let count: usize = self.sizes(block.extent).map(|size| size as usize).product();
             let (own, after) = std::mem::take(&mut rest).split_at_mut(count * width);
-            self.fill_block(*block, width, own);
+            self.fill_block(*block, &self.vertex_offsets(block.extent), own);
             rest = after;
         }
         RaggedArray::uniform(width, items)
     }
 
-    /// Writes the vertices of the cells of a block.
-    fn fill_block(&self, block: Block, width: usize, items: &mut [u32]) {
+    /// Writes for each cell of a block its corner plus each of these offsets.
+    pub(super) fn fill_block(&self, block: Block, offsets: &[u32], items: &mut [u32]) {
         let Some(last) = self.axis_count().checked_sub(1) else {
             // The one point of a grid without axes is vertex 0.
             return;
@@ -60,7 +60,7 @@ impl CuboidGrid {
         let axes = self.axes();
         let sizes: Vec<u32> = self.sizes(block.extent).collect();
         let strides = self.strides(super::AxisSet::default());
-        let offsets = self.vertex_offsets(block.extent);
+        let width = offsets.len();
         let row_length = sizes[last] as usize * width;
         let rows = rows_per_piece(row_length);
         let lower = axes[last].lower_points().filter(|_| block.extent.contains(last));
@@ -75,7 +75,7 @@ impl CuboidGrid {
                     .sum();
                 for (c, cell) in row.chunks_exact_mut(width).enumerate() {
                     let corner = base + lower.map_or(c as u32, |lower| lower[c]);
-                    for (vertex, offset) in cell.iter_mut().zip(&offsets) {
+                    for (vertex, offset) in cell.iter_mut().zip(offsets) {
                         *vertex = corner + offset;
                     }
                 }

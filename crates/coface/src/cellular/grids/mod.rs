@@ -16,11 +16,14 @@ mod axis;
 mod axis_set;
 mod boundary;
 mod cuboid_grid;
+mod kuhn;
 mod lists;
 mod placed;
+mod product;
 
 pub use axis_set::AxisSet;
 pub use cuboid_grid::{CuboidGrid, GridCell};
+pub use product::{ProductCells, product};
 
 #[cfg(test)]
 mod tests;
