@@ -19,7 +19,8 @@ pub(crate) fn run() -> ExitCode {
     );
     let mut docs = cargo(&["doc", "--quiet", "--workspace", "--no-deps"]);
     check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
-    tests(&mut tally);
+    tests(&mut tally, "tests", cargo(&["test", "--workspace", "--no-fail-fast"]));
+    graphblas(&mut tally);
     guide(&mut tally);
     readme(&mut tally);
     skips(&mut tally);
@@ -57,9 +58,8 @@ fn guide(tally: &mut Tally) {
 }
 
 /// Unit tests, property tests, tests of the floors and of the command line, doc tests; all are run even when some fail.
-fn tests(tally: &mut Tally) {
-    let mut command = cargo(&["test", "--workspace", "--no-fail-fast"]);
-    println!("== tests: {}", words(&command));
+fn tests(tally: &mut Tally, name: &str, mut command: Command) {
+    println!("== {name}: {}", words(&command));
     let begin = Instant::now();
     let mut counts = Tally::default();
     let mut is_done = false;
@@ -83,10 +83,57 @@ fn tests(tally: &mut Tally) {
     if counts.failed == 0 && (!is_done || counts.passed == 0) {
         counts.failed = 1;
     }
-    println!("== tests: {} in {:.0} s", counts.to_line(), begin.elapsed().as_secs_f64());
+    println!("== {name}: {} in {:.0} s", counts.to_line(), begin.elapsed().as_secs_f64());
     tally.passed += counts.passed;
     tally.failed += counts.failed;
     tally.skipped += counts.skipped;
+}
+
+/// Congruence by the C library GraphBLAS: lints, which do not need it, and tests, for which it is installed where that is
+/// possible.
+fn graphblas(tally: &mut Tally) {
+    let of_library = ["--package", "coface", "--features", "graphblas"];
+    let of_tests = ["--test", "congruence", "--test", "congruence_rewrap"];
+    let of_crate = ["--package", "coface-graphblas", "--features", "installed"];
+    let lints = |words: &[&str]| cargo(&[&["clippy", "--quiet"], words, &["--", "-D", "warnings"]].concat());
+    check(tally, "lints of graphblas", &mut lints(&[&of_library[..], &["--lib"], &of_tests].concat()));
+    check(tally, "lints of its crate", &mut lints(&[&of_crate[..], &["--all-targets"]].concat()));
+    if !has_graphblas() {
+        install_graphblas();
+    }
+    if !has_graphblas() {
+        println!(
+            "== skipped: tests of graphblas (the package libgraphblas-dev is not installed, and cannot be)"
+        );
+        tally.skipped += 1;
+        return;
+    }
+    tests(tally, "graphblas", cargo(&[&["test"], &of_library[..], &of_tests].concat()));
+    tests(tally, "its crate", cargo(&[&["test"], &of_crate[..]].concat()));
+}
+
+/// Whether the linker finds the library: the compiler prints a path for a file that it knows, and the bare name else.
+fn has_graphblas() -> bool {
+    let output = Command::new("cc").arg("-print-file-name=libgraphblas.so").output();
+    output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains('/'))
+}
+
+/// Installs the library on a system with apt, as root; else nothing happens.
+fn install_graphblas() {
+    let user = Command::new("id").arg("-u").output();
+    if !user.is_ok_and(|output| output.stdout.trim_ascii() == b"0") {
+        return;
+    }
+    let apt = |words: &[&str]| {
+        let mut command = Command::new("apt-get");
+        command.args(words).env("DEBIAN_FRONTEND", "noninteractive").stdin(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    let install = ["install", "-y", "-q", "--no-install-recommends", "libgraphblas-dev"];
+    println!("== graphblas: apt-get {}", install.join(" "));
+    if !apt(&install) && apt(&["update", "-q"]) {
+        apt(&install);
+    }
 }
 
 /// Runs the commands that the README promises, as they stand there.

@@ -17,7 +17,12 @@ use std::collections::BTreeMap;
 
 const LISTS: CongruenceOptions =
     CongruenceOptions { method: CongruenceMethod::Lists, collisions: Collisions::Keep };
-const MATRICES: CongruenceOptions = CongruenceOptions { method: CongruenceMethod::Matrices, ..LISTS };
+/// The other methods, which agree.
+const OTHERS: &[CongruenceMethod] = &[
+    CongruenceMethod::Matrices,
+    #[cfg(feature = "graphblas")]
+    CongruenceMethod::GraphBlas,
+];
 const REWRAP: CongruenceOptions = CongruenceOptions { collisions: Collisions::Rewrap, ..LISTS };
 const REFUSE: CongruenceOptions = CongruenceOptions { collisions: Collisions::Refuse, ..LISTS };
 
@@ -58,7 +63,10 @@ fn quotient(positions: &Positions, complex: &ChainComplex, tolerance: f64) -> Ch
         vertex_congruence(positions, tolerance, ClassRule::Transitive, Representative::Lowest).unwrap();
     let classes = CellClasses::unsigned(vertices.class_of().to_vec()).unwrap();
     let found = chain_congruence(complex, classes.clone(), None, LISTS).unwrap();
-    assert_eq!(found, chain_congruence(complex, classes, None, MATRICES).unwrap());
+    for &method in OTHERS {
+        let options = CongruenceOptions { method, ..LISTS };
+        assert_eq!(found, chain_congruence(complex, classes.clone(), None, options).unwrap());
+    }
     found
 }
 
@@ -168,7 +176,10 @@ proptest! {
         }
         let classes = CellClasses::unsigned(partition.class_numbers()).unwrap();
         let found = chain_congruence(&complex, classes.clone(), None, LISTS).unwrap();
-        prop_assert_eq!(&found, &chain_congruence(&complex, classes, None, MATRICES).unwrap());
+        for &method in OTHERS {
+            let options = CongruenceOptions { method, ..LISTS };
+            prop_assert_eq!(&found, &chain_congruence(&complex, classes.clone(), None, options).unwrap());
+        }
         for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
             let [lower, own] = [degree - 1, degree].map(|k| found.classes()[k].matrix().unwrap());
             let quotient = found.complex().boundary_matrix(degree).unwrap();
@@ -310,7 +321,9 @@ proptest! {
     fn soups_agree_with_the_definition(soup in soups()) {
         let expected = quotient_by_definition(&soup);
         let found = soup.quotient(LISTS).unwrap();
-        prop_assert_eq!(&found, &soup.quotient(MATRICES).unwrap());
+        for &method in OTHERS {
+            prop_assert_eq!(&found, &soup.quotient(CongruenceOptions { method, ..LISTS }).unwrap());
+        }
         prop_assert_eq!(&fates(&found), &expected);
         // Refused is what loses its shape, and the first of it is named.
         let lost = (1..3).find_map(|degree| {

@@ -17,12 +17,22 @@ use std::collections::{BTreeMap, BTreeSet};
 const REWRAP: CongruenceOptions =
     CongruenceOptions { method: CongruenceMethod::Lists, collisions: Collisions::Rewrap };
 
+/// The other methods, which agree.
+const OTHERS: &[CongruenceMethod] = &[
+    CongruenceMethod::Matrices,
+    #[cfg(feature = "graphblas")]
+    CongruenceMethod::GraphBlas,
+];
+
 /// The quotient with its cells wrapped again, after checks of what holds for all.
 fn rewrapped(complex: &ChainComplex, vertices: &[u32], positions: Option<&Positions>) -> ChainCongruence {
     let classes = CellClasses::unsigned(vertices.to_vec()).unwrap();
     let found = chain_congruence(complex, classes.clone(), positions, REWRAP).unwrap();
-    let by_matrices = CongruenceOptions { method: CongruenceMethod::Matrices, ..REWRAP };
-    assert_eq!(found, chain_congruence(complex, classes, positions, by_matrices).unwrap());
+    for &method in OTHERS {
+        let again =
+            chain_congruence(complex, classes.clone(), positions, CongruenceOptions { method, ..REWRAP });
+        assert_eq!(found, again.unwrap());
+    }
     for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
         let [lower, own] = [degree - 1, degree].map(|k| found.classes()[k].matrix().unwrap());
         let of_images = found.complex().boundary_matrix(degree).unwrap().checked_product(&own).unwrap();

@@ -6,6 +6,8 @@
 //! * Cells are congruent when their boundaries, written in classes, are the same up to sign. Each cell has a **sign** against
 //!   the lowest member of its class.
 //! * The **quotient** complex has the classes as cells. A cell whose boundary vanishes in it is **collapsed**: it has no class.
+//! * A cell that came to touch itself can be **wrapped again**: split into **pieces**, the cells that its boundary encloses. Its
+//!   **image** is their sum.
 
 pub mod congruence;
 pub mod planar;

@@ -94,6 +94,8 @@ pub(super) fn quotient(
     let mut mapped = match method {
         CongruenceMethod::Lists => Mapped::by_lists(boundary, lower)?,
         CongruenceMethod::Matrices => Mapped::by_matrices(boundary, lower)?,
+        #[cfg(feature = "graphblas")]
+        CongruenceMethod::GraphBlas => Mapped::by_graphblas(boundary, lower)?,
     };
     let split = pieces(&mapped);
     let changed = changed_cells(boundary, lower, &mapped, &split);
@@ -101,33 +103,38 @@ pub(super) fn quotient(
     let lowest = match method {
         CongruenceMethod::Lists => mapped.lowest_by_lists(lower.class_count()),
         CongruenceMethod::Matrices => mapped.lowest_by_map(),
+        #[cfg(feature = "graphblas")]
+        CongruenceMethod::GraphBlas => mapped.lowest_by_map(),
     };
     let is_open = |cell: usize| boundary.column(cell).rows().is_empty();
     let mut class_of = vec![NONE; lowest.len()];
     let mut signs = vec![Sign::Plus; lowest.len()];
-    let (mut starts, mut rows, mut entries) = (vec![0u32], Vec::new(), Vec::new());
+    // The first column of each class.
+    let mut firsts: Vec<u32> = Vec::new();
     for (column, &first) in lowest.iter().enumerate() {
-        let (own_rows, own_entries) = mapped.column(column);
         // What has no boundary now had none before, or is collapsed.
-        if own_rows.is_empty() && !is_open(mapped.owner(column)) {
+        if mapped.column(column).0.is_empty() && !is_open(mapped.owner(column)) {
             continue;
         }
         if first as usize == column {
-            class_of[column] = starts.len() as u32 - 1;
-            rows.extend_from_slice(own_rows);
-            entries.extend_from_slice(own_entries);
-            starts.push(rows.len() as u32);
+            class_of[column] = firsts.len() as u32;
+            firsts.push(first);
         } else {
             class_of[column] = class_of[first as usize];
             signs[column] = mapped.sign(column).times(mapped.sign(first as usize));
         }
     }
-    let class_count = starts.len() - 1;
     let classes = match mapped.owners() {
-        [] => CellClasses::single(class_count, class_of, signs),
-        owners => CellClasses::of_columns(class_count, boundary.column_count(), owners, &class_of, &signs),
+        [] => CellClasses::single(firsts.len(), class_of, signs),
+        owners => CellClasses::of_columns(firsts.len(), boundary.column_count(), owners, &class_of, &signs),
     };
-    let boundary = SparseMatrix::from_trusted_parts(lower.class_count(), starts, rows, entries)?;
+    let boundary = match method {
+        #[cfg(feature = "graphblas")]
+        CongruenceMethod::GraphBlas => {
+            super::graphblas::selected(&mapped.to_matrix(lower.class_count())?, &firsts)?
+        }
+        _ => mapped.selected(lower.class_count(), &firsts)?,
+    };
     Ok(CellCongruence { boundary, classes, changed })
 }
 

@@ -107,6 +107,18 @@ impl Mapped {
         Ok(Self::of_matrix(&lower.matrix()?.checked_product(boundary)?))
     }
 
+    /// The same product by GraphBLAS.
+    #[cfg(feature = "graphblas")]
+    pub(super) fn by_graphblas(boundary: &SparseMatrix, lower: &CellClasses) -> Result<Self, Error> {
+        Ok(Self::of_matrix(&super::graphblas::product(&lower.matrix()?, boundary)?))
+    }
+
+    /// As a matrix with `row_count` rows.
+    #[cfg(feature = "graphblas")]
+    pub(super) fn to_matrix(&self, row_count: usize) -> Result<SparseMatrix, Error> {
+        SparseMatrix::from_parts(row_count, self.starts.clone(), self.rows.clone(), self.entries.clone())
+    }
+
     fn of_matrix(matrix: &SparseMatrix) -> Self {
         Self {
             starts: matrix.column_starts().to_vec(),
@@ -114,6 +126,25 @@ impl Mapped {
             entries: matrix.entries().to_vec(),
             owners: Vec::new(),
         }
+    }
+
+    /// The matrix of some of the columns.
+    pub(super) fn selected(&self, row_count: usize, columns: &[u32]) -> Result<SparseMatrix, Error> {
+        let mut starts = Vec::with_capacity(columns.len() + 1);
+        let mut total = 0;
+        starts.push(total);
+        starts.extend(columns.iter().map(|&column| {
+            total += self.column(column as usize).0.len() as u32;
+            total
+        }));
+        let (mut rows, mut entries) =
+            (Vec::with_capacity(total as usize), Vec::with_capacity(total as usize));
+        for &column in columns {
+            let (own_rows, own_entries) = self.column(column as usize);
+            rows.extend_from_slice(own_rows);
+            entries.extend_from_slice(own_entries);
+        }
+        SparseMatrix::from_trusted_parts(row_count, starts, rows, entries)
     }
 
     /// Minus if the first coefficient of a cell is negative.
