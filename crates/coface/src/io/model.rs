@@ -216,6 +216,32 @@ impl Model {
         Self { structure: Some(structure), ..Self::default() }
     }
 
+    /// A chain complex whose cells of degree 0 are at these positions.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] unless there are as many positions as cells of degree 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::chains::ChainComplex;
+    /// use coface::geometry::Positions;
+    /// use coface::io::Model;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let ends = Positions::from_flat(1, vec![0.0, 1.0])?;
+    /// assert_eq!(Model::from_chains(ChainComplex::of_points(2), ends.clone())?.vertex_count(), 2);
+    /// assert!(Model::from_chains(ChainComplex::of_points(3), ends).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn from_chains(complex: ChainComplex, positions: Positions) -> Result<Self, Error> {
+        let (points, vertices) = (positions.len(), complex.cell_count(0));
+        if points != vertices {
+            return Err(Error::invalid(format!("there are {points} points for {vertices} vertices"))
+                .with_cure("give each cell of degree 0 one point"));
+        }
+        let structure = Some(Structure::Chains(complex));
+        Ok(Self { vertex_count: points, positions, structure, ..Self::default() })
+    }
+
     /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
     /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), that there are as
     /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice.

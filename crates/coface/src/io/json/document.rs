@@ -1,8 +1,10 @@
 //! The outermost object or list.
 
+use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
 use super::facets::{Facet, FacetList, HalfedgeList};
 use super::gluings::GluingList;
 use super::matrices::MatrixList;
+use super::points::{PointList, Points};
 use crate::Error;
 use crate::algebra::{RaggedArray, SparseMatrix};
 use crate::simplicial::GluingTable;
@@ -35,7 +37,15 @@ pub(super) enum Content {
         next: Vec<u32>,
         twin: Option<Vec<u32>>,
     },
-    Boundaries(Vec<SparseMatrix>),
+    Boundaries {
+        matrices: Vec<SparseMatrix>,
+        points: Option<PointList>,
+    },
+    /// Coboundary matrices with the degrees of their keys, in the order of the file.
+    Coboundaries {
+        matrices: Vec<(u32, Coboundary)>,
+        points: Option<PointList>,
+    },
     Gluings(GluingTable),
     /// None of these; some of the keys that stand there instead.
     Unknown(Vec<String>),
@@ -141,7 +151,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     faults: &Faults,
 ) -> Result<(Option<String>, Content), A::Error> {
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
-    let (mut gluings, mut others) = (None, Vec::new());
+    let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -150,7 +160,15 @@ fn visit_object<'de, A: MapAccess<'de>>(
             "twin" => twin = Some(map.next_value_seed(HalfedgeList { name: "twin", faults })?),
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
             "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
+            "vertices" => {
+                points = Some(map.next_value_seed(Points)?);
+                others.push(key);
+            }
             _ => {
+                if let Some(degree) = degree_of_key(&key) {
+                    coboundaries.push((degree, map.next_value_seed(CoboundaryOf { degree, faults })?));
+                    continue;
+                }
                 map.next_value::<IgnoredAny>()?;
                 if others.len() < 8 {
                     others.push(key);
@@ -158,16 +176,17 @@ fn visit_object<'de, A: MapAccess<'de>>(
             }
         }
     }
-    let content = match (facets, next, boundaries, gluings) {
-        (Some(facets), None, None, None) => Content::Facets(facets),
-        (None, Some(next), None, None) => Content::Halfedges { next, twin },
-        (None, None, Some(boundaries), None) => Content::Boundaries(boundaries),
-        (None, None, None, Some(table)) => Content::Gluings(table),
-        (None, None, None, None) => Content::Unknown(others),
+    let content = match (facets, next, boundaries, gluings, coboundaries.is_empty()) {
+        (Some(facets), None, None, None, true) => Content::Facets(facets),
+        (None, Some(next), None, None, true) => Content::Halfedges { next, twin },
+        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points },
+        (None, None, None, Some(table), true) => Content::Gluings(table),
+        (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
+        (None, None, None, None, true) => Content::Unknown(others),
         _ => {
             return Err(faults.raise(
                 Error::parse(
-                    "one object has more than one of \"facets\", \"next\", \"boundaries\" and \"gluings\"",
+                    "one object has more than one of \"facets\", \"next\", \"boundaries\", \"d0\" and \"gluings\"",
                 )
                 .with_cure("make them objects of their own, with names, in a list"),
             ));

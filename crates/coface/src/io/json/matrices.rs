@@ -73,13 +73,13 @@ impl<'de> Visitor<'de> for Matrix<'_> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<SparseMatrix, A::Error> {
         let (mut rows, mut columns, mut entries) = (None, None, None);
-        let (degree, faults) = (self.degree, self.faults);
+        let (name, faults) = (format!("the boundary matrix of degree {}", self.degree), self.faults);
         while let Some(key) = map.next_key::<String>()? {
-            let what = || format!("\"{key}\" of the boundary matrix of degree {degree}");
+            let what = || format!("\"{key}\" of {name}");
             match key.as_str() {
                 "rows" => rows = Some(map.next_value_seed(Number { what, faults })?),
                 "cols" => columns = Some(map.next_value_seed(Number { what, faults })?),
-                "entries" => entries = Some(map.next_value_seed(EntryList { degree, faults })?),
+                "entries" => entries = Some(map.next_value_seed(EntryList { of: &name, faults })?),
                 _ => drop(map.next_value::<IgnoredAny>()?),
             }
         }
@@ -90,8 +90,7 @@ impl<'de> Visitor<'de> for Matrix<'_> {
                 "give \"rows\", \"cols\" and \"entries\"",
             ));
         };
-        let limit = FREE_COUNT.max(u32::try_from(entries.len().saturating_mul(16)).unwrap_or(u32::MAX));
-        if rows.max(columns) > limit {
+        if rows.max(columns) > most_cells(entries.len()) {
             let message =
                 format!("has {rows} rows and {columns} columns, but only {} entries", entries.len());
             return Err(self.raise(ErrorKind::TooLarge, &message, "check the counts"));
@@ -110,12 +109,18 @@ impl<'de> Visitor<'de> for Matrix<'_> {
     }
 }
 
-type Entry = (u32, u32, i64);
+/// Row, column and value.
+pub(super) type Entry = (u32, u32, i64);
 
-/// The triples (row, column, value) of one matrix.
-struct EntryList<'a> {
-    degree: usize,
-    faults: &'a Faults,
+/// The most rows or columns of a matrix with so many entries: what a file merely claims takes no memory.
+pub(super) fn most_cells(entry_count: usize) -> u32 {
+    FREE_COUNT.max(u32::try_from(entry_count.saturating_mul(16)).unwrap_or(u32::MAX))
+}
+
+/// The triples (row, column, value) of the matrix that is called so.
+pub(super) struct EntryList<'a> {
+    pub(super) of: &'a str,
+    pub(super) faults: &'a Faults,
 }
 
 impl<'de> DeserializeSeed<'de> for EntryList<'_> {
@@ -130,16 +135,14 @@ impl<'de> Visitor<'de> for EntryList<'_> {
     type Value = Vec<Entry>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the entries of the boundary matrix of degree {}, a list", self.degree)
+        write!(f, "the entries of {}, a list", self.of)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
         let mut entries = Vec::new();
-        while let Some(entry) = list.next_element_seed(EntryAt {
-            degree: self.degree,
-            position: entries.len(),
-            faults: self.faults,
-        })? {
+        while let Some(entry) =
+            list.next_element_seed(EntryAt { of: self.of, position: entries.len(), faults: self.faults })?
+        {
             entries.push(entry);
         }
         Ok(entries)
@@ -148,14 +151,14 @@ impl<'de> Visitor<'de> for EntryList<'_> {
 
 /// One triple.
 struct EntryAt<'a> {
-    degree: usize,
+    of: &'a str,
     position: usize,
     faults: &'a Faults,
 }
 
 impl EntryAt<'_> {
     fn name(&self) -> String {
-        format!("entry {} of the boundary matrix of degree {}", self.position, self.degree)
+        format!("entry {} of {}", self.position, self.of)
     }
 }
 

@@ -1,8 +1,12 @@
 //! From a stream to a model.
 
+use super::coboundaries::boundaries;
 use super::document::{Content, Document, Faults, Root};
+use super::points::PointList;
 use crate::Error;
+use crate::algebra::SparseMatrix;
 use crate::chains::ChainComplex;
+use crate::geometry::Positions;
 use crate::io::{Model, Structure};
 use serde::de::DeserializeSeed;
 use serde_json::error::Category;
@@ -102,7 +106,7 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
     Error::parse(message).at_line(line).with_cure(match category {
         Category::Eof => "the file was cut short: write it again",
         Category::Data => {
-            "give facets, halfedges, boundary matrices or gluings as the documentation of the format says"
+            "give facets, halfedges, boundary or coboundary matrices or gluings as the documentation of the format says"
         }
         _ => "the file must be JSON",
     })
@@ -117,25 +121,45 @@ fn to_model(content: Content) -> Result<Model, Error> {
             check_permutation("twin", &twin, next.len())?;
             Structure::Halfedges { next, twin }
         }
-        Content::Boundaries(matrices) if matrices.is_empty() => Structure::Chains(ChainComplex::of_points(0)),
-        Content::Boundaries(matrices) => Structure::Chains(ChainComplex::new(matrices)?),
+        Content::Boundaries { matrices, points } => return chains(matrices, positions(points)?),
+        Content::Coboundaries { matrices, points } => {
+            let positions = positions(points)?;
+            let count = positions.as_ref().map(Positions::len);
+            return chains(boundaries(matrices, count)?, positions);
+        }
         Content::Gluings(table) => Structure::Gluings(table),
         Content::Unknown(keys) if keys.is_empty() => {
             return Err(Error::parse(
-                "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"gluings\"",
+                "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\"",
             )
             .with_cure("give one of them"));
         }
         Content::Unknown(keys) => {
             let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();
             return Err(Error::parse(format!(
-                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\", \"gluings\"",
+                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\"",
                 keys.join(", ")
             ))
             .with_cure("give one of them, or check that the file is the one meant"));
         }
     };
     Ok(Model::from_structure(structure))
+}
+
+fn positions(points: Option<PointList>) -> Result<Option<Positions>, Error> {
+    points.map(PointList::into_positions).transpose()
+}
+
+/// A chain complex, on positions if there are some.
+fn chains(matrices: Vec<SparseMatrix>, positions: Option<Positions>) -> Result<Model, Error> {
+    let complex = match matrices.is_empty() {
+        true => ChainComplex::of_points(positions.as_ref().map_or(0, Positions::len)),
+        false => ChainComplex::new(matrices)?,
+    };
+    match positions {
+        Some(positions) => Model::from_chains(complex, positions),
+        None => Ok(Model::from_structure(Structure::Chains(complex))),
+    }
 }
 
 /// Verifies that the list is a permutation of the halfedges `0..count`.

@@ -3,12 +3,14 @@
 use crate::algebra::SparseMatrix;
 use crate::cellular::CellShape;
 use crate::chains::ChainComplex;
+use crate::geometry::Positions;
+use crate::io::decimal::{flush, push_f64};
 use crate::io::{Model, Structure};
 use crate::simplicial::GluingTable;
 use crate::{Error, ErrorKind};
 use std::io::{BufWriter, Write};
 
-/// Writes a structure as JSON, one facet, matrix or simplex a line. A mesh of simplices becomes its list of facets: positions
+/// Writes a structure as JSON, one point, facet, matrix or simplex a line; a chain complex with its positions. A mesh of simplices becomes its list of facets: positions
 /// and groups are not written, polylines become edges, isolated vertices become facets of their own.
 ///
 /// # Errors
@@ -36,7 +38,7 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
             write_list(&mut out, twin)?;
             writeln!(out, "}}")?;
         }
-        Some(Structure::Chains(complex)) => write_chains(&mut out, complex)?,
+        Some(Structure::Chains(complex)) => write_chains(&mut out, complex, model.positions())?,
         Some(Structure::Gluings(table)) => write_gluings(&mut out, table)?,
         None => write_mesh(&mut out, model)?,
     }
@@ -115,11 +117,36 @@ fn write_gluings(out: &mut impl Write, table: &GluingTable) -> Result<(), Error>
     Ok(())
 }
 
-/// A complex of points alone is written as one matrix without columns.
-fn write_chains(out: &mut impl Write, complex: &ChainComplex) -> Result<(), Error> {
-    write!(out, "{{\"boundaries\":[")?;
+fn write_points(out: &mut impl Write, positions: &Positions) -> Result<(), Error> {
+    let mut text = b"\"vertices\":[".to_vec();
+    for (i, point) in positions.as_flat().chunks_exact(positions.dimension()).enumerate() {
+        text.extend_from_slice(if i == 0 { b"\n[" } else { b",\n[" });
+        for (axis, &coordinate) in point.iter().enumerate() {
+            if axis > 0 {
+                text.push(b',');
+            }
+            push_f64(&mut text, coordinate);
+        }
+        text.push(b']');
+        flush(&mut text, out)?;
+    }
+    text.extend_from_slice(b"\n],\n");
+    out.write_all(&text)?;
+    Ok(())
+}
+
+/// A complex of points alone, without positions, is written as one matrix without columns. Positions come first, one point a line.
+fn write_chains(out: &mut impl Write, complex: &ChainComplex, positions: &Positions) -> Result<(), Error> {
+    out.write_all(b"{")?;
+    if !positions.is_empty() {
+        write_points(out, positions)?;
+    }
+    write!(out, "\"boundaries\":[")?;
     let points = match complex.boundary_matrices() {
-        [] if complex.degree_count() > 0 => Some(SparseMatrix::zero(complex.cell_count(0), 0)?),
+        // Positions tell their number.
+        [] if positions.is_empty() && complex.degree_count() > 0 => {
+            Some(SparseMatrix::zero(complex.cell_count(0), 0)?)
+        }
         _ => None,
     };
     for (i, matrix) in complex.boundary_matrices().iter().chain(&points).enumerate() {
