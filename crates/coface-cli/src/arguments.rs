@@ -76,6 +76,7 @@ pub(crate) enum Verb {
     Interior(commands::interior::Interior),
     Skeleton(commands::skeleton::Skeleton),
     Incidence(commands::incidence::Incidence),
+    Congruence(commands::congruence::Congruence),
     Convert(commands::convert::Convert),
     Completions(commands::completions::Completions),
     Man(commands::man::Man),

@@ -5,6 +5,7 @@
 
 mod arguments;
 mod chains;
+mod classes;
 mod commands;
 mod failure;
 mod filtration;

@@ -4,6 +4,7 @@ pub(crate) mod boundary;
 pub(crate) mod closure;
 pub(crate) mod cocycles;
 pub(crate) mod completions;
+pub(crate) mod congruence;
 pub(crate) mod convert;
 pub(crate) mod cover;
 pub(crate) mod cut;
@@ -39,6 +40,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Interior(verb) => verb.run(common),
         Verb::Skeleton(verb) => verb.run(common),
         Verb::Incidence(verb) => verb.run(common),
+        Verb::Congruence(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(common),

@@ -10,6 +10,7 @@
 
 mod cells;
 mod chains;
+mod congruence;
 mod cycles;
 mod examination;
 mod facts;
@@ -29,6 +30,7 @@ mod simplicial;
 mod surface_model;
 mod triangulation;
 
+pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use cycles::Term;
 pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
 pub use json::{groups_to_json, integer_to_json};

@@ -178,7 +178,7 @@ impl Producer {
 }
 
 /// The segments of polylines.
-fn segments(lines: &RaggedArray) -> Vec<[u32; 2]> {
+pub(super) fn segments(lines: &RaggedArray) -> Vec<[u32; 2]> {
     lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect()
 }
 

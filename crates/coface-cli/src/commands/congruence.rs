@@ -1,0 +1,249 @@
+//! `coface congruence`: what coincides within a tolerance becomes one.
+
+use crate::arguments::Common;
+use crate::classes::{ClassFormat, write_classes};
+use crate::failure::Failure;
+use crate::input::{self, Loaded};
+use crate::output::{print_json, print_text, remark};
+use crate::progress::Progress;
+use crate::text;
+use clap::{Args, ValueEnum};
+use coface::arrangement::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
+use coface::io::{self, Format};
+use coface::report::{BlockRule, CongruenceRequest, ModelCongruence};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// Merge what coincides: chain complex congruence of one or more models.
+///
+/// Vertices within the tolerance of each other become one, and cells whose boundaries then are the same, up to sign, become
+/// one. What is left is a chain complex whatever the tolerance is. Cells that shrink to nothing are discarded, and counted.
+///
+/// Several models are taken together, and their cells numbered one model after the other. With -o the result is written as
+/// a mesh in the format of the extension, its vertices at the representatives; as .json it is a chain complex with
+/// positions. Groups and data are not kept.
+///
+/// With --json: "f_vector_before", "f_vector", "classes" (how many of each degree), "largest_class_diameter", "discarded" and
+/// "changed" (cells of each degree that collapsed, or lost facets), "products_zero" (the boundary of every boundary, found by
+/// multiplying), "merged_within_blocks" (how often vertices of one block became one).
+#[derive(Args)]
+pub(crate) struct Congruence {
+    /// The models; - is standard input
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    /// The length within which vertices are one, in the unit of the models
+    #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
+    tolerance: f64,
+    /// Classes in the order of the vertices, none farther than R from the first, instead of chains of near vertices
+    #[arg(long)]
+    greedy: bool,
+    /// Where a class is: at its lowest member, or at the mean or the median of its members
+    #[arg(long, value_name = "WHERE", default_value = "lowest")]
+    representative: Where,
+    /// Merge classes again until none are within the tolerance of each other
+    #[arg(long)]
+    stable: bool,
+    /// How the quotient is computed; the result is the same
+    #[arg(long, value_name = "METHOD", default_value = "lists")]
+    method: Method,
+    /// What becomes of cells that lose facets: they are kept as chains, or refused
+    #[arg(long, value_name = "WHAT", default_value = "keep")]
+    collisions: Lost,
+    /// What belongs together beforehand: the vertices of each file, or of each connected component
+    #[arg(long, value_name = "WHAT", default_value = "files")]
+    blocks: Blocks,
+    /// Whether vertices of one block may become one
+    #[arg(long, value_name = "POLICY", default_value = "allow")]
+    within_blocks: Within,
+    /// Write the class and the sign of every cell: .json or .arrow
+    #[arg(long, value_name = "FILE")]
+    classes: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Where {
+    Lowest,
+    Mean,
+    Median,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Method {
+    /// Lists of facets, sorted in buckets
+    Lists,
+    /// Products of sparse matrices
+    Matrices,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Lost {
+    Keep,
+    Refuse,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Blocks {
+    Files,
+    Components,
+    None,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Within {
+    Allow,
+    Warn,
+    Forbid,
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|length: &f64| length.is_finite() && *length >= 0.0)
+        .ok_or_else(|| "a tolerance is a finite length that is not negative".to_owned())
+}
+
+impl Congruence {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let class_format = self.classes.as_deref().map(ClassFormat::of).transpose()?;
+        let output = common.output.as_deref().map(|path| {
+            let unknown =
+                || Failure::new(format!("{}: the extension is no format known here", path.display()));
+            Ok::<_, Failure>((path, Format::from_path(path).ok_or_else(unknown)?))
+        });
+        let output = output.transpose()?;
+        let progress = Progress::start(common.quiet);
+        let mut models = Vec::new();
+        let mut left_out = 0;
+        for path in &self.inputs {
+            let Loaded { name, model, .. } = input::read(path, common.format, &progress)?;
+            left_out += model.groups().len() + model.data().len();
+            models.push((name, model));
+        }
+        progress.stage("merging");
+        let congruence = ModelCongruence::of(models, &self.request())?;
+        if let Some((path, format)) = output {
+            progress.stage(format!("writing {}", path.display()));
+            let model =
+                if format == Format::Json { congruence.to_chains()? } else { congruence.to_mesh()? };
+            io::write_path(&model, path, Some(format))?;
+        }
+        if let (Some(path), Some(format)) = (&self.classes, class_format) {
+            progress.stage(format!("writing {}", path.display()));
+            write_classes(&congruence, path, format)?;
+        }
+        progress.stage("multiplying boundaries");
+        let object = congruence.to_json()?;
+        drop(progress);
+        if left_out > 0 && output.is_some() && !common.quiet {
+            remark(&format!("groups and data are not kept: {left_out} left out"));
+        }
+        if self.within_blocks == Within::Warn && !common.quiet {
+            self.remark_on_merges(&congruence);
+        }
+        if common.json {
+            return print_json(&object);
+        }
+        if common.output.is_some() || self.classes.is_some() {
+            return Ok(());
+        }
+        print_text(&self.page(&congruence, &object))
+    }
+
+    fn request(&self) -> CongruenceRequest {
+        let mut request = CongruenceRequest::within(self.tolerance);
+        request.rule = if self.greedy { ClassRule::Greedy } else { ClassRule::Transitive };
+        request.representative = match self.representative {
+            Where::Lowest => Representative::Lowest,
+            Where::Mean => Representative::Mean,
+            Where::Median => Representative::Median,
+        };
+        request.stable = self.stable;
+        request.options.method = match self.method {
+            Method::Lists => CongruenceMethod::Lists,
+            Method::Matrices => CongruenceMethod::Matrices,
+        };
+        request.options.collisions = match self.collisions {
+            Lost::Keep => Collisions::Keep,
+            Lost::Refuse => Collisions::Refuse,
+        };
+        request.blocks = match self.blocks {
+            Blocks::Files => BlockRule::Models,
+            Blocks::Components => BlockRule::Components,
+            Blocks::None => BlockRule::None,
+        };
+        request.within_blocks = match self.within_blocks {
+            Within::Allow => BlockPolicy::Allow,
+            Within::Warn => BlockPolicy::Warn,
+            Within::Forbid => BlockPolicy::Forbid,
+        };
+        request
+    }
+
+    fn remark_on_merges(&self, congruence: &ModelCongruence) {
+        let merges = congruence.merges().unwrap_or_default();
+        let Some(nearest) = merges.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else { return };
+        let block = if self.blocks == Blocks::Files { "file" } else { "component" };
+        let (name, _) = congruence.vertex_source(nearest.vertices[0] as usize);
+        remark(&format!(
+            "{} with several vertices of one {block}; the nearest, in {name}, are {} apart",
+            text::count(merges.len(), "class"),
+            nearest.distance
+        ));
+    }
+
+    fn page(&self, congruence: &ModelCongruence, object: &Value) -> String {
+        let before = congruence.f_vector_before();
+        let after = congruence.complex().f_vector();
+        let name = |degree: usize| match degree {
+            0 => "vertices".to_owned(),
+            1 => "edges".to_owned(),
+            2 => "faces".to_owned(),
+            3 => "cells".to_owned(),
+            _ => format!("{degree}-cells"),
+        };
+        let mut facts = Vec::new();
+        for degree in 0..before.len().max(after.len()) {
+            let [old, new] = [&before[..], after].map(|counts| counts.get(degree).copied().unwrap_or(0));
+            if old == 0 && new == 0 {
+                continue;
+            }
+            let part = |key: &str, word: &str| match object[key][degree].as_u64() {
+                Some(count) if count > 0 => Some(format!("{} {word}", text::grouped(count as usize))),
+                _ => None,
+            };
+            let gloss: Vec<String> =
+                [part("discarded", "discarded"), part("changed", "changed")].into_iter().flatten().collect();
+            let value = format!("{} from {}", text::grouped(new), text::grouped(old));
+            facts.push((name(degree), value, gloss.join(", ")));
+        }
+        let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
+        facts.push(fact(
+            "Euler char.",
+            congruence.complex().euler_characteristic().to_string(),
+            "of what is left",
+        ));
+        facts.push(fact(
+            "widest class",
+            format!("{:.6e}", congruence.vertices().largest_diameter()),
+            "the largest distance of vertices that became one",
+        ));
+        let is_zero = object["products_zero"] == json!(true);
+        facts.push(fact(
+            "boundaries",
+            if is_zero { "of boundaries are zero" } else { "of boundaries are NOT zero" }.to_owned(),
+            "found by multiplying the matrices",
+        ));
+        if let Some(merges) = congruence.merges().filter(|merges| !merges.is_empty()) {
+            let gloss = match self.blocks {
+                Blocks::Files => "classes with several vertices of one file",
+                _ => "classes with several vertices of one component",
+            };
+            facts.push(fact("within blocks", text::grouped(merges.len()), gloss));
+        }
+        let title = match &self.inputs[..] {
+            [one] => format!("congruence of {} within {}", input::name(one), self.tolerance),
+            many => format!("congruence of {} models within {}", many.len(), self.tolerance),
+        };
+        text::facts(&title, &facts)
+    }
+}
