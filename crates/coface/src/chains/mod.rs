@@ -6,7 +6,8 @@
 //! * Boundary of boundary is zero (checked when a [`ChainComplex`] is made).
 //! * A [`Chain`] is a combination of cells, a [`Cochain`] a function on cells; the value of the coboundary of a cochain
 //!   on a chain is its value on the boundary of the chain. A chain without boundary is a **cycle**, a cochain without
-//!   coboundary is **closed**. The [`Coefficient`]s are integers, rationals, residues modulo n, or `f64`.
+//!   coboundary is **closed**. The [`Coefficient`]s are integers, rationals, residues modulo n, or `f64`;
+//!   a [`Selection`] has -1, 0 and 1 only.
 //! * A room above asks questions of a `ChainComplex`; a producer makes one. No coordinates are ever seen here.
 
 mod chain;
@@ -20,6 +21,7 @@ mod matching;
 mod morse;
 mod product;
 mod reduction;
+mod selection;
 mod subcomplex;
 mod two_skeleton;
 
@@ -33,6 +35,7 @@ pub use morse::MorseComplex;
 pub use product::ProductComplex;
 pub(crate) use product::ProductNumbers;
 pub use reduction::Reduction;
+pub use selection::Selection;
 pub use two_skeleton::TwoSkeleton;
 
 #[cfg(test)]
