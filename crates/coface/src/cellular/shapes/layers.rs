@@ -18,7 +18,7 @@ pub(super) fn layered(
     base: &PlacedCells,
     layers: u32,
     space: usize,
-    place: PlaceInLayer,
+    place: PlaceInLayer<'_>,
 ) -> Result<PlacedCells, Error> {
     let (kind, dimension) = (base.kind(), base.dimension());
     let count = base.vertex_count() as u32;
