@@ -11,3 +11,4 @@
 
 pub mod congruence;
 pub mod planar;
+pub mod spatial;

@@ -1,0 +1,26 @@
+//! The cells that conforming flat faces cut space into.
+//!
+//! # Words and conventions
+//! * A [`PolygonalComplex`] is vertices, edges and flat faces, holes and slits included, by incidence. It is **conforming** when faces
+//!   meet only in common edges and vertices.
+//! * The **front** of a face is the side from which its outer walk runs counterclockwise; the other is its **back**.
+//! * The sides of faces close up to **shells**; [`SpatialCells`] are the bounded cells, each with one outer shell and shells of
+//!   voids, and the exterior.
+//! * Sides of faces are **packed** as twice the face, plus one for a side that runs against its edge.
+//! * [`gift_wrap`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second method.
+//! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices with
+//!   coordinates.
+
+mod cells;
+mod face_planes;
+mod gift_wrapping;
+mod nesting;
+mod polygonal_complex;
+mod predicates;
+mod radial_order;
+mod shells;
+
+pub use cells::SpatialCells;
+pub use gift_wrapping::gift_wrap;
+pub use polygonal_complex::PolygonalComplex;
+pub use predicates::{GivenPoints, SpatialPredicates};
