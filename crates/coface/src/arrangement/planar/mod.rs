@@ -13,9 +13,15 @@ mod arrangement;
 mod crossings;
 mod edges;
 mod faces;
+mod gift_wrapping;
 mod nesting;
 mod pruning;
+mod regions;
+mod rounding;
 mod segment_grid;
 mod vertices;
 
 pub use arrangement::{PlanarArrangement, VertexSource};
+pub use gift_wrapping::gift_wrap;
+pub use regions::PlanarRegions;
+pub use rounding::{RoundingCertificate, SnappedArrangement};
