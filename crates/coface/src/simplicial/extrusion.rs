@@ -240,8 +240,15 @@ impl Extrusion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simplicial::FrozenComplex;
+    use crate::simplicial::{FrozenComplex, facets};
     use proptest::prelude::*;
+
+    #[test]
+    fn a_square_becomes_a_cube() {
+        let cube = extrude(4, &RaggedArray::from_lists([[0, 1, 2], [1, 2, 3]]), &[1.0]).unwrap();
+        let table = facets(cube.simplices().lists()).unwrap();
+        assert_eq!((table.facets().len(), table.boundary_facets().len()), (18, 12));
+    }
 
     #[test]
     fn a_patch_in_many_layers() {
