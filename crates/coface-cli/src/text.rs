@@ -436,6 +436,24 @@ fn measures(page: &mut Page, report: &Report) {
         };
         page.fact("signed volume", PLAIN, &number(volume), gloss);
     }
+    let point = |point: [f64; 3]| point.map(number).join("  ");
+    match (report.mass(), report.surface_centroid()) {
+        (Some(mass), _) => {
+            page.fact("center of mass", PLAIN, &point(mass.centroid()), "");
+            let rows = mass.inertia();
+            page.fact("inertia", PLAIN, &point(rows[0]), "about the center, density 1");
+            rows[1..].iter().for_each(|&row| page.fact("", PLAIN, &point(row), ""));
+        }
+        (None, Some(center)) => page.fact("center of area", PLAIN, &point(center), ""),
+        (None, None) => {}
+    }
+    for moment in report.moments() {
+        let [a, b, c] = moment.exponents();
+        let digits = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.15e}"));
+        let label = format!("x^{a} y^{b} z^{c}");
+        page.fact(&label, PLAIN, &digits(moment.volume()), "integral over the volume");
+        page.fact("", PLAIN, &digits(moment.surface()), "integral over the surface");
+    }
 }
 
 /// The named numbers on cells.

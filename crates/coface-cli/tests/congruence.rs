@@ -165,6 +165,22 @@ fn cells_that_lose_their_shape_are_counted() {
     let triangle = file(&folder, "speck.obj", "v 0 0 0\nv 1e-7 0 0\nv 0 1e-7 0\nf 1 2 3\n");
     let found = merged(&triangle, "1e-6", &[]);
     assert_eq!((&found["f_vector"], &found["discarded"]), (&json!([1, 0, 0]), &json!([0, 3, 1])));
+    // Two opposite corners of a hexagon come together: one pinched face, or two triangles.
+    let hexagon = file(
+        &folder,
+        "hexagon.obj",
+        "v 0 0 0\nv 2 -1 0\nv 2 1 0\nv 1e-8 0 0\nv -2 1 0\nv -2 -1 0\nf 1 2 3 4 5 6\n",
+    );
+    let out = folder.path().join("bow_tie.off");
+    let split = merged(&hexagon, "1e-6", &["-o", argument(&out)]);
+    assert_eq!((&split["f_vector"], &split["products_zero"]), (&json!([5, 6, 2]), &json!(true)));
+    let info = coface(&["info", argument(&out), "--json"]).json();
+    assert_eq!((&info["f_vector"], &info["area"]), (&json!([5, 6, 2]), &json!(4.0)));
+    let whole = merged(&hexagon, "1e-6", &["--collisions", "keep"]);
+    assert_eq!(whole["f_vector"], json!([5, 6, 1]));
+    let mesh = ["--tolerance", "1e-6", "--collisions", "keep", "-o", argument(&out)];
+    let mesh = coface(&[&["congruence", argument(&hexagon)], &mesh[..]].concat());
+    assert!(mesh.fails_with(1).contains("face class 0 is not one simple cycle"), "{mesh:?}");
     for path in [&quad, &triangle] {
         let refused =
             coface(&["congruence", argument(path), "--tolerance", "1e-6", "--collisions", "refuse"]);

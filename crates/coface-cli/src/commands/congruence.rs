@@ -46,8 +46,8 @@ pub(crate) struct Congruence {
     /// How the quotient is computed; the result is the same
     #[arg(long, value_name = "METHOD", default_value = "lists")]
     method: Method,
-    /// What becomes of cells that lose facets: they are kept as chains, or refused
-    #[arg(long, value_name = "WHAT", default_value = "keep")]
+    /// What becomes of cells that lose facets: kept as chains, split into the cells that they enclose, or refused
+    #[arg(long, value_name = "WHAT", default_value = "rewrap")]
     collisions: Lost,
     /// What belongs together beforehand: the vertices of each file, or of each connected component
     #[arg(long, value_name = "WHAT", default_value = "files")]
@@ -73,11 +73,15 @@ enum Method {
     Lists,
     /// Products of sparse matrices
     Matrices,
+    /// The same products by SuiteSparse:GraphBLAS
+    #[cfg(feature = "graphblas")]
+    Graphblas,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Lost {
     Keep,
+    Rewrap,
     Refuse,
 }
 
@@ -161,9 +165,12 @@ impl Congruence {
         request.options.method = match self.method {
             Method::Lists => CongruenceMethod::Lists,
             Method::Matrices => CongruenceMethod::Matrices,
+            #[cfg(feature = "graphblas")]
+            Method::Graphblas => CongruenceMethod::GraphBlas,
         };
         request.options.collisions = match self.collisions {
             Lost::Keep => Collisions::Keep,
+            Lost::Rewrap => Collisions::Rewrap,
             Lost::Refuse => Collisions::Refuse,
         };
         request.blocks = match self.blocks {

@@ -15,7 +15,8 @@ use std::path::{Path, PathBuf};
 /// Say what a model is, and what is wrong with it and where.
 ///
 /// The report: counts, dimension, components, Euler characteristic, whether it is a manifold, boundary loops,
-/// orientation, genus and name of a surface, integral homology, area and volume, and every problem with its place.
+/// orientation, genus and name of a surface, integral homology, area, volume and mass properties, and every problem with
+/// its place. Center of mass and inertia are those of a solid of density 1, the inertia about the center.
 ///
 /// With --json one input gives one report object; several give {"reports":[..]}, where an input that cannot be served
 /// has the keys "file" and "error" alone and the exit status is 1. With -o the report goes to the file, as JSON if its
@@ -28,6 +29,17 @@ pub(crate) struct Info {
     /// List every place of every problem and all boundary loops, not just the first few
     #[arg(long)]
     all: bool,
+    /// Integrate x^A y^B z^C over the volume and over the surface; may be given several times
+    #[arg(long, value_name = "A,B,C", value_parser = exponents)]
+    moment: Vec<[u32; 3]>,
+}
+
+/// Three exponents with commas between them.
+fn exponents(text: &str) -> Result<[u32; 3], String> {
+    let numbers: Option<Vec<u32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    numbers
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| "give three numbers from 0 with commas between them, like 2,0,0".to_owned())
 }
 
 /// How many places of a problem JSON lists when not all are asked for.
@@ -77,7 +89,8 @@ impl Info {
         let loaded = input::read(path, common.format, progress)?;
         progress.stage(format!("examining {}", loaded.name));
         let format = loaded.format;
-        let report = Report::of(loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
+        let report = Report::with_moments(loaded.model, &self.moment)
+            .map_err(|error| error.in_file(loaded.name.clone()))?;
         Ok(Named { name: loaded.name, format, report })
     }
 

@@ -35,21 +35,33 @@ impl Sum {
 
     /// The sum of `term(i)` for `i` below `count`, in blocks that do not depend on the number of threads.
     pub(crate) fn of(count: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
+        Self::of_each(count, |i| [term(i)])[0]
+    }
+
+    /// The sums of the numbers that `terms(i)` gives for `i` below `count`, each as [`Self::of`] takes it.
+    pub(crate) fn of_each<const N: usize>(
+        count: usize,
+        terms: impl Fn(usize) -> [f64; N] + Sync,
+    ) -> [f64; N] {
         const BLOCK: usize = 1 << 12;
-        let blocks: Vec<Self> = (0..count.div_ceil(BLOCK))
+        let blocks: Vec<[Self; N]> = (0..count.div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| {
-                let mut sum = Self::default();
-                (block * BLOCK..((block + 1) * BLOCK).min(count)).for_each(|i| sum.add(term(i)));
-                sum
+                let mut sums = [Self::default(); N];
+                for i in block * BLOCK..((block + 1) * BLOCK).min(count) {
+                    sums.iter_mut().zip(terms(i)).for_each(|(sum, term)| sum.add(term));
+                }
+                sums
             })
             .collect();
-        let mut total = Self::default();
+        let mut totals = [Self::default(); N];
         for block in blocks {
-            total.add(block.rounded);
-            total.add(block.lost);
+            for (total, sum) in totals.iter_mut().zip(block) {
+                total.add(sum.rounded);
+                total.add(sum.lost);
+            }
         }
-        total.value()
+        totals.map(Self::value)
     }
 }
 

@@ -16,5 +16,5 @@ pub use affine::AffineMap;
 pub use angle::Angle;
 pub(crate) use measure::{Scaled, Sum, cross, determinant, dot};
 pub use measure::{enclosed_volume, polygon_area};
-pub use moments::{MassProperties, enclosed_moment, surface_moment};
+pub use moments::{MassProperties, enclosed_moment, surface_centroid, surface_moment};
 pub use positions::Positions;

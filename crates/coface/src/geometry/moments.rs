@@ -209,23 +209,48 @@ impl MassProperties {
             return None;
         }
         let scaled = Scaled::new(positions);
-        let volume = moment_about(scaled, polygons, [0; 3], [0.0; 3]);
+        // An apex on the surface, so that what cancels is no larger than the solid.
+        let apex = polygons.items().first().map_or([0.0; 3], |&vertex| scaled.origin_at(vertex));
+        let [volume, x, y, z] = Sum::of_each(polygons.len(), |face| {
+            let mut sums = [0.0; 4];
+            fan(&scaled, polygons.list(face), apex, |&[p, q, r]| {
+                let cone = determinant(p, q, r);
+                sums[0] += cone;
+                (0..3).for_each(|axis| sums[axis + 1] += cone * (p[axis] + q[axis] + r[axis]));
+            });
+            sums
+        });
         if volume == 0.0 {
             return None;
         }
-        let unit = |axis: usize| [0, 1, 2].map(|other| u32::from(other == axis));
-        let center = [0, 1, 2].map(|axis| moment_about(scaled, polygons, unit(axis), [0.0; 3]) / volume);
+        // The center as seen from the apex: the mean of the four corners of each cone, one of which is 0.
+        let from_apex = [x, y, z].map(|moment| moment / (4.0 * volume));
+        let center = [0, 1, 2].map(|axis| apex[axis] + from_apex[axis]);
         // About the center: products of differences, not differences of products.
+        const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+        let products = Sum::of_each(polygons.len(), |face| {
+            let mut sums = [0.0; 6];
+            fan(&scaled, polygons.list(face), apex, |corners| {
+                let cone = determinant(corners[0], corners[1], corners[2]);
+                let [a, b, c, d] =
+                    [[0.0; 3], corners[0], corners[1], corners[2]].map(|p| minus(p, from_apex));
+                for (sum, [i, j]) in sums.iter_mut().zip(PAIRS) {
+                    let all = |axis: usize| a[axis] + b[axis] + c[axis] + d[axis];
+                    *sum += cone * (all(i) * all(j) + a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + d[i] * d[j]);
+                }
+            });
+            sums
+        });
+        // The integral of a product over a tetrahedron is its volume / 20 times that; a cone is six volumes.
         let product = |i: usize, j: usize| {
-            let exponents = [0, 1, 2].map(|axis| u32::from(axis == i) + u32::from(axis == j));
-            moment_about(scaled, polygons, exponents, center)
+            let place = PAIRS.iter().position(|&pair| pair == [i.min(j), i.max(j)]).unwrap_or(0);
+            products[place] / 120.0
         };
+        let volume = volume / 6.0;
         let squares = [0, 1, 2].map(|axis| product(axis, axis));
         let trace: f64 = squares.iter().sum();
         let inertia = [0, 1, 2].map(|i| {
-            [0, 1, 2].map(|j| {
-                scaled.unscaled(if i == j { trace - squares[i] } else { -product(i.min(j), i.max(j)) }, 5)
-            })
+            [0, 1, 2].map(|j| scaled.unscaled(if i == j { trace - squares[i] } else { -product(i, j) }, 5))
         });
         let centroid = center.map(|coordinate| scaled.unscaled(coordinate, 1));
         Some(Self { volume: scaled.unscaled(volume, 3), centroid, inertia })
@@ -244,6 +269,76 @@ impl MassProperties {
     /// The inertia tensor about the center of mass: on the diagonal integrals like $y^2 + z^2$, beside it like $-xy$.
     pub fn inertia(&self) -> [[f64; 3]; 3] {
         self.inertia
+    }
+}
+
+/// The center of the area of all polygons; `None` unless the positions have three coordinates and the area is a number other
+/// than zero.
+///
+/// The orientation of polygons does not matter. A polygon of four or more vertices is a fan of triangles, as in
+/// [`surface_moment`].
+///
+/// # Panics
+/// If a polygon names a vertex without position.
+///
+/// # Complexity
+/// Linear; parallel, with the same rounding whatever the number of threads.
+///
+/// # Examples
+/// A triangle, whose center is the mean of its corners:
+/// ```
+/// use coface::algebra::RaggedArray;
+/// use coface::geometry::{Positions, surface_centroid};
+/// # fn main() -> Result<(), coface::Error> {
+/// let positions = Positions::from_flat(3, vec![0., 0., 0., 3., 0., 0., 0., 6., 9.])?;
+/// let triangle = RaggedArray::from_lists([[0, 1, 2]]);
+/// assert_eq!(surface_centroid(&positions, &triangle), Some([1.0, 2.0, 3.0]));
+/// # Ok(()) }
+/// ```
+pub fn surface_centroid(positions: &Positions, polygons: &RaggedArray) -> Option<[f64; 3]> {
+    if positions.dimension() != 3 {
+        return None;
+    }
+    let scaled = Scaled::new(positions);
+    let origin = polygons.items().first().map_or([0.0; 3], |&vertex| scaled.origin_at(vertex));
+    let [area, x, y, z] = Sum::of_each(polygons.len(), |face| {
+        let polygon = polygons.list(face);
+        let mut vector = [0.0; 3];
+        if polygon.len() > 3 {
+            fan(&scaled, polygon, origin, |triangle| {
+                let part = area_vector(triangle);
+                (0..3).for_each(|axis| vector[axis] += part[axis]);
+            });
+        }
+        let mut sums = [0.0; 4];
+        fan(&scaled, polygon, origin, |triangle| {
+            let part = area_vector(triangle);
+            let size = dot(part, part).sqrt();
+            let area = if polygon.len() > 3 { size.copysign(dot(part, vector)) } else { size };
+            let [p, q, r] = triangle;
+            sums[0] += area;
+            (0..3).for_each(|axis| sums[axis + 1] += area * (p[axis] + q[axis] + r[axis]));
+        });
+        sums
+    });
+    let center = [x, y, z].map(|moment| moment / (3.0 * area));
+    let center = [0, 1, 2].map(|axis| scaled.unscaled(center[axis] + origin[axis], 1));
+    center.iter().all(|coordinate| coordinate.is_finite()).then_some(center)
+}
+
+/// Visits the triangles of a polygon, seen from an origin: itself, or a fan around the mean of its vertices.
+fn fan(scaled: &Scaled<'_>, polygon: &[u32], origin: [f64; 3], mut visit: impl FnMut(&[[f64; 3]; 3])) {
+    let point = |vertex| scaled.relative(vertex, origin);
+    if let &[a, b, c] = polygon {
+        return visit(&[point(a), point(b), point(c)]);
+    }
+    let mut mean = [0.0; 3];
+    for &vertex in polygon {
+        let p = point(vertex);
+        (0..3).for_each(|axis| mean[axis] += p[axis] / polygon.len() as f64);
+    }
+    for (i, &vertex) in polygon.iter().enumerate() {
+        visit(&[point(vertex), point(polygon[(i + 1) % polygon.len()]), mean]);
     }
 }
 
@@ -330,7 +425,96 @@ mod tests {
         assert!((surface_moment(&arrow, &arrow_face, [0; 3]).unwrap() - 8.0).abs() < 1e-14);
     }
 
+    /// Nodes and weights on the segment from 0 to 1 that are exact for polynomials of degree 2n - 1.
+    fn gauss_legendre(n: usize) -> Vec<[f64; 2]> {
+        let legendre = |x: f64| {
+            let (mut before, mut value) = (1.0, x);
+            for k in 2..=n {
+                let next = ((2 * k - 1) as f64 * x * value - (k - 1) as f64 * before) / k as f64;
+                (before, value) = (value, next);
+            }
+            (value, n as f64 * (x * value - before) / (x * x - 1.0))
+        };
+        let node = |i: usize| {
+            let mut x = (std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
+            for _ in 0..50 {
+                let (value, slope) = legendre(x);
+                x -= value / slope;
+            }
+            let slope = legendre(x).1;
+            [(x + 1.0) / 2.0, 1.0 / ((1.0 - x * x) * slope * slope)]
+        };
+        (0..n).map(node).collect()
+    }
+
     proptest! {
+        /// Tetrahedra against quadrature on a cube that is folded onto them.
+        #[test]
+        fn tetrahedra_agree_with_quadrature(
+            flat in prop::collection::vec(-5i32..5, 12), exponents in prop::array::uniform3(0u32..4),
+        ) {
+            let flat: Vec<f64> = flat.into_iter().map(f64::from).collect();
+            let corner = |i: usize| [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]];
+            let sides = [1, 2, 3].map(|i| minus(corner(i), corner(0)));
+            let six_volumes = determinant(sides[0], sides[1], sides[2]);
+            let rule = gauss_legendre(8);
+            let mut expected = 0.0;
+            for &[r, weight] in &rule {
+                for &[s, other] in &rule {
+                    for &[t, last] in &rule {
+                        let [u, v, w] = [r, s * (1.0 - r), t * (1.0 - s) * (1.0 - r)];
+                        let value: f64 = (0..3).map(|axis| {
+                            let x = corner(0)[axis] + u * sides[0][axis] + v * sides[1][axis] + w * sides[2][axis];
+                            x.powi(exponents[axis] as i32)
+                        }).product();
+                        expected += weight * other * last * (1.0 - r) * (1.0 - r) * (1.0 - s) * value * six_volumes;
+                    }
+                }
+            }
+            let positions = Positions::from_flat(3, flat.clone()).unwrap();
+            let faces = RaggedArray::from_lists([[0u32, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+            let moment = enclosed_moment(&positions, &faces, exponents).unwrap();
+            let largest = 1000.0 * 5f64.powi(exponents.iter().sum::<u32>() as i32);
+            prop_assert!((moment - expected).abs() <= 1e-12 * largest, "{moment} {expected}");
+        }
+
+        /// Mass properties of boxes that are turned and moved: the volume stays, the center follows, the inertia turns along.
+        #[test]
+        fn mass_properties_move_along(
+            sides in prop::array::uniform3(1i32..6), turn in 0.0..6.0f64, tilt in 0.0..6.0f64,
+            shift in prop::array::uniform3(-50.0..50.0f64),
+        ) {
+            let rotated = |[x, y, z]: [f64; 3]| {
+                let [x, y] = [x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos()];
+                [x, y * tilt.cos() - z * tilt.sin(), y * tilt.sin() + z * tilt.cos()]
+            };
+            let corner = |i: i32| rotated([0, 1, 2].map(|axis| f64::from(sides[axis] * (i >> axis & 1))));
+            let flat = (0..8).flat_map(|i| [0, 1, 2].map(|axis| corner(i)[axis] + shift[axis]));
+            let positions = Positions::from_flat(3, flat.collect()).unwrap();
+            let faces = [[0u32, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+            let faces = RaggedArray::from_lists(faces);
+            let solid = MassProperties::enclosed(&positions, &faces).unwrap();
+            let lengths = sides.map(f64::from);
+            let volume = lengths[0] * lengths[1] * lengths[2];
+            prop_assert!((solid.volume() - volume).abs() < 1e-9 * volume);
+            let middle = rotated(lengths.map(|length| length / 2.0));
+            let area = surface_centroid(&positions, &faces).unwrap();
+            for axis in 0..3 {
+                prop_assert!((solid.centroid()[axis] - middle[axis] - shift[axis]).abs() < 1e-11);
+                prop_assert!((area[axis] - middle[axis] - shift[axis]).abs() < 1e-11);
+            }
+            // The columns of the rotation are the images of the axes.
+            let axes = [rotated([1., 0., 0.]), rotated([0., 1., 0.]), rotated([0., 0., 1.])];
+            let squares = lengths.map(|length| length * length);
+            let own = [0, 1, 2].map(|i| volume * (squares.iter().sum::<f64>() - squares[i]) / 12.0);
+            for i in 0..3 {
+                for j in 0..3 {
+                    let expected: f64 = (0..3).map(|k| axes[k][i] * own[k] * axes[k][j]).sum();
+                    prop_assert!((solid.inertia()[i][j] - expected).abs() < 1e-8 * volume * 50.0, "{i} {j}");
+                }
+            }
+        }
+
         /// Boxes: the product of integrals on the axes, with faces of four corners.
         #[test]
         fn boxes_have_products_of_integrals(

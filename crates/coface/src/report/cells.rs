@@ -1,6 +1,7 @@
 //! The report on tetrahedra, hexahedra, wedges and pyramids.
 
 use super::facts::{Answer, Kind, Report, Skin, Witness};
+use super::moments::{Integrals, boundary_chain};
 use super::polygons::{VertexDegrees, counted, isolated_vertices};
 use super::{Problem, ProblemKind};
 use crate::algebra::RaggedArray;
@@ -10,7 +11,7 @@ use crate::topology::homology;
 use crate::{CellId, EdgeId, FaceId};
 
 /// The report on a mesh that has at least one 3-cell.
-pub(super) fn report(mesh: CellMesh, positions: &Positions) -> Report {
+pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3]]) -> Report {
     let verdict = mesh.manifold_verdict();
     let mut problems = Vec::new();
     non_manifold(&mesh, &verdict, &mut problems);
@@ -41,6 +42,10 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions) -> Report {
         name: survey.name(),
     };
     drop((survey, boundary));
+    let around = if positions.is_empty() { RaggedArray::new() } else { boundary_chain(&mesh) };
+    let integrals = Integrals { surface: Some(&around), around: Some(&around), positions };
+    let (mass, moments) = (integrals.mass(), integrals.moments(exponents));
+    drop(around);
     let mut report = Report {
         kind: Kind::Volume,
         f_vector: mesh.f_vector().to_vec(),
@@ -55,6 +60,8 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions) -> Report {
         coherently_oriented: orientation.is_coherent(),
         skin: (skin.face_count > 0).then_some(skin),
         signed_volume: volumes.map(|volumes| volumes.signed()),
+        mass,
+        moments,
         problems,
         warnings,
         ..Report::of_nothing()

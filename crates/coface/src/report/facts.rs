@@ -1,6 +1,7 @@
 //! The report as data.
 
-use super::Problem;
+use super::{Moment, Problem};
+use crate::geometry::MassProperties;
 use crate::io::{CellData, GroupKind};
 use crate::surface::{SurfaceComponent, SurfaceType};
 use crate::topology::AbelianGroup;
@@ -233,6 +234,9 @@ pub struct Report {
     pub(super) homology: Vec<AbelianGroup>,
     pub(super) area: Option<f64>,
     pub(super) signed_volume: Option<f64>,
+    pub(super) surface_centroid: Option<[f64; 3]>,
+    pub(super) mass: Option<MassProperties>,
+    pub(super) moments: Vec<Moment>,
     pub(super) data: Vec<DataSummary>,
     pub(super) problems: Vec<Problem>,
     pub(super) warnings: Vec<String>,
@@ -261,6 +265,9 @@ impl Report {
             homology: Vec::new(),
             area: None,
             signed_volume: None,
+            surface_centroid: None,
+            mass: None,
+            moments: Vec::new(),
             data: Vec::new(),
             problems: Vec::new(),
             warnings: Vec::new(),
@@ -367,6 +374,22 @@ impl Report {
     /// counterclockwise seen from outside; the sum of the signed volumes of the cells of a volume mesh.
     pub fn signed_volume(&self) -> Option<f64> {
         self.signed_volume
+    }
+
+    /// The center of the area of a surface in space.
+    pub fn surface_centroid(&self) -> Option<[f64; 3]> {
+        self.surface_centroid
+    }
+
+    /// Volume, center and inertia of the solid of density 1 that a closed, coherently oriented surface in space encloses, or that
+    /// the cells of a volume mesh fill, each with the sign of its volume; `None` where there is none or its volume is zero.
+    pub fn mass(&self) -> Option<&MassProperties> {
+        self.mass.as_ref()
+    }
+
+    /// The integrals of monomials that were asked for.
+    pub fn moments(&self) -> &[Moment] {
+        &self.moments
     }
 
     /// The named numbers on vertices, lines, polygons and cells.

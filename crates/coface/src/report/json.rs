@@ -10,7 +10,7 @@ impl Report {
     /// The report as one JSON object with the keys that programs rely on: `dimension`, `f_vector`, `homology`, ...
     ///
     /// `"file"` and `"format"` are for the caller to add. Places of problems are listed up to `limit` for each sort of
-    /// problem. An area or volume beyond the range of floating point is `null`.
+    /// problem. `mass` has the inertia about the center for density 1. An area or volume beyond the range of floating point is `null`.
     pub fn to_json(&self, limit: usize) -> Value {
         json!({
             "kind": self.kind.word(),
@@ -45,6 +45,17 @@ impl Report {
             "homology": groups_to_json(&self.homology),
             "area": self.area,
             "signed_volume": self.signed_volume,
+            "surface_centroid": self.surface_centroid,
+            "mass": self.mass.as_ref().map(|mass| json!({
+                "volume": mass.volume(),
+                "centroid": mass.centroid(),
+                "inertia": mass.inertia(),
+            })),
+            "moments": self.moments.iter().map(|moment| json!({
+                "exponents": moment.exponents,
+                "volume": moment.volume,
+                "surface": moment.surface,
+            })).collect::<Vec<_>>(),
             "data": self.data.iter().map(|data| json!({
                 "name": data.name(),
                 "on": data.kind().to_string(),

@@ -1,6 +1,7 @@
 //! The report on polygons, edges and vertices.
 
 use super::facts::{Answer, BoundaryPart, Kind, Report, Witness};
+use super::moments::Integrals;
 use super::{Labels, Problem, ProblemKind};
 use crate::algebra::RaggedArray;
 use crate::geometry::{Positions, enclosed_volume, polygon_area};
@@ -9,12 +10,18 @@ use crate::topology::homology;
 use crate::{EdgeId, FaceId, VertexId};
 
 /// The report on a mesh, whose vertices have these labels in the file.
-pub(super) fn report(mesh: PolygonMesh, positions: Positions, labels: &Labels, kind: Kind) -> Report {
+pub(super) fn report(
+    mesh: PolygonMesh,
+    positions: Positions,
+    labels: &Labels,
+    kind: Kind,
+    exponents: &[[u32; 3]],
+) -> Report {
     let degrees = VertexDegrees::of(&mesh);
     let mut report = match (mesh.face_count(), mesh.edge_count()) {
         (0, 0) => of_points(&mesh),
         (0, _) => of_graph(&mesh, &degrees, labels),
-        _ => of_faces(&mesh, &positions, labels),
+        _ => of_faces(&mesh, &positions, labels, exponents),
     };
     drop(positions);
     report.kind = kind;
@@ -99,15 +106,16 @@ fn of_graph(mesh: &PolygonMesh, degrees: &VertexDegrees, labels: &Labels) -> Rep
     }
 }
 
-fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels) -> Report {
+fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels, exponents: &[[u32; 3]]) -> Report {
     let survey = mesh.survey();
     let (verdict, orientation) = (survey.verdict(), survey.orientation());
     let mut problems = Vec::new();
     non_manifold(mesh, &survey, labels, &mut problems);
     orientation_problems(mesh, orientation, labels, &mut problems);
     let area = polygon_area(positions, mesh.polygons());
-    let signed_volume =
-        if is_cycle(mesh, &survey) { enclosed_volume(positions, mesh.polygons()) } else { None };
+    let around = is_cycle(mesh, &survey).then(|| mesh.polygons());
+    let signed_volume = around.and_then(|around| enclosed_volume(positions, around));
+    let integrals = Integrals { surface: Some(mesh.polygons()), around, positions };
     let boundary_loops = survey.boundary_loops().iter().map(|part| BoundaryPart {
         vertices: part.vertices().iter().map(|&vertex| labels.of(vertex.to_u32())).collect(),
         edge_count: part.edges().len(),
@@ -128,6 +136,9 @@ fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels) -> Repor
         name: survey.name(),
         area,
         signed_volume,
+        surface_centroid: integrals.surface_centroid(),
+        mass: integrals.mass(),
+        moments: integrals.moments(exponents),
         problems,
         ..Report::of_nothing()
     }

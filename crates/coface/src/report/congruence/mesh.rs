@@ -2,7 +2,7 @@
 
 use super::ModelCongruence;
 use super::merging::source;
-use crate::algebra::{RaggedArray, SparseMatrix};
+use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::cellular::CellShape;
 use crate::io::Model;
 use crate::io::repeated_vertex;
@@ -124,7 +124,7 @@ impl ModelCongruence {
     fn vertices_of_member(&self, degree: usize, class: usize) -> Option<(usize, usize, Vec<u32>)> {
         let classes = &self.chains.classes()[degree];
         let member = *classes.members().list(class).first()? as usize;
-        classes.class(CellId::new(member))?;
+        classes.class(CellId::new(member)).filter(|&(_, sign)| sign == Sign::Plus)?;
         let (model, cell) = source(&self.starts[degree], member);
         let producer = &self.producers[model];
         if !matches!(producer.cells, Cells::Polygons(_) | Cells::Solids(_)) {
