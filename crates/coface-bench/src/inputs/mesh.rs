@@ -55,11 +55,12 @@ impl Mesh {
         }
     }
 
-    /// Writes the file; the extension says the format: `raw`, `obj`, `off` or `ply` (binary, little-endian, 32-bit
+    /// Writes the file; the extension says the format: `raw`, `raw3`, `obj`, `off` or `ply` (binary, little-endian, 32-bit
     /// coordinates).
     ///
     /// A raw file is little-endian 32-bit numbers: the vertices a simplex (0 when they differ), the vertex count, the
     /// simplex count; then, when they differ, where each simplex starts and where the last ends; then the vertices.
+    /// In `raw3` three 64-bit coordinates of each vertex follow.
     ///
     /// # Errors
     /// If the file cannot be written, or the format cannot hold the simplices.
@@ -68,6 +69,12 @@ impl Mesh {
         let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
         match extension {
             "raw" => self.write_raw(&mut out)?,
+            "raw3" if self.coordinates.len() == 3 * self.vertex_count => {
+                self.write_raw(&mut out)?;
+                for coordinate in &self.coordinates {
+                    out.write_all(&coordinate.to_le_bytes())?;
+                }
+            }
             "obj" | "off" | "ply" if self.arity() == Some(3) && !self.coordinates.is_empty() => {
                 match extension {
                     "obj" => self.write_obj(&mut out)?,
@@ -75,12 +82,12 @@ impl Mesh {
                     _ => self.write_ply(&mut out)?,
                 }
             }
-            "obj" | "off" | "ply" => {
+            "raw3" | "obj" | "off" | "ply" => {
                 return Err(Error::invalid(format!("only surfaces in space can be written as {extension}")));
             }
             _ => {
                 return Err(Error::invalid(format!("{extension:?} is no format of an input"))
-                    .with_cure("use raw, obj, off or ply"));
+                    .with_cure("use raw, raw3, obj, off or ply"));
             }
         }
         out.flush()?;
@@ -149,7 +156,23 @@ impl Mesh {
     /// # Errors
     /// If the file cannot be read or is cut short.
     pub(crate) fn read_raw(path: &Path) -> Result<Self, Error> {
+        Self::read_lists(&mut std::fs::File::open(path)?)
+    }
+
+    /// Reads what [`Self::write`] wrote as `raw3`.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is cut short.
+    pub(crate) fn read_raw3(path: &Path) -> Result<Self, Error> {
         let mut file = std::fs::File::open(path)?;
+        let mut mesh = Self::read_lists(&mut file)?;
+        let halves = read_numbers(&mut file, 6 * mesh.vertex_count)?;
+        let coordinate = |&[low, high]: &[u32; 2]| f64::from_bits(u64::from(low) | u64::from(high) << 32);
+        mesh.coordinates = halves.as_chunks::<2>().0.iter().map(coordinate).collect();
+        Ok(mesh)
+    }
+
+    fn read_lists(mut file: &mut std::fs::File) -> Result<Self, Error> {
         let header = read_numbers(&mut file, 3)?;
         let [arity, vertex_count, count] = [0, 1, 2].map(|i| header[i] as usize);
         let lists = if arity > 0 {
@@ -197,5 +220,12 @@ mod tests {
             std::fs::remove_file(&path).unwrap();
             assert_eq!((read.vertex_count, read.lists), (mesh.vertex_count, mesh.lists));
         }
+        let path = std::env::temp_dir().join(format!("coface-bench-test-{}.raw3", std::process::id()));
+        let soup = generate("soup1").unwrap();
+        soup.write(&path).unwrap();
+        let read = Mesh::read_raw3(&path).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(read, soup);
+        assert!(generate("t3_3").unwrap().write(&path).is_err());
     }
 }

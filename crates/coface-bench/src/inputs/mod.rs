@@ -10,12 +10,15 @@
 //! * `t4_N`, `grid4_N`: the 4-torus and the 4-dimensional cube, $N^4$ cubes, 24 simplices each.
 //! * `lm_NxM`: all edges on N vertices and M random triangles.
 //! * `sum_N`: the sum complex modulo N with the sums 0, 1, 3; its torsion grows exponentially.
+//! * `soupN`: the icosphere of level N with three vertices for each triangle, each coordinate off by up to 1e-9.
+//! * `cubes_sep_K`: K by K by K cubes, each of six squares with four vertices of their own, each coordinate off by up to 1e-8.
 //! * `simp_N`: N random simplices of dimension 0 to 5 on N/10 vertices.
 
 mod cubes;
 mod mesh;
 mod plate;
 mod random_simplices;
+mod soups;
 mod sphere;
 
 pub(crate) use mesh::Mesh;
@@ -39,6 +42,14 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("grid4_N", "4-dimensional cube of 24 N^4 simplices (grid4_8: 98,304, grid4_14: 921,984)"),
     ("lm_NxM", "random 2-complex: all edges on N vertices, M triangles (lm_200x10000)"),
     ("sum_N", "sum complex modulo N with the sums 0, 1, 3: large torsion (sum_50)"),
+    (
+        "soupN",
+        "icosphere of level N, each triangle with vertices of its own, 60 * 4^N points (soup7: 983,040)",
+    ),
+    (
+        "cubes_sep_K",
+        "K by K by K cubes of six separate squares (cubes_sep_50: 750,000 squares, 3,000,000 points)",
+    ),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
 ];
 
@@ -60,6 +71,12 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
     };
     if let Some(level) = name.strip_prefix("ico") {
         return Ok(sphere::icosphere(number(level, 0, 10)?));
+    }
+    if let Some(level) = name.strip_prefix("soup") {
+        return Ok(soups::exploded_icosphere(number(level, 0, 9)?));
+    }
+    if let Some(side) = name.strip_prefix("cubes_sep_") {
+        return Ok(soups::separate_cubes(number(side, 1, 200)?));
     }
     if let Some((genus, side)) = name.strip_prefix("plate").and_then(|rest| rest.split_once('_')) {
         let genus = number(genus, 1, 10_000)?;
@@ -126,6 +143,9 @@ mod tests {
         assert_eq!(counts("t4_3"), [81, 81 * 15, 81 * 50, 81 * 60, 81 * 24]);
         assert_eq!(counts("grid4_1"), [16, 65, 110, 84, 24]);
         assert_eq!(counts("sum_11"), [11, 55, 45]);
+        assert_eq!(counts("soup1"), [240, 240, 80]);
+        let cubes = generate("cubes_sep_2").unwrap();
+        assert_eq!((cubes.vertex_count, cubes.coordinates.len(), cubes.lists.len()), (192, 576, 48));
     }
 
     #[test]

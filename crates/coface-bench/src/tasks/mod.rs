@@ -4,6 +4,7 @@
 //! that a wrong answer is seen beside its time.
 
 mod boundary_matrices;
+mod congruence;
 mod edges;
 mod generators;
 mod halfedges;
@@ -66,6 +67,8 @@ pub(crate) const ALL: &[Task] = &[
     surfaces::LOOPS_BY_GENUS,
     surfaces::COCYCLES,
     surfaces::COCYCLES_BY_GENUS,
+    congruence::WELD,
+    congruence::QUOTIENT,
     info::TASK,
 ];
 
