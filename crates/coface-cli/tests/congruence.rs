@@ -256,6 +256,10 @@ fn what_cannot_be_merged_is_refused() {
     assert_eq!(merged(&nothing, "1", &[])["classes"], json!([0]));
 }
 
+/// Class and sign of a cell, if it has one.
+#[cfg(feature = "arrow")]
+type Class = Option<(u32, i8)>;
+
 #[cfg(feature = "arrow")]
 #[test]
 fn classes_are_a_table_of_arrow() {
@@ -268,7 +272,7 @@ fn classes_are_a_table_of_arrow() {
     let [table, list] = ["classes.arrow", "classes.json"].map(|name| folder.path().join(name));
     merged(&input, "1e-9", &["--classes", argument(&table)]);
     merged(&input, "1e-9", &["--classes", argument(&list)]);
-    let mut expected: Vec<(u8, u32, Option<(u32, i8)>)> = Vec::new();
+    let mut expected: Vec<(u8, u32, Class)> = Vec::new();
     let classes: Value = serde_json::from_slice(&std::fs::read(&list).unwrap()).unwrap();
     for of_degree in classes["classes"].as_array().unwrap() {
         let degree = of_degree["degree"].as_u64().unwrap() as u8;
