@@ -77,6 +77,7 @@ pub(crate) enum Verb {
     Skeleton(commands::skeleton::Skeleton),
     Incidence(commands::incidence::Incidence),
     Congruence(commands::congruence::Congruence),
+    Generate(commands::generate::Generate),
     Convert(commands::convert::Convert),
     Completions(commands::completions::Completions),
     Man(commands::man::Man),

@@ -150,7 +150,7 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
 }
 
 /// Says that the format has no room for the groups or the data of the model, where that is so.
-fn remark_on_losses(model: &Model, format: Format, common: &Common) {
+pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
     let losses = [
         ("groups", model.groups().len(), format.keeps_groups()),
         ("data on cells", model.data().len(), format.keeps_data()),

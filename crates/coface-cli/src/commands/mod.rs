@@ -8,6 +8,7 @@ pub(crate) mod congruence;
 pub(crate) mod convert;
 pub(crate) mod cover;
 pub(crate) mod cut;
+pub(crate) mod generate;
 pub(crate) mod homology;
 pub(crate) mod incidence;
 pub(crate) mod info;
@@ -41,6 +42,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Skeleton(verb) => verb.run(common),
         Verb::Incidence(verb) => verb.run(common),
         Verb::Congruence(verb) => verb.run(common),
+        Verb::Generate(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(common),

@@ -10,10 +10,12 @@
 //! * [`BoundarySurface`]: the faces of exactly one cell.
 //! * [`cell_volumes`]: what cells with positions measure.
 //! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
+//! * An [`Assembly`] is a list of those, affine maps and further lists.
 //! * A [`CuboidGrid`] is a product of subdivided intervals; the numbers of its cells are computed, never stored.
 //! * A [`LarModel`] is cells of any dimension as lists of vertices; an [`Operator`] relates the cells of two degrees.
 //! * [`OrientedCells`] have signs of their facets that make each boundary a cycle: [`oriented_boundary`] finds them.
 
+mod assembly;
 mod boundary;
 mod cell_mesh;
 mod face_identification;
@@ -27,6 +29,7 @@ mod shape;
 pub mod shapes;
 mod two_skeleton;
 
+pub use assembly::{Assembly, AssemblyPart, FlatAssembly};
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
 pub use grids::{AxisSet, CuboidGrid, GridCell, ProductCells, product};

@@ -1,10 +1,11 @@
 //! Cells that were made by rule, as models.
 
-use super::{Model, Structure};
+use super::{Group, GroupKind, Model, Structure};
 use crate::algebra::RaggedArray;
-use crate::cellular::{CellKind, CellShape, PlacedCells, turn_cell};
+use crate::cellular::{CellKind, CellShape, FlatAssembly, PlacedCells, turn_cell};
 use crate::geometry::Positions;
 use crate::{Error, VertexId};
+use std::collections::BTreeMap;
 
 impl Model {
     /// The model of these cells and positions.
@@ -51,6 +52,118 @@ impl Model {
         Ok(model)
     }
 
+    /// The cells of the model as lists of one kind and dimension each, all on the positions of the model: points, segments,
+    /// triangles, squares for quadrangles, tetrahedra, cuboids for hexahedra; a list that would be empty is left out.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] without positions, and naming the first cell that is neither simplex nor cuboid.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{self, Format, Model};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let text = &b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n"[..];
+    /// let parts = io::read(text, Format::Obj)?.placed_cells()?;
+    /// assert_eq!(parts[0].cells().list(0), [1, 4, 2]);
+    /// assert_eq!(parts[1].cells().list(0), [0, 3, 1, 2]);
+    /// # Ok(()) }
+    /// ```
+    pub fn placed_cells(&self) -> Result<Vec<PlacedCells>, Error> {
+        if self.structure.is_some() || self.positions.dimension() == 0 {
+            return Err(Error::invalid("the model has no positions").with_cure("give a mesh with positions"));
+        }
+        let no_cell = |what: String| {
+            Err(Error::invalid(format!("{what} is neither a simplex nor a cuboid"))
+                .with_cure("cut it into triangles or tetrahedra first"))
+        };
+        let mut lists: [RaggedArray; 6] = Default::default();
+        self.points.iter().for_each(|point| lists[0].push(&[point.to_u32()]));
+        self.lines.iter().flat_map(|line| line.windows(2)).for_each(|segment| lists[1].push(segment));
+        for (i, polygon) in self.polygons.iter().enumerate() {
+            match *polygon {
+                [a, b, c] => lists[2].push(&[a, b, c]),
+                [a, b, c, d] => lists[3].push(&[a, d, b, c]),
+                _ => return no_cell(format!("face f{i}, with {} sides,", polygon.len())),
+            }
+        }
+        for (i, (cell, shape)) in self.cells.iter().zip(&self.shapes).enumerate() {
+            match (shape, cell) {
+                (CellShape::Tetrahedron, _) => lists[4].push(cell),
+                (CellShape::Hexahedron, &[a, b, c, d, e, f, g, h]) => {
+                    lists[5].push(&[a, e, d, h, b, f, c, g]);
+                }
+                _ => return no_cell(format!("cell c{i}, a {},", shape.name())),
+            }
+        }
+        let (s, c) = (CellKind::Simplex, CellKind::Cuboid);
+        let sorts = [(s, 0), (s, 1), (s, 2), (c, 2), (s, 3), (c, 3)];
+        let parts = sorts.into_iter().zip(lists).filter(|(_, cells)| !cells.is_empty());
+        parts.map(|((kind, d), cells)| PlacedCells::new(self.positions.clone(), kind, d, cells)).collect()
+    }
+
+    /// The model of an assembly: points, lines, polygons and 3-cells as [`Self::from_placed_cells`] makes them, with a group for
+    /// the cells of each leaf of an assembly of several, named by its path: `0.2` for the third item of the list that is the
+    /// first item.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::InvalidInput`] for cells of dimension 4 and more.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::cellular::{Assembly, shapes};
+    /// use coface::io::Model;
+    /// use std::sync::Arc;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let mut assembly = Assembly::new();
+    /// assembly.push_cells(Arc::new(shapes::circle(1.0, 4)?));
+    /// assembly.push_cells(Arc::new(shapes::circle(2.0, 6)?));
+    /// let model = Model::from_assembly(&assembly.flatten()?)?;
+    /// assert_eq!((model.vertex_count(), model.lines().len()), (10, 10));
+    /// assert_eq!(model.groups()[1].members(), [4, 5, 6, 7, 8, 9]);
+    /// # Ok(()) }
+    /// ```
+    pub fn from_assembly(assembly: &FlatAssembly) -> Result<Self, Error> {
+        let positions = assembly.positions().clone();
+        let mut model = Self { vertex_count: positions.len(), positions, ..Self::default() };
+        let mut members: BTreeMap<(u32, GroupKind), Vec<u32>> = BTreeMap::new();
+        for part in assembly.parts() {
+            let kind = match part.dimension() {
+                0 => GroupKind::Vertices,
+                1 => GroupKind::Lines,
+                2 => GroupKind::Polygons,
+                3 => GroupKind::Cells,
+                dimension => {
+                    let leaf = part.leaves().first().map_or(0, |&leaf| leaf as usize);
+                    return Err(Error::invalid(format!(
+                        "item {} has cells of dimension {dimension}; a mesh holds dimension 3 at most",
+                        path_name(assembly.path(leaf))
+                    ))
+                    .with_cure("take their skeleton of dimension 3 or less"));
+                }
+            };
+            let first = match kind {
+                GroupKind::Vertices => 0,
+                kind => model.count_of(kind),
+            };
+            for (i, &leaf) in part.leaves().iter().enumerate() {
+                let member =
+                    if kind == GroupKind::Vertices { part.cells().list(i)[0] } else { (first + i) as u32 };
+                members.entry((leaf, kind)).or_default().push(member);
+            }
+            model.add_cells(part.kind(), part.dimension(), part.cells());
+        }
+        if assembly.leaf_count() > 1 {
+            model.groups = members
+                .into_iter()
+                .map(|((leaf, kind), members)| {
+                    Group::new(path_name(assembly.path(leaf as usize)), kind, members)
+                })
+                .collect();
+        }
+        model.check()?;
+        Ok(model)
+    }
+
     /// Adds cells of dimension 3 or less on vertices of the model.
     pub(crate) fn add_cells(&mut self, kind: CellKind, dimension: usize, cells: &RaggedArray) {
         let is_full = self.positions.dimension() == dimension;
@@ -78,6 +191,11 @@ impl Model {
             }
         }
     }
+}
+
+/// A path as a name: its numbers with dots between them.
+fn path_name(path: &[usize]) -> String {
+    path.iter().map(ToString::to_string).collect::<Vec<_>>().join(".")
 }
 
 /// The cycle of a square by its local vertices: 00, 10, 11, 01.
@@ -155,6 +273,25 @@ mod tests {
         assert_eq!(segments.lines(), &RaggedArray::from_lists([[3, 1]]));
         let points = model(CellKind::Simplex, 0, 2, &[&[2]]);
         assert_eq!((points.points(), points.vertex_count()), (&[VertexId::new(2)][..], 4));
+    }
+
+    #[test]
+    fn placed_cells_of_a_model_are_the_same_model() {
+        let models = [
+            model(CellKind::Cuboid, 3, 3, &[&[0, 1, 2, 3, 4, 5, 6, 7]]),
+            model(CellKind::Simplex, 3, 3, &[&[0, 4, 2, 1]]),
+            model(CellKind::Cuboid, 2, 3, &[&[0, 1, 2, 3], &[4, 0, 5, 1]]),
+            model(CellKind::Simplex, 1, 2, &[&[0, 1], &[3, 1]]),
+            model(CellKind::Simplex, 0, 2, &[&[3]]),
+        ];
+        for model in models {
+            let [placed] = model.placed_cells().unwrap().try_into().unwrap();
+            assert_eq!(Model::from_placed_cells(placed).unwrap(), model);
+        }
+        let pentagon = RaggedArray::from_lists([[0, 1, 2, 3, 4]]);
+        let pentagon = Model::from_polygons(cube(3), pentagon).unwrap();
+        assert!(pentagon.placed_cells().unwrap_err().to_string().contains("face f0, with 5 sides"));
+        assert!(Model::default().placed_cells().is_err());
     }
 
     #[test]

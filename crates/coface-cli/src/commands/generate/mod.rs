@@ -1,0 +1,223 @@
+//! `coface generate`: models made by rule.
+
+mod construction;
+mod scene;
+mod shape;
+mod space;
+
+use crate::arguments::{Common, format_of_name};
+use crate::commands::convert::remark_on_losses;
+use crate::failure::Failure;
+use crate::output::{print_bytes, print_json, print_text};
+use crate::progress::Progress;
+use crate::text;
+use clap::{Args, Subcommand};
+use coface::cellular::PlacedCells;
+use coface::geometry::Positions;
+use coface::io::{self, Format, Model};
+use coface::report::Producer;
+use coface::simplicial::{SimplexSet, SimplicialComplex};
+use construction::Construction;
+use serde_json::{Value, json};
+use shape::Shape;
+use space::Space;
+
+/// Make a model by rule: grids, shapes with positions, known spaces, sweeps and products.
+///
+/// The model goes to the file of -o in the format of its extension, or to standard output in the format of --to; without
+/// both, a summary is printed. Every parameter has a default, so that `coface generate torus -o torus.off` is a torus.
+///
+/// Shapes are oriented coherently where that is possible, closed surfaces with the normal outward, solids positively.
+#[derive(Args)]
+#[command(subcommand_value_name = "FAMILY", subcommand_help_heading = "Families")]
+pub(crate) struct Generate {
+    #[command(subcommand)]
+    family: Family,
+    /// Write the model in this format, to standard output without -o
+    #[arg(long, value_name = "FORMAT", global = true, value_parser = format_of_name)]
+    to: Option<Format>,
+    /// The boundary of the model instead: the facets of exactly one cell
+    #[arg(long, global = true)]
+    boundary: bool,
+    /// The cells of this dimension instead, after --boundary
+    #[arg(long, value_name = "K", global = true)]
+    skeleton: Option<usize>,
+}
+
+#[derive(Subcommand)]
+enum Family {
+    #[command(flatten)]
+    Construction(Construction),
+    #[command(flatten)]
+    Shape(Shape),
+    #[command(flatten)]
+    Space(Space),
+}
+
+/// What a rule makes.
+enum Made {
+    /// Cells with positions.
+    Cells(PlacedCells),
+    /// A complex without positions.
+    Complex(SimplicialComplex),
+    /// A model of cells of several sorts, or a structure.
+    Model(Box<Model>),
+}
+
+impl Made {
+    fn boundary(self) -> Result<Self, Failure> {
+        match self {
+            Self::Cells(cells) => {
+                let boundary = cells.boundary()?.compacted();
+                if boundary.cell_count() == 0 {
+                    return Err(no_boundary());
+                }
+                Ok(Self::Cells(boundary))
+            }
+            Self::Complex(complex) => {
+                let boundary = SimplexSet::from(&complex).boundary_complex()?;
+                if boundary.is_empty() { Err(no_boundary()) } else { Ok(Self::Complex(boundary)) }
+            }
+            Self::Model(_) => Err(no_parts("boundary")),
+        }
+    }
+
+    fn skeleton(self, dimension: usize) -> Result<Self, Failure> {
+        match self {
+            Self::Cells(cells) => Ok(Self::Cells(cells.skeleton(dimension)?)),
+            Self::Complex(complex) => {
+                let top = complex.dimension().unwrap_or(0);
+                if dimension > top {
+                    let message = format!(
+                        "there is no skeleton of dimension {dimension}; the complex has dimension {top}"
+                    );
+                    return Err(Failure::new(message));
+                }
+                let simplices = (0..=dimension).flat_map(|k| complex.simplices(k).collect::<Vec<_>>());
+                Ok(Self::Complex(SimplicialComplex::from_simplices(simplices)?))
+            }
+            Self::Model(_) => Err(no_parts("skeleton")),
+        }
+    }
+
+    fn model(self) -> Result<Model, Failure> {
+        Ok(match self {
+            Self::Cells(cells) => Model::from_placed_cells(cells)?,
+            Self::Complex(complex) => construction::facets(&complex.facets()),
+            Self::Model(model) => *model,
+        })
+    }
+}
+
+fn no_boundary() -> Failure {
+    Failure::new("the model has no boundary: every facet lies in two cells; leave --boundary out")
+}
+
+fn no_parts(what: &str) -> Failure {
+    Failure::new(format!(
+        "the {what} of such a model is not taken here; write it with -o and use the verb {what}"
+    ))
+}
+
+impl Family {
+    fn make(&self, common: &Common, progress: &Progress) -> Result<Made, Failure> {
+        match self {
+            Self::Construction(construction) => construction.make(common, progress),
+            Self::Shape(shape) => Ok(Made::Cells(shape.cells()?)),
+            Self::Space(space) => Ok(Made::Complex(space.complex()?)),
+        }
+    }
+}
+
+impl Generate {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let target = common.output.as_deref();
+        let format = self.to.or_else(|| target.and_then(Format::from_path));
+        if let (Some(path), None) = (target, format) {
+            let path = path.display();
+            return Err(Failure::new(format!(
+                "{path}: the extension is no format known here; say it with --to"
+            )));
+        }
+        if target.is_none() && self.to.is_some() && common.json {
+            return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
+        }
+        let progress = Progress::start(common.quiet);
+        progress.stage("making the model");
+        let mut made = self.family.make(common, &progress)?;
+        if self.boundary {
+            made = made.boundary()?;
+        }
+        if let Some(dimension) = self.skeleton {
+            made = made.skeleton(dimension)?;
+        }
+        let model = made.model()?;
+        match (target, format) {
+            (Some(path), Some(format)) => {
+                progress.stage(format!("writing {}", path.display()));
+                io::write_path(&model, path, Some(format))?;
+                remark_on_losses(&model, format, common);
+                if !common.json {
+                    return Ok(());
+                }
+            }
+            (None, Some(format)) => {
+                // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
+                let mut bytes = Vec::new();
+                io::write(&model, &mut bytes, format)?;
+                drop(progress);
+                remark_on_losses(&model, format, common);
+                return print_bytes(|out| out.write_all(&bytes));
+            }
+            _ => {}
+        }
+        progress.stage("counting cells");
+        let bounds = bounding_box(model.positions());
+        let complex = Producer::of(model)?.into_chain_complex()?;
+        drop(progress);
+        let (f_vector, euler) = (complex.f_vector(), complex.euler_characteristic());
+        if common.json {
+            let mut object = json!({
+                "f_vector": f_vector,
+                "euler_characteristic": euler,
+                "bounding_box": bounds.as_ref().map_or(Value::Null, |[low, high]| json!([low, high])),
+            });
+            if let (Some(path), Some(format)) = (target, format) {
+                object["output"] = json!(path.display().to_string());
+                object["output_format"] = json!(format.name());
+            }
+            return print_json(&object);
+        }
+        let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
+        let mut facts = vec![
+            fact("f-vector", words(f_vector), "cells of dimension 0, 1, .."),
+            fact("Euler characteristic", euler.to_string(), "their alternating sum"),
+        ];
+        if let Some([low, high]) = bounds {
+            facts.push(fact("bounding box", format!("({}) to ({})", words(&low), words(&high)), ""));
+        }
+        let page = text::facts("model (written with -o OUT or --to FORMAT)", &facts);
+        print_text(&page)
+    }
+}
+
+/// The least and the largest coordinates of all points.
+fn bounding_box(positions: &Positions) -> Option<[Vec<f64>; 2]> {
+    let space = positions.dimension();
+    if positions.is_empty() || space == 0 {
+        return None;
+    }
+    let mut bounds = [vec![f64::INFINITY; space], vec![f64::NEG_INFINITY; space]];
+    for point in positions.as_flat().chunks(space) {
+        for (k, &x) in point.iter().enumerate() {
+            bounds[0][k] = bounds[0][k].min(x);
+            bounds[1][k] = bounds[1][k].max(x);
+        }
+    }
+    Some(bounds)
+}
+
+/// Numbers in a row.
+fn words<T: ToString>(numbers: &[T]) -> String {
+    numbers.iter().map(T::to_string).collect::<Vec<_>>().join(" ")
+}
