@@ -8,6 +8,8 @@ use rayon::prelude::*;
 const FEW: usize = 32;
 /// Points a cell of a grid has, about.
 const PER_CELL: usize = 8;
+/// More points than this are first put into cells that fit a cache, and there into smaller ones.
+const MANY: usize = 1 << 15;
 
 /// A point with its first three coordinates, missing ones zero.
 #[derive(Clone, Copy)]
@@ -63,7 +65,7 @@ impl<'a> NearPoints<'a> {
     fn is_near(&self, p: &Point, q: &Point) -> bool {
         let limit = self.tolerance * self.tolerance;
         if self.positions.dimension() <= 3 {
-            let [x, y, z] = [0, 1, 2].map(|axis| p.at[axis] - q.at[axis]);
+            let (x, y, z) = (p.at[0] - q.at[0], p.at[1] - q.at[1], p.at[2] - q.at[2]);
             return x * x + y * y + z * z <= limit;
         }
         let [p, q] = [p, q].map(|point| self.positions.point(VertexId::from_u32(point.id)));
@@ -150,13 +152,14 @@ impl<'a> NearPoints<'a> {
 
 /// The least and the greatest coordinates.
 fn bounds(points: &[Point]) -> [[f64; 3]; 2] {
-    let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    points.iter().fold(start, |[low, high], point| {
-        [
-            [0, 1, 2].map(|axis| low[axis].min(point.at[axis])),
-            [0, 1, 2].map(|axis| high[axis].max(point.at[axis])),
-        ]
-    })
+    let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for point in points {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(point.at[axis]);
+            high[axis] = high[axis].max(point.at[axis]);
+        }
+    }
+    [low, high]
 }
 
 /// A grid of equal boxes.
@@ -179,7 +182,8 @@ impl Grid {
             return None;
         }
         // Sides of boxes so that all together fill the bounds; thin axes are not cut.
-        let boxes = (points.len() / PER_CELL) as f64;
+        let per_box = if points.len() > MANY { MANY / 16 } else { PER_CELL };
+        let boxes = (points.len() / per_box) as f64;
         let longest = wide.iter().map(|&axis| extent[axis]).fold(0.0, f64::max);
         let product: f64 = wide.iter().map(|&axis| extent[axis] / longest).product();
         let side = longest * (product / boxes).powf(1.0 / wide.len() as f64);
@@ -216,6 +220,7 @@ impl Grid {
         (starts, sorted)
     }
 
+    #[inline]
     fn boxes(&self, point: &Point, tolerance: f64, mut visit: impl FnMut(usize)) {
         let along = |axis: usize, shift: f64| {
             let place = (point.at[axis] + shift - self.low[axis]) * self.scale[axis];
@@ -224,7 +229,8 @@ impl Grid {
         };
         // A little more than the tolerance, for the rounding of places.
         let reach = tolerance * 1.000_001;
-        let [first, last] = [-reach, reach].map(|shift| [0, 1, 2].map(|axis| along(axis, shift)));
+        let first = [along(0, -reach), along(1, -reach), along(2, -reach)];
+        let last = [along(0, reach), along(1, reach), along(2, reach)];
         for i in first[0]..=last[0] {
             for j in first[1]..=last[1] {
                 for k in first[2]..=last[2] {
@@ -261,6 +267,25 @@ mod tests {
             partition.unite(a, b);
         });
         partition.class_numbers()
+    }
+
+    /// So many that they go through cells of two sizes: the edges of a square lattice.
+    #[test]
+    fn many_points_are_near_their_neighbors_only() {
+        let side = 200;
+        assert!(side * side > MANY);
+        let flat = (0..side * side).flat_map(|i| [i / side, i % side].map(|x| x as f64)).collect();
+        let positions = Positions::from_flat(2, flat).unwrap();
+        let mut expected = Vec::new();
+        for i in 0..(side * side) as u32 {
+            let place = i as usize;
+            expected.extend((place % side + 1 < side).then_some([i, i + 1]));
+            expected.extend((place / side + 1 < side).then_some([i, i + side as u32]));
+        }
+        assert_eq!(NearPoints::all(&positions, 1.0), expected);
+        assert!(NearPoints::all(&positions, 0.99).is_empty());
+        let connecting = NearPoints::connecting(&positions, 1.0);
+        assert!(classes(positions.len(), &connecting).iter().all(|&class| class == 0));
     }
 
     proptest! {
