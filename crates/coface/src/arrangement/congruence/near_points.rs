@@ -154,9 +154,9 @@ impl<'a> NearPoints<'a> {
 fn bounds(points: &[Point]) -> [[f64; 3]; 2] {
     let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     for point in points {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(point.at[axis]);
-            high[axis] = high[axis].max(point.at[axis]);
+        for ((low, high), &x) in low.iter_mut().zip(&mut high).zip(&point.at) {
+            *low = low.min(x);
+            *high = high.max(x);
         }
     }
     [low, high]
