@@ -213,7 +213,7 @@ proptest! {
         prop_assert!((0..pruned.edge_count()).all(|edge| !pruned.is_bridge(EdgeId::new(edge))));
         for (face, area) in arrangement.areas().into_iter().enumerate() {
             let exact = arrangement.exact_area(Some(FaceId::new(face))).to_f64();
-            prop_assert!((area - exact).abs() <= 1e-12 * exact);
+            prop_assert!((area - exact).abs() <= exact * 2f64.powi(-49));
         }
     }
 

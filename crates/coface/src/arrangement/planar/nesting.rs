@@ -44,8 +44,12 @@ impl Below<'_> {
             for &segment in list {
                 let [a, b] = self.soup.lines[segment as usize];
                 let line = if a[0] < b[0] { [a, b] } else { [b, a] };
+                // Rounding is monotone: what the rounded x is beyond, the exact one is beyond or at.
+                let x = from.rounded()[0];
                 // Also false for vertical ones: the ray passes on their left.
                 let is_across = line[0][0] < line[1][0]
+                    && line[0][0] <= x
+                    && x <= line[1][0]
                     && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_gt()
                     && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_le();
                 if !is_across || from.side_of(line).is_le() {

@@ -29,7 +29,7 @@ fn split(a: f64) -> [f64; 2] {
 }
 
 /// The rounded product of two numbers and what rounding took away.
-pub(crate) fn two_product(a: f64, b: f64) -> [f64; 2] {
+fn two_product(a: f64, b: f64) -> [f64; 2] {
     let product = a * b;
     let ([a_high, a_low], [b_high, b_low]) = (split(a), split(b));
     [product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low]

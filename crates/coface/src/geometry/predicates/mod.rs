@@ -18,11 +18,10 @@ mod planar_point;
 #[cfg(test)]
 mod samples;
 
-pub(crate) use double_double::two_product;
 pub(crate) use dyadic::Dyadic;
 pub use orientation::{direction_turn, orientation};
-pub(crate) use planar_point::HomogeneousPoint;
 pub use planar_point::PlanarPoint;
+pub(crate) use planar_point::{HomogeneousPoint, approximate_area};
 
 /// A directed line through two different points, or the segment between them.
 pub type PlanarLine = [[f64; 2]; 2];

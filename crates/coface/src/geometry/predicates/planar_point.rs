@@ -126,6 +126,16 @@ impl PlanarPoint {
         Approximation::new(value, if exact { 0.0 } else { value.abs() * f64::EPSILON + f64::from_bits(1) })
     }
 
+    fn coordinates_in_twice_the_precision(&self) -> Option<[Approximation; 2]> {
+        match self.lines {
+            Some([s, t]) => approximate_crossing(s, t),
+            None if self.rounded.iter().all(|&x| is_ordinary(x)) => {
+                Some(self.rounded.map(|x| Approximation::new(x, 0.0)))
+            }
+            None => None,
+        }
+    }
+
     /// The exact coordinates as fractions.
     ///
     /// # Examples
@@ -161,25 +171,9 @@ pub(crate) fn known_order(a: &PlanarPoint, b: &PlanarPoint, axis: usize) -> Opti
 
 /// The crossing in twice the usual precision, if that is enough to round it.
 fn filtered_crossing(s: PlanarLine, t: PlanarLine) -> Option<PlanarPoint> {
-    if !s.as_flattened().iter().chain(t.as_flattened()).all(|&x| is_ordinary(x)) {
-        return None;
-    }
-    let d = |line: PlanarLine, axis: usize| Approximation::difference(line[1][axis], line[0][axis]);
-    let [sx, sy, tx, ty] = [d(s, 0), d(s, 1), d(t, 0), d(t, 1)];
-    let across = |axis: usize| Approximation::difference(t[0][axis], s[0][axis]);
-    let denominator = sx.times(ty).minus(sy.times(tx));
-    let along = across(0).times(ty).minus(across(1).times(tx)).over(denominator)?;
     let mut rounded = [0.0; 2];
     let mut residues = [None; 2];
-    for (axis, direction) in [sx, sy].into_iter().enumerate() {
-        // A line that is parallel to an axis knows one coordinate.
-        let fixed = [s, t].into_iter().find(|line| line[0][axis] == line[1][axis]);
-        if let Some(line) = fixed {
-            rounded[axis] = line[0][axis];
-            residues[axis] = Some(Ordering::Equal);
-            continue;
-        }
-        let at = Approximation::new(s[0][axis], 0.0).plus(along.times(direction));
+    for (axis, at) in approximate_crossing(s, t)?.into_iter().enumerate() {
         let (value, below, above) = (at.high, at.low - at.error, at.low + at.error);
         // All numbers between two that are rounded to the same are rounded to it.
         if value + below != value || value + above != value {
@@ -191,10 +185,51 @@ fn filtered_crossing(s: PlanarLine, t: PlanarLine) -> Option<PlanarPoint> {
         } else if above < 0.0 {
             Some(Ordering::Less)
         } else {
-            None
+            (at.error == 0.0).then_some(Ordering::Equal)
         };
     }
     Some(PlanarPoint { lines: Some([s, t]), rounded, residues })
+}
+
+/// The crossing in twice the usual precision; `None` for numbers out of the ordinary, and for lines that are parallel or
+/// nearly so.
+fn approximate_crossing(s: PlanarLine, t: PlanarLine) -> Option<[Approximation; 2]> {
+    if !s.as_flattened().iter().chain(t.as_flattened()).all(|&x| is_ordinary(x)) {
+        return None;
+    }
+    let d = |line: PlanarLine, axis: usize| Approximation::difference(line[1][axis], line[0][axis]);
+    let [sx, sy, tx, ty] = [d(s, 0), d(s, 1), d(t, 0), d(t, 1)];
+    let across = |axis: usize| Approximation::difference(t[0][axis], s[0][axis]);
+    let denominator = sx.times(ty).minus(sy.times(tx));
+    let along = across(0).times(ty).minus(across(1).times(tx)).over(denominator)?;
+    let coordinate = |axis: usize, direction: Approximation| {
+        // A line that is parallel to an axis knows one coordinate.
+        match [s, t].into_iter().find(|line| line[0][axis] == line[1][axis]) {
+            Some(line) => Approximation::new(line[0][axis], 0.0),
+            None => Approximation::new(s[0][axis], 0.0).plus(along.times(direction)),
+        }
+    };
+    Some([coordinate(0, sx), coordinate(1, sy)])
+}
+
+/// The area within closed walks, positive where they run counterclockwise, with a bound on its error; `None` for numbers out
+/// of the ordinary.
+pub(crate) fn approximate_area<W: Iterator<Item = PlanarPoint>>(
+    walks: impl Iterator<Item = W>,
+) -> Option<[f64; 2]> {
+    let mut doubled = Approximation::new(0.0, 0.0);
+    for mut walk in walks {
+        let Some(first) = walk.next() else { continue };
+        let first = first.coordinates_in_twice_the_precision()?;
+        let mut last = [Approximation::new(0.0, 0.0); 2];
+        for corner in walk {
+            let corner = corner.coordinates_in_twice_the_precision()?;
+            let corner = [0, 1].map(|axis| corner[axis].minus(first[axis]));
+            doubled = doubled.plus(last[0].times(corner[1]).minus(last[1].times(corner[0])));
+            last = corner;
+        }
+    }
+    Some([doubled.high * 0.5, doubled.error * 0.5 + doubled.low.abs()])
 }
 
 /// The point $(x / w, y / w)$ with exact numbers; w is positive.
