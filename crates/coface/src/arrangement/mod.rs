@@ -1,4 +1,5 @@
-//! Complexes brought together: congruence of cells, and what segments cut the plane into ([`planar`]).
+//! Complexes brought together: congruence of cells, what segments cut the plane into ([`planar`]) and faces cut space into
+//! ([`spatial`]), and Boolean combinations of inputs on either ([`boolean`]).
 //!
 //! # Words and conventions
 //! * Vertices are **congruent** when they are within a tolerance of each other, or joined by a chain of such vertices. A
@@ -9,6 +10,7 @@
 //! * A cell that came to touch itself can be **wrapped again**: split into **pieces**, the cells that its boundary encloses. Its
 //!   **image** is their sum.
 
+pub mod boolean;
 pub mod congruence;
 pub mod planar;
 pub mod spatial;

@@ -1,4 +1,5 @@
 //! Conforming faces to make cells of.
+#![allow(dead_code, reason = "each test takes what it needs")]
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::algebra::RaggedArray;

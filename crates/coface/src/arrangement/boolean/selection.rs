@@ -1,0 +1,203 @@
+//! Cells that a formula selects, and their boundary.
+
+use super::winding::sides_of_facets;
+use super::{BooleanFormula, InsideRule, WindingNumbers};
+use crate::algebra::{RaggedArray, Sign, UnionFind};
+use crate::chains::ChainComplex;
+use crate::{CellId, Error, ErrorKind};
+
+/// Some cells of an arrangement, possibly with the exterior.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CellSelection {
+    cells: Vec<bool>,
+    exterior: bool,
+}
+
+/// The boundary of a selection of cells.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SelectionBoundary {
+    facets: Vec<(CellId, Sign)>,
+    walls: Vec<CellId>,
+    pinched_ridges: Vec<CellId>,
+    pinched_vertices: Vec<CellId>,
+}
+
+impl CellSelection {
+    /// The cells with `true`, and the exterior if asked.
+    pub fn new(cells: Vec<bool>, exterior: bool) -> Self {
+        Self { cells, exterior }
+    }
+
+    /// The cells for which a formula holds. The exterior is in it when the formula holds with all inputs false.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if the formula names an input that is not there.
+    ///
+    /// # Complexity
+    /// Linear in the cells times the length of the formula.
+    pub fn by_formula(
+        winding: &WindingNumbers,
+        formula: &BooleanFormula,
+        rule: InsideRule,
+    ) -> Result<Self, Error> {
+        if formula.input_count() > winding.input_count() {
+            return Err(Error::invalid(format!(
+                "the formula names input {}, but there are {} inputs from 0",
+                formula.input_count() - 1,
+                winding.input_count()
+            )));
+        }
+        let mut stack = Vec::new();
+        let cells = (0..winding.cell_count())
+            .map(|cell| {
+                let numbers = winding.of_cell(CellId::new(cell));
+                formula.evaluate_on(&mut stack, |input| rule.is_inside(numbers[input]))
+            })
+            .collect();
+        Ok(Self { cells, exterior: formula.evaluate(|_| false) })
+    }
+
+    /// Whether a cell is selected.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn contains(&self, cell: CellId) -> bool {
+        self.cells[cell.index()]
+    }
+
+    /// Whether the exterior is selected.
+    pub fn has_exterior(&self) -> bool {
+        self.exterior
+    }
+
+    /// The cells that are selected, rising.
+    pub fn cells(&self) -> impl Iterator<Item = CellId> + '_ {
+        self.cells.iter().enumerate().filter(|(_, is_in)| **is_in).map(|(cell, _)| CellId::new(cell))
+    }
+
+    /// The boundary in the arrangement: facets with the selection on one side.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless the complex has the cells of the selection as cells of highest degree, at least one, each facet
+    /// once in front of cells and once behind them at most.
+    ///
+    /// # Complexity
+    /// Linear in the boundary matrices, and nearly linear in the boundary.
+    ///
+    /// # Examples
+    /// Of two edges in a row the first: its boundary is its ends.
+    /// ```
+    /// use coface::algebra::{Sign, SparseMatrix};
+    /// use coface::arrangement::boolean::CellSelection;
+    /// use coface::chains::ChainComplex;
+    /// use coface::CellId;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)];
+    /// let complex = ChainComplex::new(vec![SparseMatrix::from_entries(3, 2, edges)?])?;
+    /// let boundary = CellSelection::new(vec![true, false], false).boundary(&complex)?;
+    /// assert_eq!(boundary.facets(), [(CellId::new(0), Sign::Minus), (CellId::new(1), Sign::Plus)]);
+    /// let both = CellSelection::new(vec![true, true], false).boundary(&complex)?;
+    /// assert_eq!(both.walls(), [CellId::new(1)]);
+    /// # Ok(()) }
+    /// ```
+    pub fn boundary(&self, complex: &ChainComplex) -> Result<SelectionBoundary, Error> {
+        let degree = complex.degree_count().saturating_sub(1);
+        let boundaries = complex.boundary_matrix(degree);
+        let Some(boundaries) = boundaries.filter(|matrix| matrix.column_count() == self.cells.len()) else {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!(
+                    "a selection of {} cells in a complex with {}",
+                    self.cells.len(),
+                    complex.cell_count(degree)
+                ),
+            ));
+        };
+        let is_in = |cell: u32| self.cells.get(cell as usize).copied().unwrap_or(self.exterior);
+        let (mut facets, mut walls) = (Vec::new(), Vec::new());
+        for (facet, [back, front]) in sides_of_facets(boundaries)?.into_iter().enumerate() {
+            let facet = CellId::new(facet);
+            match (is_in(back), is_in(front)) {
+                (true, false) => facets.push((facet, Sign::Plus)),
+                (false, true) => facets.push((facet, Sign::Minus)),
+                (true, true) if back != front => walls.push(facet),
+                _ => {}
+            }
+        }
+        let (pinched_ridges, pinched_vertices) = pinches(complex, degree, &facets);
+        Ok(SelectionBoundary { facets, walls, pinched_ridges, pinched_vertices })
+    }
+}
+
+impl SelectionBoundary {
+    /// The facets with a selected cell on one side only, with plus where it is behind: a cycle. Rising.
+    pub fn facets(&self) -> &[(CellId, Sign)] {
+        &self.facets
+    }
+
+    /// The facets between two selected cells, rising. A facet with one cell on both sides is no wall.
+    pub fn walls(&self) -> &[CellId] {
+        &self.walls
+    }
+
+    /// The cells of two degrees less than the selection - vertices in the plane, edges in space - with more than two facets of the
+    /// boundary, rising.
+    pub fn pinched_ridges(&self) -> &[CellId] {
+        &self.pinched_ridges
+    }
+
+    /// The vertices at which the boundary of a selection in space falls apart into several fans of facets, rising. In the plane
+    /// these are the pinched ridges.
+    pub fn pinched_vertices(&self) -> &[CellId] {
+        &self.pinched_vertices
+    }
+
+    /// Whether the boundary is a closed curve or surface near each of its points.
+    pub fn is_manifold(&self) -> bool {
+        self.pinched_ridges.is_empty() && self.pinched_vertices.is_empty()
+    }
+}
+
+/// Ridges with more than two facets of a boundary, and vertices with more than one fan.
+fn pinches(complex: &ChainComplex, degree: usize, facets: &[(CellId, Sign)]) -> (Vec<CellId>, Vec<CellId>) {
+    let Some(ridges) = degree.checked_sub(1).and_then(|below| complex.boundary_matrix(below)) else {
+        return (Vec::new(), Vec::new());
+    };
+    // Pairs of a ridge and the position of a facet.
+    let mut at_ridge: Vec<(u32, u32)> = (0..)
+        .zip(facets)
+        .flat_map(|(i, (facet, _))| ridges.column(facet.index()).rows().iter().map(move |&ridge| (ridge, i)))
+        .collect();
+    at_ridge.sort_unstable();
+    let groups = || at_ridge.chunk_by(|x, y| x.0 == y.0);
+    let pinched: Vec<CellId> =
+        groups().filter(|group| group.len() > 2).map(|group| CellId::from_u32(group[0].0)).collect();
+    if degree == 2 {
+        return (pinched.clone(), pinched);
+    }
+    let (3, Some(ends)) = (degree, complex.boundary_matrix(1)) else { return (pinched, Vec::new()) };
+    // Corners are pairs of a vertex and a facet; those on both sides of an edge are in one fan.
+    let mut corners: Vec<(u32, u32)> = at_ridge
+        .iter()
+        .flat_map(|&(edge, i)| ends.column(edge as usize).rows().iter().map(move |&vertex| (vertex, i)))
+        .collect();
+    corners.sort_unstable();
+    corners.dedup();
+    let mut fans = UnionFind::new(corners.len());
+    let corner =
+        |vertex: u32, i: u32| corners.binary_search(&(vertex, i)).expect("sides have corners") as u32;
+    for group in groups() {
+        for &vertex in ends.column(group[0].0 as usize).rows() {
+            let first = corner(vertex, group[0].1);
+            for &(_, i) in &group[1..] {
+                fans.unite(first, corner(vertex, i));
+            }
+        }
+    }
+    let classes = RaggedArray::grouped(complex.cell_count(0), corners.iter().map(|&(vertex, _)| vertex));
+    let split = classes.iter().enumerate().filter(|(_, own)| {
+        own.first().is_some_and(|&first| own[1..].iter().any(|&other| !fans.same(first, other)))
+    });
+    let vertices = split.map(|(vertex, _)| CellId::new(vertex)).collect();
+    (pinched, vertices)
+}

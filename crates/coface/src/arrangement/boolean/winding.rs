@@ -1,0 +1,292 @@
+//! Winding numbers of inputs around cells.
+
+use crate::algebra::SparseMatrix;
+use crate::chains::ChainComplex;
+use crate::{CellId, Error, ErrorKind};
+use std::collections::BTreeMap;
+
+/// Where a facet has the exterior, or one cell on both sides.
+const EXTERIOR: u32 = u32::MAX;
+
+/// Which winding numbers mean inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum InsideRule {
+    /// All but zero.
+    #[default]
+    Nonzero,
+    /// Those above zero: what an input that is turned inside out encloses is outside.
+    Positive,
+    /// The odd ones: what is enclosed twice is outside.
+    Odd,
+}
+
+impl InsideRule {
+    /// Whether this winding number means inside.
+    pub fn is_inside(self, number: i32) -> bool {
+        match self {
+            Self::Nonzero => number != 0,
+            Self::Positive => number > 0,
+            Self::Odd => number % 2 != 0,
+        }
+    }
+}
+
+/// How often each of several inputs winds around each cell of an arrangement.
+///
+/// # Examples
+/// Two triangles on a common edge; the first input is the rim of the first, the second input the rim of both:
+/// ```
+/// use coface::algebra::SparseMatrix;
+/// use coface::arrangement::boolean::WindingNumbers;
+/// use coface::chains::ChainComplex;
+/// use coface::CellId;
+/// # fn main() -> Result<(), coface::Error> {
+/// let ends = [[0, 1], [1, 2], [2, 0], [1, 3], [3, 2]];
+/// let edges = ends.iter().enumerate().flat_map(|(e, &[a, b])| [(a, e, -1), (b, e, 1)]);
+/// let edges = SparseMatrix::from_entries(4, 5, edges)?;
+/// let faces = [(0, 0, 1), (1, 0, 1), (2, 0, 1), (1, 1, -1), (3, 1, 1), (4, 1, 1)];
+/// let faces = SparseMatrix::from_entries(5, 2, faces)?;
+/// let rims = [(0, 0, 1), (1, 0, 1), (2, 0, 1), (0, 1, 1), (2, 1, 1), (3, 1, 1), (4, 1, 1)];
+/// let inputs = SparseMatrix::from_entries(5, 2, rims)?;
+/// let complex = ChainComplex::new(vec![edges, faces])?;
+/// let winding = WindingNumbers::new(&complex, &inputs)?;
+/// assert_eq!(winding.of_cell(CellId::new(0)), [1, 1]);
+/// assert_eq!(winding.of_cell(CellId::new(1)), [0, 1]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WindingNumbers {
+    input_count: usize,
+    cell_count: usize,
+    /// Those of one cell after those of another.
+    numbers: Vec<i32>,
+}
+
+impl WindingNumbers {
+    /// The winding numbers around the cells of highest degree of an arrangement, the exterior not among them. Column i of `inputs`
+    /// is input i as a chain of facets.
+    ///
+    /// From a facet's front to its back the winding number of an input rises by the multiplicity of the facet; the numbers are
+    /// carried from the exterior, where they are zero, across the facets.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotACycle`] naming the first input with a boundary, and a part of that boundary; [`ErrorKind::Shape`] when there
+    /// is not a row for each facet, when a facet is more than once in front of cells or behind them, or when cells cannot be reached
+    /// from the exterior; [`ErrorKind::TooLarge`] for numbers beyond 32 bits.
+    ///
+    /// # Complexity
+    /// Linear in the cells times inputs, and in the matrices.
+    pub fn new(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        let degree = complex.degree_count().saturating_sub(1);
+        let Some(boundaries) = complex.boundary_matrix(degree) else {
+            return Err(Error::new(ErrorKind::Shape, "a complex of points has no facets"));
+        };
+        if inputs.row_count() != boundaries.row_count() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} rows of inputs for {} facets", inputs.row_count(), boundaries.row_count()),
+            ));
+        }
+        check_closed(complex, degree - 1, inputs)?;
+        let sides = sides_of_facets(boundaries)?;
+        let (cell_count, input_count) = (boundaries.column_count(), inputs.column_count());
+        let jumps = inputs.transpose();
+        let mut numbers = vec![0i32; cell_count * input_count];
+        let mut is_known = vec![false; cell_count];
+        let mut queue: Vec<u32> = Vec::new();
+        let outer = (0..sides.len() as u32).filter(|&facet| {
+            let [back, front] = sides[facet as usize];
+            (back == EXTERIOR) != (front == EXTERIOR)
+        });
+        let mut frontier: Vec<u32> = outer.collect();
+        while !frontier.is_empty() {
+            for facet in frontier.drain(..) {
+                let [back, front] = sides[facet as usize];
+                let knows = |cell: u32| cell == EXTERIOR || is_known[cell as usize];
+                let (from, to, sign) = match (knows(back), knows(front)) {
+                    (false, true) => (front, back, 1i64),
+                    (true, false) => (back, front, -1),
+                    _ => continue,
+                };
+                let start = to as usize * input_count;
+                if from != EXTERIOR {
+                    let source = from as usize * input_count;
+                    numbers.copy_within(source..source + input_count, start);
+                }
+                for (input, multiplicity) in jumps.column(facet as usize).iter() {
+                    let number = &mut numbers[start + input];
+                    let sum = i64::from(*number) + sign * i64::from(multiplicity);
+                    *number = i32::try_from(sum).map_err(|_| {
+                        Error::new(
+                            ErrorKind::TooLarge,
+                            format!("input {input} winds {sum} times around a cell"),
+                        )
+                    })?;
+                }
+                is_known[to as usize] = true;
+                queue.push(to);
+            }
+            for cell in queue.drain(..) {
+                frontier.extend_from_slice(boundaries.column(cell as usize).rows());
+            }
+        }
+        if let Some(cell) = is_known.iter().position(|&known| !known) {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("cell c{cell} cannot be reached from the exterior across facets"),
+            ));
+        }
+        let found = Self { input_count, cell_count, numbers };
+        found.check(&sides, &jumps)?;
+        Ok(found)
+    }
+
+    /// `Shape` naming a facet across which the numbers do not rise by its multiplicity: then the cells are not all there.
+    fn check(&self, sides: &[[u32; 2]], jumps: &SparseMatrix) -> Result<(), Error> {
+        let number = |cell: u32, input: usize| {
+            if cell == EXTERIOR {
+                0
+            } else {
+                i64::from(self.numbers[cell as usize * self.input_count + input])
+            }
+        };
+        for (facet, &[back, front]) in sides.iter().enumerate() {
+            let column = jumps.column(facet);
+            let fault = (0..self.input_count)
+                .find(|&input| number(back, input) - number(front, input) != i64::from(column.entry(input)));
+            if let Some(input) = fault {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!("input {input} is closed, but does not bound cells: see facet {facet}"),
+                )
+                .with_cure("give all bounded cells of the arrangement"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of inputs.
+    pub fn input_count(&self) -> usize {
+        self.input_count
+    }
+
+    /// The number of cells.
+    pub fn cell_count(&self) -> usize {
+        self.cell_count
+    }
+
+    /// The winding number of each input around a cell.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn of_cell(&self, cell: CellId) -> &[i32] {
+        assert!(cell.index() < self.cell_count, "there is no cell {cell}");
+        &self.numbers[cell.index() * self.input_count..(cell.index() + 1) * self.input_count]
+    }
+
+    /// The inputs that a cell is inside of, rising.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn inputs_around(&self, cell: CellId, rule: InsideRule) -> impl Iterator<Item = usize> + '_ {
+        let numbers = self.of_cell(cell).iter().enumerate();
+        numbers.filter(move |&(_, &number)| rule.is_inside(number)).map(|(input, _)| input)
+    }
+}
+
+/// The cells behind and in front of each facet.
+pub(super) fn sides_of_facets(boundaries: &SparseMatrix) -> Result<Vec<[u32; 2]>, Error> {
+    let mut sides = vec![[EXTERIOR; 2]; boundaries.row_count()];
+    for (cell, column) in boundaries.columns().enumerate() {
+        for (facet, entry) in column.iter() {
+            let side = match entry {
+                1 => &mut sides[facet][0],
+                -1 => &mut sides[facet][1],
+                _ => {
+                    return Err(Error::new(
+                        ErrorKind::Shape,
+                        format!(
+                            "cell c{cell} has the coefficient {entry} on facet {facet}; only 1 and -1 are sides"
+                        ),
+                    ));
+                }
+            };
+            if *side != EXTERIOR {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!("cells c{side} and c{cell} are on one side of facet {facet}"),
+                ));
+            }
+            *side = cell as u32;
+        }
+    }
+    Ok(sides)
+}
+
+/// `NotACycle` naming an input with a boundary and a closed walk, or two points, of that boundary.
+fn check_closed(complex: &ChainComplex, degree: usize, inputs: &SparseMatrix) -> Result<(), Error> {
+    let Some(ridges) = complex.boundary_matrix(degree) else { return Ok(()) };
+    let mut sum = vec![0i64; ridges.row_count()];
+    for (input, column) in inputs.columns().enumerate() {
+        let mut touched = Vec::new();
+        for (facet, multiplicity) in column.iter() {
+            for (ridge, entry) in ridges.column(facet).iter() {
+                sum[ridge] += i64::from(entry) * i64::from(multiplicity);
+                touched.push(ridge as u32);
+            }
+        }
+        touched.sort_unstable();
+        touched.dedup();
+        let open: Vec<u32> = touched.iter().copied().filter(|&ridge| sum[ridge as usize] != 0).collect();
+        touched.iter().for_each(|&ridge| sum[ridge as usize] = 0);
+        if open.is_empty() {
+            continue;
+        }
+        const MOST: usize = 12;
+        let (letter, walk) = match complex.boundary_matrix(degree - 1) {
+            Some(ends) if degree == 2 => ('e', walk_through(ends, &open)),
+            _ => (if degree == 1 { 'v' } else { 'c' }, open),
+        };
+        let mut list: Vec<String> = walk.iter().take(MOST).map(|ridge| format!("{letter}{ridge}")).collect();
+        if walk.len() > MOST {
+            list.push(format!("... ({} in all)", walk.len()));
+        }
+        return Err(Error::new(
+            ErrorKind::NotACycle,
+            format!("input {input} is not closed: it is open along {}", list.join(" ")),
+        )
+        .with_cure("close the input; only closed inputs have an inside"));
+    }
+    Ok(())
+}
+
+/// A walk along edges that are the support of a cycle, from the first of them until it comes back to where it was.
+fn walk_through(ends: &SparseMatrix, edges: &[u32]) -> Vec<u32> {
+    let mut at_vertex: Vec<(u32, u32)> = edges
+        .iter()
+        .flat_map(|&edge| ends.column(edge as usize).rows().iter().map(move |&vertex| (vertex, edge)))
+        .collect();
+    at_vertex.sort_unstable();
+    let Some(&start) = ends.column(edges[0] as usize).rows().first() else { return edges.to_vec() };
+    let mut walk = vec![edges[0]];
+    // The vertex that the walk is at, and the place in it of each edge's first vertex.
+    let mut here = start;
+    let mut places = BTreeMap::from([(start, 0)]);
+    let mut edge = edges[0];
+    loop {
+        let Some(&next) = ends.column(edge as usize).rows().iter().find(|&&vertex| vertex != here) else {
+            return walk;
+        };
+        if let Some(&first) = places.get(&next) {
+            walk.drain(..first);
+            return walk;
+        }
+        places.insert(next, walk.len());
+        // A vertex of the support of a cycle has another edge of it.
+        let from = at_vertex.partition_point(|&(vertex, _)| vertex < next);
+        let around = at_vertex[from..].iter().take_while(|&&(vertex, _)| vertex == next);
+        let Some(&(_, other)) = { around }.find(|&&(_, other)| other != edge) else { return walk };
+        walk.push(other);
+        (here, edge) = (next, other);
+    }
+}
