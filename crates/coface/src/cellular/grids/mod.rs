@@ -11,7 +11,7 @@
 //!   first; within a block lexicographically by corner.
 //! * The boundary is that of a product, axis 0 the first factor: along the k-th axis of its set, counted from 0, the upper
 //!   facet has the sign $(-1)^k$ and the lower facet the opposite.
-//! * [`CuboidGrid::simplices`] cuts the top cells into simplices along diagonals. [`product`] multiplies cells with positions,
+//! * [`CuboidGrid::simplices`] cuts the top cells into simplices along diagonals. [`product()`] multiplies cells with positions,
 //!   [`LarModel::product`](super::LarModel::product) models with all their cells; vertices and cells of a product are pairs, the
 //!   second factor fastest.
 
