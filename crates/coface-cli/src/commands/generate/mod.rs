@@ -25,7 +25,7 @@ use space::Space;
 /// Make a model by rule: grids, shapes with positions, known spaces, sweeps and products.
 ///
 /// The model goes to the file of -o in the format of its extension, or to standard output in the format of --to; without
-/// both, a summary is printed. Every parameter has a default, so that `coface generate torus -o torus.off` is a torus.
+/// both, a summary is printed. Shapes have a default for every parameter, so that `coface generate torus -o torus.off` is a torus.
 ///
 /// Shapes are oriented coherently where that is possible, closed surfaces with the normal outward, solids positively.
 #[derive(Args)]
@@ -191,7 +191,7 @@ impl Generate {
         let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
         let mut facts = vec![
             fact("f-vector", words(f_vector), "cells of dimension 0, 1, .."),
-            fact("Euler characteristic", euler.to_string(), "their alternating sum"),
+            fact("alternating sum", euler.to_string(), "the Euler characteristic"),
         ];
         if let Some([low, high]) = bounds {
             facts.push(fact("bounding box", format!("({}) to ({})", words(&low), words(&high)), ""));
