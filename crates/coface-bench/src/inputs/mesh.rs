@@ -226,6 +226,7 @@ mod tests {
         let read = Mesh::read_raw3(&path).unwrap();
         std::fs::remove_file(&path).unwrap();
         assert_eq!(read, soup);
-        assert!(generate("t3_3").unwrap().write(&path).is_err());
+        assert!(generate("lm_9x20").unwrap().write(&path).is_err());
+        std::fs::remove_file(&path).unwrap();
     }
 }
