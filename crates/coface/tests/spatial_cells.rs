@@ -132,6 +132,23 @@ fn faces_that_are_not_convex_and_faces_with_holes_have_cells() {
 }
 
 #[test]
+fn scale_does_not_matter() {
+    let power = |exponent: i32| 2f64.powi(exponent);
+    // So small and so large that products of coordinates leave the range of ordinary numbers.
+    for exponent in [-300, 300] {
+        let faces = rod_through_cube().moved(|p| p.map(|x| x * power(exponent)));
+        let volume = power(3 * exponent);
+        expect(&faces, [24, 40, 22, 4], &[0.125, 0.125, 0.25, 0.75].map(|part| part * volume));
+    }
+    // A small cube in a large one, another at its lower corner from outside.
+    let mut faces = Faces::default();
+    faces.add_cube([0.0; 3], power(20));
+    faces.add_cube([1.0; 3], power(-30));
+    faces.add_cube([-power(-30); 3], power(-30));
+    expect(&faces, [23, 36, 18, 3], &[power(-90), power(-90), power(60)]);
+}
+
+#[test]
 fn shells_nest_to_any_depth() {
     let mut faces = Faces::default();
     // Four in one another, the innermost two side by side; and one beside all, level with them.
