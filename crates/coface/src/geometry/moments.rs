@@ -250,7 +250,9 @@ impl MassProperties {
         let squares = [0, 1, 2].map(|axis| product(axis, axis));
         let trace: f64 = squares.iter().sum();
         let inertia = [0, 1, 2].map(|i| {
-            [0, 1, 2].map(|j| scaled.unscaled(if i == j { trace - squares[i] } else { -product(i, j) }, 5))
+            let beside = |j: usize| if i == j { trace - squares[i] } else { -product(i, j) };
+            // A sum with 0 has no negative zero.
+            [0, 1, 2].map(|j| scaled.unscaled(beside(j), 5) + 0.0)
         });
         let centroid = center.map(|coordinate| scaled.unscaled(coordinate, 1));
         Some(Self { volume: scaled.unscaled(volume, 3), centroid, inertia })

@@ -38,6 +38,6 @@ pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
 pub use doors::{read, read_path, read_unknown, write, write_path};
 pub use format::Format;
-pub(crate) use model::repeated_vertex;
 pub use model::{Group, GroupKind, Model, Structure};
+pub(crate) use model::{repeated_vertex, segments};
 pub use output::replace_file;

@@ -455,6 +455,11 @@ fn check_size(what: &str, i: usize, vertices: &[u32], least: usize) -> Result<()
     Ok(())
 }
 
+/// The segments of polylines.
+pub(crate) fn segments(lines: &RaggedArray) -> Vec<[u32; 2]> {
+    lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

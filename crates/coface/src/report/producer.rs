@@ -6,7 +6,7 @@ use crate::algebra::RaggedArray;
 use crate::cellular::{CellMesh, LarModel};
 use crate::chains::{ChainComplex, TwoSkeleton};
 use crate::geometry::Positions;
-use crate::io::{Model, Structure};
+use crate::io::{Model, Structure, segments};
 use crate::simplicial::{FaceClasses, FrozenComplex, GluingTable};
 use crate::surface::{HalfedgeMesh, PolygonMesh};
 use crate::{CellId, EdgeId, FaceId};
@@ -175,11 +175,6 @@ impl Producer {
             _ => skeleton.face(FaceId::new(cell)).to_vec(),
         })
     }
-}
-
-/// The segments of polylines.
-pub(super) fn segments(lines: &RaggedArray) -> Vec<[u32; 2]> {
-    lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect()
 }
 
 /// Up to dimension 2 a polygon mesh, whose questions have more answers.

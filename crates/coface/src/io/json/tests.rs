@@ -1,5 +1,6 @@
 use super::{read, write};
 use crate::algebra::RaggedArray;
+use crate::cellular::CellShape;
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::io::{Model, Structure};
@@ -46,6 +47,29 @@ fn points_beside_boundaries_are_positions() {
     for other in [r#"{"facets":[[0,1]],"vertices":"many"}"#, r#"{"vertices":{"x":[1]},"facets":[[0,1]]}"#] {
         assert_eq!(read(other.as_bytes()).unwrap(), read(&b"[[0,1]]"[..]).unwrap());
     }
+}
+
+#[test]
+fn meshes_of_other_cells_are_written_as_chain_complexes() {
+    let corners = [[0., 0.], [1., 0.], [1., 1.], [0., 1.], [2., 0.]].concat();
+    let square = Model::from_polygons(
+        Positions::from_flat(2, corners.clone()).unwrap(),
+        RaggedArray::from_lists([[0, 1, 2, 3]]),
+    )
+    .unwrap();
+    let model = square.with_lines(RaggedArray::from_lists([[1, 4]])).unwrap();
+    let mut out = Vec::new();
+    write(&model, &mut out).unwrap();
+    let back = read(&out[..]).unwrap();
+    assert_eq!(complex(&back).f_vector(), [5, 5, 1]);
+    assert_eq!(back.positions().as_flat(), corners);
+    let cells = RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]);
+    let flat = (0..6).flat_map(|i| [f64::from(i % 3 == 1), f64::from(i % 3 == 2), f64::from(i / 3)]);
+    let positions = Positions::from_flat(3, flat.collect()).unwrap();
+    let wedge = Model::from_cells(positions, vec![CellShape::Wedge], cells).unwrap();
+    let mut out = Vec::new();
+    write(&wedge, &mut out).unwrap();
+    assert_eq!(complex(&read(&out[..]).unwrap()).f_vector(), [6, 9, 5, 1]);
 }
 
 #[test]

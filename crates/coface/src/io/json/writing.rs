@@ -1,21 +1,25 @@
 //! From a model to a stream.
 
+use crate::Error;
 use crate::algebra::SparseMatrix;
-use crate::cellular::CellShape;
+use crate::cellular::{CellMesh, CellShape};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::io::decimal::{flush, push_f64};
-use crate::io::{Model, Structure};
+use crate::io::{Model, Structure, segments};
 use crate::simplicial::GluingTable;
-use crate::{Error, ErrorKind};
+use crate::surface::PolygonMesh;
 use std::io::{BufWriter, Write};
 
-/// Writes a structure as JSON, one point, facet, matrix or simplex a line; a chain complex with its positions. A mesh of simplices becomes its list of facets: positions
-/// and groups are not written, polylines become edges, isolated vertices become facets of their own.
+/// Writes a structure as JSON, one point, facet, matrix or simplex a line; a chain complex with its positions.
+///
+/// A mesh of simplices becomes its list of facets: positions and groups are not written, polylines become edges, isolated
+/// vertices become facets of their own. Any other mesh becomes its chain complex, with positions; which vertices a cell has is
+/// told by the boundary matrices then.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] for polygons that are no triangles and cells that are no tetrahedra;
-/// [`ErrorKind::Io`] from the output.
+/// Those of [`CellMesh::new`] and [`PolygonMesh::new`] for a mesh that is not of simplices; [`crate::ErrorKind::Io`] from the
+/// output.
 ///
 /// # Examples
 /// ```
@@ -46,20 +50,22 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
     Ok(())
 }
 
-/// The cells of a mesh of simplices, then the vertices that none of them has.
-fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
-    let unsupported = |what: String| {
-        Err(Error::new(
-            ErrorKind::UnsupportedFormat,
-            format!("a JSON facet list holds simplices, but {what}"),
-        )
-        .with_cure("write another format, or triangulate first"))
-    };
-    if let Some(i) = model.polygons().iter().position(|polygon| polygon.len() != 3) {
-        return unsupported(format!("polygon {i} has {} vertices", model.polygons().list(i).len()));
+/// The chain complex of the cells of a mesh.
+fn mesh_complex(model: &Model) -> Result<ChainComplex, Error> {
+    let (count, segments) = (model.vertex_count(), segments(model.lines()));
+    if model.cells().is_empty() {
+        return Ok(PolygonMesh::new(count, model.polygons().clone(), &segments)?.into_chain_complex());
     }
-    if let Some(i) = model.shapes().iter().position(|&shape| shape != CellShape::Tetrahedron) {
-        return unsupported(format!("cell {i} is a {}", model.shapes()[i].name()));
+    let (shapes, cells) = (model.shapes().to_vec(), model.cells().clone());
+    Ok(CellMesh::new(count, shapes, cells, model.polygons(), &segments)?.into_chain_complex())
+}
+
+/// A mesh of simplices: its cells, then the vertices that none of them has. Any other: its chain complex.
+fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
+    let is_simplicial = model.polygons().iter().all(|polygon| polygon.len() == 3)
+        && model.shapes().iter().all(|&shape| shape == CellShape::Tetrahedron);
+    if !is_simplicial {
+        return write_chains(out, &mesh_complex(model)?, model.positions());
     }
     let mut isolated = vec![true; model.vertex_count()];
     for list in [model.cells(), model.polygons(), model.lines()] {

@@ -4,9 +4,8 @@ use super::ModelCongruence;
 use super::merging::source;
 use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::cellular::CellShape;
-use crate::io::Model;
-use crate::io::repeated_vertex;
-use crate::report::producer::{Cells, segments};
+use crate::io::{Model, repeated_vertex, segments};
+use crate::report::producer::Cells;
 use crate::{CellId, Error, ErrorKind, VertexId};
 
 /// What a model lists by itself, though it may be a face of something else.
