@@ -2,8 +2,8 @@
 
 Usage: weld.py scipy|open3d FILE.raw3
 
-scipy: all pairs within the tolerance by cKDTree, then connected components: the same classes as ours. open3d:
-remove_duplicated_vertices, which joins bit-equal points only, so its count differs where points are off.
+scipy: all pairs within the tolerance by cKDTree, then connected components. open3d: merge_close_vertices. Both go by
+true distance.
 
 Prints one JSON line with the seconds of the work alone, as `coface-bench compare` reads it:
 
@@ -47,9 +47,9 @@ def open3d_classes(points, polygons):
     import open3d
 
     mesh = open3d.geometry.TriangleMesh(
-        open3d.utility.Vector3dVector(points), open3d.utility.Vector3iVector(polygons.astype(numpy.int32))
+        open3d.utility.Vector3dVector(points.copy()), open3d.utility.Vector3iVector(polygons.astype(numpy.int32))
     )
-    return lambda: len(mesh.remove_duplicated_vertices().vertices)
+    return lambda: len(mesh.merge_close_vertices(TOLERANCE).vertices)
 
 
 def main():

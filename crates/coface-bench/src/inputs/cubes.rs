@@ -1,7 +1,9 @@
 //! Blocks of cubes cut into simplices: the cube, the solid torus, tori, in dimension 4 as well.
 
 use super::Mesh;
+use coface::Error;
 use coface::algebra::RaggedArray;
+use coface::cellular::CuboidGrid;
 
 /// A block of cubes, each cut into the six tetrahedra of its monotone paths from the lowest corner to the highest
 /// (H. W. Kuhn, 1960), so that neighbors match; a direction that is `periodic` closes up.
@@ -69,4 +71,13 @@ pub(super) fn kuhn_grid(dimension: usize, side: usize, periodic: bool) -> Mesh {
     }
     let lists = RaggedArray::uniform(dimension + 1, simplices).expect("each simplex has its vertices");
     Mesh { vertex_count: points.pow(dimension as u32), coordinates: Vec::new(), lists }
+}
+
+/// The cells of this dimension of a cuboid grid, with their vertices in the order of the grid.
+///
+/// # Errors
+/// For a grid beyond 32 bits.
+pub(super) fn cuboid_cells(side: usize, dimension: usize) -> Result<Mesh, Error> {
+    let grid = CuboidGrid::new(&[side as u32; 3])?;
+    Ok(Mesh { vertex_count: grid.cell_count(0), coordinates: Vec::new(), lists: grid.cells(dimension)? })
 }

@@ -12,6 +12,7 @@
 //! * `sum_N`: the sum complex modulo N with the sums 0, 1, 3; its torsion grows exponentially.
 //! * `soupN`: the icosphere of level N with three vertices for each triangle, each coordinate off by up to 1e-9.
 //! * `cubes_sep_K`: K by K by K cubes, each of six squares with four vertices of their own, each coordinate off by up to 1e-8.
+//! * `cuboid_edges_K`, `cuboid_faces_K`: the edges and the squares of the K by K by K cuboid grid, as lists of vertices.
 //! * `simp_N`: N random simplices of dimension 0 to 5 on N/10 vertices.
 
 mod cubes;
@@ -50,6 +51,8 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
         "cubes_sep_K",
         "K by K by K cubes of six separate squares (cubes_sep_50: 750,000 squares, 3,000,000 points)",
     ),
+    ("cuboid_edges_K", "edges of the K by K by K cuboid grid (cuboid_edges_100: 3,060,300)"),
+    ("cuboid_faces_K", "squares of the K by K by K cuboid grid (cuboid_faces_100: 3,030,000)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
 ];
 
@@ -77,6 +80,11 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
     }
     if let Some(side) = name.strip_prefix("cubes_sep_") {
         return Ok(soups::separate_cubes(number(side, 1, 200)?));
+    }
+    for (family, dimension) in [("cuboid_edges_", 1), ("cuboid_faces_", 2)] {
+        if let Some(side) = name.strip_prefix(family) {
+            return cubes::cuboid_cells(number(side, 1, 300)?, dimension);
+        }
     }
     if let Some((genus, side)) = name.strip_prefix("plate").and_then(|rest| rest.split_once('_')) {
         let genus = number(genus, 1, 10_000)?;
@@ -144,6 +152,9 @@ mod tests {
         assert_eq!(counts("grid4_1"), [16, 65, 110, 84, 24]);
         assert_eq!(counts("sum_11"), [11, 55, 45]);
         assert_eq!(counts("soup1"), [240, 240, 80]);
+        let edges = generate("cuboid_edges_2").unwrap();
+        assert_eq!((edges.vertex_count, edges.lists.len()), (27, 54));
+        assert_eq!(generate("cuboid_faces_2").unwrap().lists.len(), 36);
         let cubes = generate("cubes_sep_2").unwrap();
         assert_eq!((cubes.vertex_count, cubes.coordinates.len(), cubes.lists.len()), (192, 576, 48));
     }

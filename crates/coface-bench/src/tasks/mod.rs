@@ -11,6 +11,7 @@ mod halfedges;
 mod homology;
 mod info;
 mod manifold;
+mod operators;
 mod persistence;
 mod reading;
 mod simplicial;
@@ -69,6 +70,9 @@ pub(crate) const ALL: &[Task] = &[
     surfaces::COCYCLES_BY_GENUS,
     congruence::WELD,
     congruence::QUOTIENT,
+    operators::FACES,
+    operators::VERTICES,
+    operators::GRID,
     info::TASK,
 ];
 

@@ -49,6 +49,7 @@ impl<'a> NearPoints<'a> {
 
     fn pairs(&self) -> Vec<[u32; 2]> {
         let points: Vec<Point> = (0..self.positions.len() as u32)
+            .into_par_iter()
             .map(|id| {
                 let mut at = [0.0; 3];
                 for (own, &coordinate) in at.iter_mut().zip(self.positions.point(VertexId::from_u32(id))) {
@@ -77,21 +78,29 @@ impl<'a> NearPoints<'a> {
             return self.compare(points, pairs);
         }
         let Some(grid) = Grid::new(points, self.tolerance) else { return self.visit_dense(points, pairs) };
-        let (starts, sorted) = grid.distribute(points, self.tolerance);
-        // Cells in runs of some thousand points, so that the pairs of a run are found by one thread.
-        let mut runs = vec![0];
-        for cell in 1..starts.len() {
-            if starts[cell] - starts[runs[runs.len() - 1]] >= 1 << 13 || cell + 1 == starts.len() {
-                runs.push(cell);
-            }
+        if points.len() > MANY {
+            return self.visit_many(&grid, points, pairs);
         }
-        let found: Vec<Vec<[u32; 2]>> = runs
-            .par_windows(2)
-            .map(|run| {
-                let mut found = Vec::new();
-                for cell in run[0]..run[1] {
-                    self.visit(&sorted[starts[cell]..starts[cell + 1]], &mut found);
+        let (starts, sorted) = grid.distribute(points);
+        for range in starts.windows(2) {
+            self.visit(&sorted[range[0]..range[1]], pairs);
+        }
+    }
+
+    /// Distributes parts of the points, then visits the boxes, in parallel.
+    fn visit_many(&self, grid: &Grid, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
+        let parts: Vec<(Vec<usize>, Vec<Point>)> =
+            points.par_chunks(MANY).map(|part| grid.distribute(part)).collect();
+        let found: Vec<Vec<[u32; 2]>> = (0..grid.box_count())
+            .into_par_iter()
+            .map(|place| {
+                let own = |part: &'_ (Vec<usize>, Vec<Point>)| part.0[place]..part.0[place + 1];
+                let mut together = Vec::with_capacity(parts.iter().map(|part| own(part).len()).sum());
+                for part in &parts {
+                    together.extend_from_slice(&part.1[own(part)]);
                 }
+                let mut found = Vec::new();
+                self.visit(&together, &mut found);
                 found
             })
             .collect();
@@ -100,8 +109,16 @@ impl<'a> NearPoints<'a> {
 
     /// Each with each.
     fn compare(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
-        let mut classes: Vec<u32> = (0..points.len() as u32).collect();
+        let (mut few, mut many) = ([0; FEW], Vec::new());
+        let classes = match few.get_mut(..points.len()) {
+            Some(few) => few,
+            None => {
+                many.resize(points.len(), 0);
+                &mut many[..]
+            }
+        };
         for (i, p) in points.iter().enumerate() {
+            classes[i] = i as u32;
             for (j, q) in points.iter().enumerate().take(i) {
                 let (old, new) = (classes[i], classes[j]);
                 if (self.all || old != new) && self.is_near(p, q) {
@@ -167,6 +184,8 @@ struct Grid {
     low: [f64; 3],
     /// Boxes a unit of length.
     scale: [f64; 3],
+    /// How far a point reaches, in boxes: the tolerance, and a little more for the rounding of places.
+    reach: [f64; 3],
     counts: [usize; 3],
 }
 
@@ -196,44 +215,60 @@ impl Grid {
         }
         let scale =
             [0, 1, 2].map(|axis| if counts[axis] > 1 { counts[axis] as f64 / extent[axis] } else { 0.0 });
-        scale.iter().all(|scale| scale.is_finite()).then_some(Self { low, scale, counts })
+        let reach = [0, 1, 2].map(|axis| tolerance * 1.000_001 * scale[axis] + counts[axis] as f64 * 1e-15);
+        scale.iter().all(|scale| scale.is_finite()).then_some(Self { low, scale, reach, counts })
+    }
+
+    fn box_count(&self) -> usize {
+        self.counts.iter().product()
     }
 
     /// The points by boxes: those of box b are `starts[b]..starts[b + 1]`, with those beyond its walls that are within the
     /// tolerance.
-    fn distribute(&self, points: &[Point], tolerance: f64) -> (Vec<usize>, Vec<Point>) {
-        let mut starts = vec![0; self.counts.iter().product::<usize>() + 1];
-        for point in points {
-            self.boxes(point, tolerance, |place| starts[place + 1] += 1);
-        }
+    fn distribute(&self, points: &[Point]) -> (Vec<usize>, Vec<Point>) {
+        const SEVERAL: u32 = u32::MAX;
+        let mut starts = vec![0; self.box_count() + 1];
+        let place_of = |point: &Point| {
+            let mut own = SEVERAL;
+            let mut count = 0;
+            self.boxes(point, |place| {
+                starts[place + 1] += 1;
+                own = u32::try_from(place).unwrap_or(SEVERAL);
+                count += 1;
+            });
+            if count == 1 { own } else { SEVERAL }
+        };
+        let places: Vec<u32> = points.iter().map(place_of).collect();
         for i in 1..starts.len() {
             starts[i] += starts[i - 1];
         }
         let mut next = starts.clone();
         let mut sorted = vec![points[0]; starts[starts.len() - 1]];
-        for point in points {
-            self.boxes(point, tolerance, |place| {
+        for (point, &own) in points.iter().zip(&places) {
+            let mut put = |place: usize| {
                 sorted[next[place]] = *point;
                 next[place] += 1;
-            });
+            };
+            match own {
+                SEVERAL => self.boxes(point, put),
+                place => put(place as usize),
+            }
         }
         (starts, sorted)
     }
 
     #[inline]
-    fn boxes(&self, point: &Point, tolerance: f64, mut visit: impl FnMut(usize)) {
-        let along = |axis: usize, shift: f64| {
-            let place = (point.at[axis] + shift - self.low[axis]) * self.scale[axis];
+    fn boxes(&self, point: &Point, mut visit: impl FnMut(usize)) {
+        let ends = |axis: usize| {
+            let place = (point.at[axis] - self.low[axis]) * self.scale[axis];
             // Casts take what is below zero to zero.
-            (place as usize).min(self.counts[axis] - 1)
+            [place - self.reach[axis], place + self.reach[axis]]
+                .map(|end| (end as usize).min(self.counts[axis] - 1))
         };
-        // A little more than the tolerance, for the rounding of places.
-        let reach = tolerance * 1.000_001;
-        let first = [along(0, -reach), along(1, -reach), along(2, -reach)];
-        let last = [along(0, reach), along(1, reach), along(2, reach)];
-        for i in first[0]..=last[0] {
-            for j in first[1]..=last[1] {
-                for k in first[2]..=last[2] {
+        let [x, y, z] = [ends(0), ends(1), ends(2)];
+        for i in x[0]..=x[1] {
+            for j in y[0]..=y[1] {
+                for k in z[0]..=z[1] {
                     visit((i * self.counts[1] + j) * self.counts[2] + k);
                 }
             }
