@@ -22,7 +22,7 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt
     #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
     to: Option<Format>,
     /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed

@@ -1,6 +1,9 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::{Format, Model, format, isosig, json, medit, msh, obj, off, output, ply, stl, vtk};
+use super::{
+    Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, vtk,
+    wkt,
+};
 use crate::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -123,6 +126,9 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Vtk => vtk::write(model, out, vtk::Encoding::default()),
         Format::Json => json::write(model, out),
         Format::Isosig => isosig::write(model, out),
+        Format::Lines => lines_text::write(model, out),
+        Format::GeoJson => geojson::write(model, out),
+        Format::Wkt => wkt::write(model, out),
     }
 }
 
@@ -206,6 +212,9 @@ fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) 
         Format::Vtk => vtk::read(input)?,
         Format::Json => json::read(input)?,
         Format::Isosig => isosig::read(input)?,
+        Format::Lines => lines_text::read(input)?,
+        Format::GeoJson => geojson::read(input)?,
+        Format::Wkt => wkt::read(input)?,
     };
     Ok(model.with_format(format))
 }

@@ -1,6 +1,6 @@
 //! The formats, and telling them apart by name and by content.
 
-use super::isosig;
+use super::{geojson, isosig, lines_text, wkt};
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
@@ -26,6 +26,12 @@ pub enum Format {
     Json,
     /// Isomorphism signatures of gluing tables of tetrahedra.
     Isosig,
+    /// Segments in the plane as text, four numbers a line.
+    Lines,
+    /// GeoJSON: points, lines and polygons with holes, with names.
+    GeoJson,
+    /// Well-known text: points, lines and polygons with holes.
+    Wkt,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -38,7 +44,7 @@ enum Likeness {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -48,10 +54,13 @@ impl Format {
         Self::Vtk,
         Self::Json,
         Self::Isosig,
+        Self::Lines,
+        Self::GeoJson,
+        Self::Wkt,
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `json`, `isosig`.
+    /// `json`, `isosig`, `lines`, `geojson`, `wkt`.
     ///
     /// # Examples
     /// ```
@@ -80,6 +89,9 @@ impl Format {
             Self::Vtk => &["vtk"],
             Self::Json => &["json"],
             Self::Isosig => &["isosig"],
+            Self::Lines => &["lines"],
+            Self::GeoJson => &["geojson"],
+            Self::Wkt => &["wkt"],
         }
     }
 
@@ -101,6 +113,9 @@ impl Format {
             Self::Vtk => "legacy VTK",
             Self::Json => "JSON",
             Self::Isosig => "isomorphism signatures",
+            Self::Lines => "line segments",
+            Self::GeoJson => "GeoJSON",
+            Self::Wkt => "WKT",
         }
     }
 
@@ -139,7 +154,7 @@ impl Format {
     /// assert!(Format::Obj.keeps_groups() && !Format::Off.keeps_groups());
     /// ```
     pub const fn keeps_groups(self) -> bool {
-        matches!(self, Self::Obj | Self::Medit | Self::Msh)
+        matches!(self, Self::Obj | Self::Medit | Self::Msh | Self::GeoJson)
     }
 
     /// Whether [`crate::io::write`] writes the data on cells of a model in this format; the others leave them out.
@@ -209,11 +224,20 @@ impl Format {
             Self::Vtk => certain_if(start.len() >= 14 && start[..14].eq_ignore_ascii_case(b"# vtk DataFile")),
             Self::Json => {
                 let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
-                certain_if(matches!(first, Some(b'{' | b'[')))
+                certain_if(matches!(first, Some(b'{' | b'[')) && !geojson::is_geojson(start))
             }
             // A text of one word is many things; that it can be read throughout tells.
             Self::Isosig if isosig::is_signature(first_line(start)) => Likeness::Possible,
             Self::Isosig => Likeness::No,
+            Self::Lines if lines_text::is_segment(first_line(start)) => Likeness::Certain,
+            // Comments alone.
+            Self::Lines if first_line(start).is_empty() && is_text(start) => Likeness::Possible,
+            Self::Lines => Likeness::No,
+            Self::GeoJson if geojson::is_geojson(start) => Likeness::Certain,
+            // The type may come behind all coordinates.
+            Self::GeoJson if !whole && start.trim_ascii_start().starts_with(b"{") => Likeness::Possible,
+            Self::GeoJson => Likeness::No,
+            Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
         }
     }
 }
@@ -233,6 +257,10 @@ pub(super) fn decide(start: &[u8], whole: bool, by_name: Option<Format>) -> Resu
     if let Some(named) = by_name {
         if named.likeness(start, whole) > Likeness::No {
             return Ok(named);
+        }
+        if named == Format::Json && geojson::is_geojson(start) {
+            // GeoJSON is JSON, and its files are often named so.
+            return Ok(Format::GeoJson);
         }
         if let Some((what, cure)) = foreign(start) {
             return Err(unsupported(format!("this is {what}, not {}", named.title())).with_cure(cure));
@@ -452,7 +480,7 @@ mod tests {
             Format::from_name("xyz")
                 .unwrap_err()
                 .to_string()
-                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig")
+                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt")
         );
     }
 
@@ -471,6 +499,14 @@ mod tests {
             (b"# vtk DataFile Version 3.0\n", Format::Vtk),
             (b" [[0,1,2]]", Format::Json),
             (b"# figure eight\ncPcbbbiht\n", Format::Isosig),
+            (b"# a drawing\n0,0, 1.5,-2e3\n", Format::Lines),
+            (b"0 0 1 1\n", Format::Lines),
+            (b" { \"type\" : \"Feature\",", Format::GeoJson),
+            (b"{\"crs\":{\"type\":\"name\"},\"type\":\"Point\"", Format::GeoJson),
+            (b"[[[0, 1], [1, 2]]]", Format::GeoJson),
+            (b"SRID=4326;POINT (1 2)", Format::Wkt),
+            (b"polygon z((0 0 1,", Format::Wkt),
+            (b"MULTIPOINT\n(1 2)", Format::Wkt),
         ] {
             assert_eq!(Format::from_content(start, true), Some(format), "{}", start.escape_ascii());
             assert_eq!(decide(start, true, None).unwrap(), format);

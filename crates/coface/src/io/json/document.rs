@@ -14,18 +14,18 @@ use std::fmt;
 
 /// Where a fault with its kind and cure waits while the parser hands its own error up.
 #[derive(Default)]
-pub(super) struct Faults(RefCell<Option<Error>>);
+pub(in crate::io) struct Faults(RefCell<Option<Error>>);
 
 impl Faults {
     /// Keeps the fault and gives the error that stops the parser.
-    pub(super) fn raise<E: serde::de::Error>(&self, fault: Error) -> E {
+    pub(in crate::io) fn raise<E: serde::de::Error>(&self, fault: Error) -> E {
         let stop = E::custom(fault.message());
         self.0.borrow_mut().get_or_insert(fault);
         stop
     }
 
     /// The fault that was raised.
-    pub(super) fn take(&self) -> Option<Error> {
+    pub(in crate::io) fn take(&self) -> Option<Error> {
         self.0.borrow_mut().take()
     }
 }

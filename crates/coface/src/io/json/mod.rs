@@ -31,5 +31,6 @@ mod reading;
 mod tests;
 mod writing;
 
+pub(in crate::io) use document::Faults;
 pub use reading::{read, read_entry};
 pub use writing::write;
