@@ -31,8 +31,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut scanner = Scanner::new(input);
     let mut drawing = Drawing::default();
     let mut seen = false;
-    loop {
-        let Some(line) = scanner.next_line()? else { break };
+    while let Some(line) = scanner.next_line()? {
         let parsed = segment(line);
         let line = scanner.line_number();
         seen = true;

@@ -45,13 +45,20 @@ impl Coordinates {
         }
     }
 
-    /// All lists of positions, or each list of such, are the rings of a polygon.
-    pub(super) fn draw_polygons(&self, drawing: &mut Drawing, name: &str) -> Result<(), Error> {
+    /// All lists of positions, or each list of such, are the rings of a polygon. They must be closed unless they are to be
+    /// closed here.
+    pub(super) fn draw_polygons(
+        &self,
+        drawing: &mut Drawing,
+        name: &str,
+        to_close: bool,
+    ) -> Result<(), Error> {
         self.note_surplus(drawing);
         for polygon in ranges(&self.ends[1], 0..self.ends[1].len()) {
             drawing.begin_polygon();
             for range in ranges(&self.ends[0], polygon) {
-                for &place in &self.places[range] {
+                let places = &self.places[range];
+                for &place in places.iter().chain(places.first().filter(|_| to_close)) {
                     drawing.corner(place);
                 }
                 drawing.end_ring(|| format!("a ring of {name}"))?;

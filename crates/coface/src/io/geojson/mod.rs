@@ -1,7 +1,8 @@
 //! GeoJSON: points, lines and polygons with holes, with names.
 //!
 //! A file is a `FeatureCollection`, a `Feature`, a geometry (`Point`, `MultiPoint`, `LineString`, `MultiLineString`,
-//! `Polygon`, `MultiPolygon`, `GeometryCollection`), or the bare coordinates of a polygon or of several.
+//! `Polygon`, `MultiPolygon`, `GeometryCollection`), or the bare coordinates of a polygon or of several,
+//! whose rings need not have their first position at the end again.
 //!
 //! Lines and points share their vertices: equal positions are one vertex, so that ways that meet are connected. A polygon with
 //! holes is no polygon of a mesh: each ring becomes a closed line, and two arrays of integers on the lines say what

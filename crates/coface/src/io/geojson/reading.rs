@@ -161,12 +161,18 @@ impl Object {
         let Some(coordinates) = self.coordinates else {
             return Err(Error::parse(format!("a {name} has no \"coordinates\"")).with_cure(CURE));
         };
-        draw(name, level, &coordinates, drawing)
+        draw(name, level, &coordinates, false, drawing)
     }
 }
 
-/// Draws a geometry whose coordinates must have this level.
-fn draw(name: &str, level: usize, coordinates: &Coordinates, drawing: &mut Drawing) -> Result<(), Error> {
+/// Draws a geometry whose coordinates must have this level; rings of bare ones are closed.
+fn draw(
+    name: &str,
+    level: usize,
+    coordinates: &Coordinates,
+    is_bare: bool,
+    drawing: &mut Drawing,
+) -> Result<(), Error> {
     let Some(found) = coordinates.level() else { return Ok(()) };
     if found != level {
         let what = match found {
@@ -183,7 +189,7 @@ fn draw(name: &str, level: usize, coordinates: &Coordinates, drawing: &mut Drawi
     match name {
         "Point" | "MultiPoint" => coordinates.draw_points(drawing),
         "LineString" | "MultiLineString" => coordinates.draw_lines(drawing, &format!("a {name}")),
-        _ => coordinates.draw_polygons(drawing, &format!("a {name}"))?,
+        _ => coordinates.draw_polygons(drawing, &format!("a {name}"), is_bare)?,
     }
     Ok(())
 }
@@ -214,7 +220,7 @@ impl<'de> Visitor<'de> for Root<'_, '_> {
         let coordinates = Nested::of_list(list)?;
         let name = if coordinates.level() == Some(4) { "MultiPolygon" } else { "Polygon" };
         let level = if coordinates.level() == Some(4) { 4 } else { 3 };
-        draw(name, level, &coordinates, self.0.drawing).map_err(|fault| self.0.faults.raise(fault))
+        draw(name, level, &coordinates, true, self.0.drawing).map_err(|fault| self.0.faults.raise(fault))
     }
 }
 

@@ -58,6 +58,7 @@ fn a_collection_of_everything_is_read() {
 fn geometries_alone_and_bare_rings_are_read() {
     let polygon = read(&br#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]}"#[..]).unwrap();
     assert_eq!(read(&b"[[[0,0],[1,0],[0,1],[0,0]]]"[..]).unwrap(), polygon);
+    assert_eq!(read(&b"[[[0,0],[1,0],[0,1]]]"[..]).unwrap(), polygon);
     assert_eq!(read(&b"[[[[0,0],[1,0],[0,1],[0,0]]]]"[..]).unwrap(), polygon);
     for empty in [
         r#"{"type":"Point","coordinates":[]}"#,
