@@ -305,6 +305,30 @@ fn a_set_of_simplices_can_be_written() {
 }
 
 #[test]
+fn drawings_keep_their_rings() {
+    let map = r#"{"type":"Feature","properties":{"name":"isle"},"geometry":{"type":"Polygon","coordinates":
+        [[[0,0],[9,0],[0,9],[0,0]],[[1,1],[1,2],[2,1],[1,1]]]}}"#;
+    let (folder, input) = file("isle.json", map);
+    let report = coface(&["info", "--json", argument(&input)]).json();
+    assert_eq!((&report["format"], &report["kind"]), (&json!("geojson"), &json!("planar")));
+    let mut from = input;
+    // Only GeoJSON keeps names.
+    for (name, remark) in [
+        ("a.geojson", ""),
+        ("b.wkt", "remark: WKT does not keep groups: 1 left out\n"),
+        ("c.geojson", ""),
+        ("d.lines", "remark: line segments does not keep data on cells: 2 left out\n"),
+    ] {
+        let to = folder.path().join(name);
+        let run = coface(&["convert", argument(&from), "-o", argument(&to)]);
+        assert_eq!((run.status, run.stderr.as_str()), (0, remark), "{name}");
+        let report = coface(&["info", "--json", argument(&to)]).json();
+        assert_eq!((&report["f_vector"], &report["components"]), (&json!([6, 6]), &json!(2)), "{name}");
+        from = to;
+    }
+}
+
+#[test]
 fn convert_there_and_back() {
     let (folder, input) = file("square.off", SQUARE);
     let mut from = input;

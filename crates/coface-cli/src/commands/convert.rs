@@ -7,7 +7,7 @@ use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use coface::Error;
-use coface::io::{self, Format, Model};
+use coface::io::{self, CellData, Format, GroupKind, Model};
 use coface::report::{RepairRequest, repaired, triangulated};
 use coface::surface::{FacesAtEdge, MeshRepair};
 use serde_json::{Value, json};
@@ -151,9 +151,16 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
 
 /// Says that the format has no room for the groups or the data of the model, where that is so.
 pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
+    // Rings are written as rings of polygons, which tells these two.
+    let is_told = |data: &CellData| {
+        matches!(format, Format::GeoJson | Format::Wkt)
+            && data.kind() == GroupKind::Lines
+            && matches!(data.name(), "polygon" | "ring")
+    };
+    let data_count = model.data().iter().filter(|data| !is_told(data)).count();
     let losses = [
         ("groups", model.groups().len(), format.keeps_groups()),
-        ("data on cells", model.data().len(), format.keeps_data()),
+        ("data on cells", data_count, format.keeps_data()),
     ];
     for (what, count, is_kept) in losses {
         if count > 0 && !is_kept && !common.quiet {
