@@ -3,6 +3,7 @@
 use crate::VertexId;
 use crate::geometry::Positions;
 use rayon::prelude::*;
+use std::cmp::Ordering;
 
 /// Fewer points than this are compared each with each.
 const FEW: usize = 32;
@@ -26,25 +27,12 @@ struct Point {
 pub(super) struct NearPoints<'a> {
     positions: &'a Positions,
     tolerance: f64,
-    /// Whether all pairs are wanted, or only as many as connect what is near.
-    all: bool,
 }
 
 impl<'a> NearPoints<'a> {
     /// Pairs of near points that connect all points that are joined by chains of near ones.
     pub(super) fn connecting(positions: &'a Positions, tolerance: f64) -> Vec<[u32; 2]> {
-        Self { positions, tolerance, all: false }.pairs()
-    }
-
-    /// All pairs of near points, the lower one first, rising.
-    ///
-    /// # Complexity
-    /// Quadratic in the number of points that are all near each other.
-    pub(super) fn all(positions: &'a Positions, tolerance: f64) -> Vec<[u32; 2]> {
-        let mut pairs = Self { positions, tolerance, all: true }.pairs();
-        pairs.par_sort_unstable();
-        pairs.dedup();
-        pairs
+        Self { positions, tolerance }.pairs()
     }
 
     fn pairs(&self) -> Vec<[u32; 2]> {
@@ -64,13 +52,11 @@ impl<'a> NearPoints<'a> {
     }
 
     fn is_near(&self, p: &Point, q: &Point) -> bool {
-        let limit = self.tolerance * self.tolerance;
         if self.positions.dimension() <= 3 {
-            let (x, y, z) = (p.at[0] - q.at[0], p.at[1] - q.at[1], p.at[2] - q.at[2]);
-            return x * x + y * y + z * z <= limit;
+            return is_near(&p.at, &q.at, self.tolerance);
         }
         let [p, q] = [p, q].map(|point| self.positions.point(VertexId::from_u32(point.id)));
-        p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum::<f64>() <= limit
+        is_near(p, q, self.tolerance)
     }
 
     fn visit(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
@@ -121,7 +107,7 @@ impl<'a> NearPoints<'a> {
             classes[i] = i as u32;
             for (j, q) in points.iter().enumerate().take(i) {
                 let (old, new) = (classes[i], classes[j]);
-                if (self.all || old != new) && self.is_near(p, q) {
+                if old != new && self.is_near(p, q) {
                     pairs.push([p.id.min(q.id), p.id.max(q.id)]);
                     classes[..=i].iter_mut().filter(|class| **class == old).for_each(|class| *class = new);
                 }
@@ -129,14 +115,29 @@ impl<'a> NearPoints<'a> {
         }
     }
 
+    /// Each with the next one that is equal to it.
+    fn connect_equal(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
+        let point = |id: u32| self.positions.point(VertexId::from_u32(id));
+        let mut ids: Vec<u32> = points.iter().map(|p| p.id).collect();
+        ids.sort_unstable_by(|&a, &b| {
+            // Coordinates are numbers, and zeros of both signs are equal.
+            point(a).partial_cmp(point(b)).unwrap_or(Ordering::Equal).then(a.cmp(&b))
+        });
+        pairs.extend(ids.windows(2).filter(|ids| point(ids[0]) == point(ids[1])).map(|ids| [ids[0], ids[1]]));
+    }
+
     /// Many points within a few tolerances.
     fn visit_dense(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
-        if self.all || self.positions.dimension() > 3 || self.tolerance == 0.0 {
+        if self.tolerance == 0.0 {
+            return self.connect_equal(points, pairs);
+        }
+        if self.positions.dimension() > 3 {
             return self.compare(points, pairs);
         }
-        let side = self.tolerance / 3f64.sqrt();
-        let low = bounds(points)[0];
-        let cube = |p: &Point| [0, 1, 2].map(|axis| ((p.at[axis] - low[axis]) / side) as i64);
+        // A little less than fits, so that rounding makes no cube too large; halves, so that differences are finite.
+        let side = self.tolerance / 1.75 / 2.0;
+        let low = bounds(points)[0].map(|x| x / 2.0);
+        let cube = |p: &Point| [0, 1, 2].map(|axis| ((p.at[axis] / 2.0 - low[axis]) / side) as i64);
         let mut cubes: Vec<([i64; 3], Point)> = points.iter().map(|p| (cube(p), *p)).collect();
         cubes.sort_unstable_by_key(|(cube, p)| (*cube, p.id));
         let groups: Vec<&[([i64; 3], Point)]> = cubes.chunk_by(|a, b| a.0 == b.0).collect();
@@ -167,6 +168,18 @@ impl<'a> NearPoints<'a> {
     }
 }
 
+/// Whether two points are at most `tolerance` apart.
+#[inline]
+pub(super) fn is_near(p: &[f64], q: &[f64], tolerance: f64) -> bool {
+    if (1e-150..1e150).contains(&tolerance) {
+        let square: f64 = p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum();
+        return square <= tolerance * tolerance;
+    }
+    // Squares would be lost or endless.
+    let square: f64 = p.iter().zip(q).map(|(x, y)| ((x - y) / tolerance).powi(2)).sum();
+    if tolerance == 0.0 { p == q } else { square <= 1.0 }
+}
+
 /// The least and the greatest coordinates.
 fn bounds(points: &[Point]) -> [[f64; 3]; 2] {
     let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
@@ -181,8 +194,9 @@ fn bounds(points: &[Point]) -> [[f64; 3]; 2] {
 
 /// A grid of equal boxes.
 struct Grid {
+    /// The least coordinates, halved: differences of halves are finite.
     low: [f64; 3],
-    /// Boxes a unit of length.
+    /// Boxes two units of length.
     scale: [f64; 3],
     /// How far a point reaches, in boxes: the tolerance, and a little more for the rounding of places.
     reach: [f64; 3],
@@ -192,9 +206,10 @@ struct Grid {
 impl Grid {
     /// A grid with about one box for a few points, at least two of them; `None` if the points are within a few tolerances.
     fn new(points: &[Point], tolerance: f64) -> Option<Self> {
-        let [low, high] = bounds(points);
+        let [low, high] = bounds(points).map(|corner| corner.map(|x| x / 2.0));
         let extent = [0, 1, 2].map(|axis| high[axis] - low[axis]);
-        let least = 4.0 * tolerance;
+        // Half of four tolerances.
+        let least = 2.0 * tolerance;
         let wide: Vec<usize> =
             (0..3).filter(|&axis| extent[axis] > 2.0 * least && extent[axis] > 0.0).collect();
         if wide.is_empty() {
@@ -215,7 +230,8 @@ impl Grid {
         }
         let scale =
             [0, 1, 2].map(|axis| if counts[axis] > 1 { counts[axis] as f64 / extent[axis] } else { 0.0 });
-        let reach = [0, 1, 2].map(|axis| tolerance * 1.000_001 * scale[axis] + counts[axis] as f64 * 1e-15);
+        let reach =
+            [0, 1, 2].map(|axis| tolerance / 2.0 * 1.000_001 * scale[axis] + counts[axis] as f64 * 1e-15);
         scale.iter().all(|scale| scale.is_finite()).then_some(Self { low, scale, reach, counts })
     }
 
@@ -260,7 +276,7 @@ impl Grid {
     #[inline]
     fn boxes(&self, point: &Point, mut visit: impl FnMut(usize)) {
         let ends = |axis: usize| {
-            let place = (point.at[axis] - self.low[axis]) * self.scale[axis];
+            let place = (point.at[axis] / 2.0 - self.low[axis]) * self.scale[axis];
             // Casts take what is below zero to zero.
             [place - self.reach[axis], place + self.reach[axis]]
                 .map(|end| (end as usize).min(self.counts[axis] - 1))
@@ -317,10 +333,39 @@ mod tests {
             expected.extend((place % side + 1 < side).then_some([i, i + 1]));
             expected.extend((place / side + 1 < side).then_some([i, i + side as u32]));
         }
-        assert_eq!(NearPoints::all(&positions, 1.0), expected);
-        assert!(NearPoints::all(&positions, 0.99).is_empty());
+        assert!(NearPoints::connecting(&positions, 0.99).is_empty());
         let connecting = NearPoints::connecting(&positions, 1.0);
+        assert!(connecting.iter().all(|pair| expected.binary_search(pair).is_ok()));
         assert!(classes(positions.len(), &connecting).iter().all(|&class| class == 0));
+    }
+
+    /// Coordinates whose differences or squares are no numbers of the machine, or are lost.
+    #[test]
+    fn huge_and_tiny_numbers_are_compared() {
+        let found = |flat: Vec<f64>, tolerance: f64| {
+            let positions = Positions::from_flat(1, flat).unwrap();
+            let mut found = classes(positions.len(), &NearPoints::connecting(&positions, tolerance));
+            found.dedup();
+            found
+        };
+        let mut far: Vec<f64> = vec![-1.7e308; 40];
+        far.extend([1.7e308; 40]);
+        for tolerance in [0.0, 1e-300, 1.0, 1e160, 1e308] {
+            assert_eq!(found(far.clone(), tolerance), [0, 1], "{tolerance}");
+        }
+        assert_eq!(found(vec![0.0, 1e-200, 1e-170], 0.0), [0, 1, 2]);
+        assert_eq!(found(vec![0.0, 1e-200, 1e-170], 1e-190), [0, 1]);
+        assert_eq!(found(vec![0.0, 1e160, 1e170], 1e161), [0, 1]);
+        assert_eq!(found(vec![0.0, -0.0, 1.0], 0.0), [0, 1]);
+    }
+
+    /// Far too many to be compared each with each.
+    #[test]
+    fn equal_points_are_many() {
+        let positions = Positions::from_flat(2, [0.5, 0.25].repeat(400_000)).unwrap();
+        let found = NearPoints::connecting(&positions, 0.0);
+        assert_eq!(found.len(), 399_999);
+        assert!(classes(positions.len(), &found).iter().all(|&class| class == 0));
     }
 
     proptest! {
@@ -341,7 +386,6 @@ mod tests {
             let flat = flat[..flat.len() / dimension * dimension].to_vec();
             let positions = Positions::from_flat(dimension, flat).unwrap();
             let expected = brute(&positions, tolerance);
-            prop_assert_eq!(&NearPoints::all(&positions, tolerance), &expected);
             let connecting = NearPoints::connecting(&positions, tolerance);
             prop_assert!(connecting.iter().all(|pair| expected.binary_search(pair).is_ok()));
             prop_assert_eq!(classes(positions.len(), &connecting), classes(positions.len(), &expected));

@@ -1,6 +1,6 @@
 //! Congruence of vertices.
 
-use super::near_points::NearPoints;
+use super::near_points::{NearPoints, is_near};
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::geometry::Positions;
 use crate::{Error, VertexId};
@@ -221,26 +221,81 @@ fn chained(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
     (partition.class_numbers(), count)
 }
 
+/// A greedy class lies in a chained one, so each of these is cut by itself.
 fn greedy(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
-    const NONE: u32 = u32::MAX;
-    let pairs = NearPoints::all(positions, tolerance);
-    let mut class_of = vec![NONE; positions.len()];
-    let mut count = 0;
-    let mut pairs = pairs.into_iter().peekable();
-    for vertex in 0..positions.len() as u32 {
-        let opens = class_of[vertex as usize] == NONE;
-        if opens {
-            class_of[vertex as usize] = count;
-        }
-        // Lower vertices are in classes by now, so only the pairs that start here matter.
-        while let Some([_, other]) = pairs.next_if(|pair| pair[0] == vertex) {
-            if opens && class_of[other as usize] == NONE {
-                class_of[other as usize] = count;
-            }
-        }
-        count += u32::from(opens);
+    let (chain_of, chain_count) = chained(positions, tolerance);
+    let chains = RaggedArray::grouped(chain_count, chain_of.iter().copied());
+    // The vertex that opened the class of each.
+    let mut opener: Vec<u32> = (0..positions.len() as u32).collect();
+    for chain in chains.iter().filter(|chain| chain.len() > 1) {
+        open_classes(positions, tolerance, chain, &mut opener);
+    }
+    let (mut class_of, mut count) = (vec![0; positions.len()], 0);
+    for (vertex, &opener) in opener.iter().enumerate() {
+        // A class is opened by its lowest member.
+        class_of[vertex] = if opener as usize == vertex { count } else { class_of[opener as usize] };
+        count += u32::from(opener as usize == vertex);
     }
     (class_of, count as usize)
+}
+
+/// Sets the openers of the vertices of a chain, which are rising.
+///
+/// The vertices are in cubes about as wide as the tolerance, by their first three coordinates. Openers are farther apart
+/// than that, so that only a bounded number of them looks into a cube.
+fn open_classes(positions: &Positions, tolerance: f64, chain: &[u32], opener: &mut [u32]) {
+    const NONE: u32 = u32::MAX;
+    let point = |vertex: u32| positions.point(VertexId::from_u32(vertex));
+    if tolerance == 0.0 {
+        return chain.iter().for_each(|&vertex| opener[vertex as usize] = chain[0]);
+    }
+    let axes = positions.dimension().min(3);
+    // Halves, whose differences are finite; a little wider, so that rounding takes no near points apart.
+    let (mut low, side) = ([f64::INFINITY; 3], tolerance * 0.5 * 1.0001);
+    for &vertex in chain {
+        (0..axes).for_each(|axis| low[axis] = low[axis].min(point(vertex)[axis] / 2.0));
+    }
+    let cube = |vertex: u32| {
+        let mut cube = [0; 3];
+        (0..axes).for_each(|axis| cube[axis] = ((point(vertex)[axis] / 2.0 - low[axis]) / side) as u32);
+        cube
+    };
+    let mut sorted: Vec<([u32; 3], u32)> = chain.iter().map(|&vertex| (cube(vertex), vertex)).collect();
+    sorted.sort_unstable();
+    // The cubes with the vertices in them that have no class yet: a start and a length.
+    let mut cubes: Vec<([u32; 3], usize, usize)> = Vec::new();
+    for group in sorted.chunk_by(|a, b| a.0 == b.0) {
+        let start = cubes.last().map_or(0, |&(_, start, length)| start + length);
+        cubes.push((group[0].0, start, group.len()));
+    }
+    let mut left: Vec<u32> = sorted.iter().map(|&(_, vertex)| vertex).collect();
+    chain.iter().for_each(|&vertex| opener[vertex as usize] = NONE);
+    for &vertex in chain {
+        if opener[vertex as usize] != NONE {
+            continue;
+        }
+        let [i, j, k] = cube(vertex);
+        for x in i.saturating_sub(1)..=i.saturating_add(1) {
+            for y in j.saturating_sub(1)..=j.saturating_add(1) {
+                let first = cubes.partition_point(|cube| cube.0 < [x, y, k.saturating_sub(1)]);
+                let last = [x, y, k.saturating_add(1)];
+                for (_, start, length) in cubes[first..].iter_mut().take_while(|cube| cube.0 <= last) {
+                    let own = &mut left[*start..*start + *length];
+                    let mut kept = 0;
+                    for place in 0..own.len() {
+                        let other = own[place];
+                        if is_near(point(vertex), point(other), tolerance) {
+                            opener[other as usize] = vertex;
+                        } else {
+                            own[kept] = other;
+                            kept += 1;
+                        }
+                    }
+                    *length = kept;
+                }
+            }
+        }
+    }
 }
 
 fn diameter(positions: &Positions, class: &[u32]) -> f64 {
@@ -297,7 +352,47 @@ mod tests {
         assert_eq!(none.class_count(), 0);
     }
 
+    /// Each with each would be 20 thousand million pairs.
+    #[test]
+    fn greedy_classes_of_many_near_points() {
+        let flat =
+            (0..200_000).flat_map(|i| [f64::from(i % 400) / 400.0, f64::from(i / 400) / 500.0]).collect();
+        let positions = Positions::from_flat(2, flat).unwrap();
+        let found = vertex_congruence(&positions, 5.0, ClassRule::Greedy, Representative::Lowest).unwrap();
+        assert_eq!(found.class_count(), 1);
+    }
+
     proptest! {
+        /// By the definition: the lowest vertex without a class opens one, with all others without class near it.
+        #[test]
+        fn greedy_classes_are_those_of_the_rule(
+            dimension in 1usize..5,
+            flat in prop::collection::vec(0i32..40, 0..400),
+            tolerance in prop::sample::select(vec![0.0, 1.0, 2.5, 7.0, 60.0]),
+        ) {
+            let flat: Vec<f64> = flat[..flat.len() / dimension * dimension].iter().map(|&x| f64::from(x)).collect();
+            let positions = Positions::from_flat(dimension, flat).unwrap();
+            let point = |vertex: usize| positions.point(VertexId::new(vertex));
+            let mut expected = vec![None; positions.len()];
+            let mut count = 0u32;
+            for vertex in 0..positions.len() {
+                if expected[vertex].is_some() {
+                    continue;
+                }
+                for other in vertex..positions.len() {
+                    let square: f64 =
+                        point(vertex).iter().zip(point(other)).map(|(x, y)| (x - y) * (x - y)).sum();
+                    if expected[other].is_none() && square <= tolerance * tolerance {
+                        expected[other] = Some(count);
+                    }
+                }
+                count += 1;
+            }
+            let (found, found_count) = greedy(&positions, tolerance);
+            prop_assert_eq!(found.into_iter().map(Some).collect::<Vec<_>>(), expected);
+            prop_assert_eq!(found_count, count as usize);
+        }
+
         #[test]
         fn classes_partition_the_vertices(
             flat in prop::collection::vec(-20i32..20, 0..300), greedy: bool, tolerance in 0u8..6,
