@@ -481,7 +481,7 @@ fn data(page: &mut Page, report: &Report, limit: usize) {
 }
 
 /// Six significant digits.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".to_owned()

@@ -221,6 +221,8 @@ fn a_summary_is_printed_without_a_file() {
         "{}",
         page.stdout
     );
+    let huge = coface(&["generate", "circle", "--radius", "1e300", "--segments", "4"]);
+    assert!(huge.stdout.contains("to (1.00000e300 1.00000e300)"), "{}", huge.stdout);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.off");
     let run = coface(&["generate", "torus", "-o", argument(&path)]);
@@ -355,7 +357,7 @@ fn faults_in_scenes_are_named_by_their_place() {
 
 #[test]
 fn wrong_parameters_say_what_is_possible() {
-    let table: [(&[&str], i32, &str); 13] = [
+    let table: [(&[&str], i32, &str); 16] = [
         (&["sphere", "--radius", "-1"], 1, "the radius is -1; give a positive number"),
         (&["sphere", "--radius", "nan"], 1, "the radius is NaN"),
         (&["sphere", "--kind", "ico", "--cuboids"], 1, "take triangles, or the grid of a cube"),
@@ -368,6 +370,9 @@ fn wrong_parameters_say_what_is_possible() {
         (&["lens", "--p", "4", "--q", "2"], 1, "coprime"),
         (&["torus-bundle", "--matrix", "1,2"], 1, "four integers"),
         (&["cuboids", "--lengths=-1"], 1, "the grid is empty"),
+        (&["strip", "--vertices", "4294967295"], 1, "5 to 2^24"),
+        (&["book", "--pages", "2000000000"], 1, "up to 2^24"),
+        (&["simplex", "--dimension", "24"], 2, "0..=20"),
         (&["dodo"], 2, "unrecognized subcommand"),
     ];
     for (words, status, expected) in table {
@@ -375,6 +380,13 @@ fn wrong_parameters_say_what_is_possible() {
         assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{words:?}: {}", run.stderr);
         assert!(run.stderr.contains(expected), "{words:?}: {}", run.stderr);
     }
+    for direction in ["0,0,-0", "0,nan,1"] {
+        let words = ["generate", "prism", "-", "--direction", direction];
+        let run = coface_reading(&words, b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        assert!(run.fails_with(1).contains("is no direction; give finite numbers"), "{}", run.stderr);
+    }
+    let missing = coface(&["generate", "assembly", "no/such.json"]);
+    assert!(missing.fails_with(1).contains("the scene cannot be read"), "{}", missing.stderr);
     let both = coface(&["generate", "torus", "--to", "off", "--json"]);
     assert!(both.fails_with(1).contains("cannot hold both"));
     let unknown = coface(&["generate", "torus", "-o", "a.docx"]);

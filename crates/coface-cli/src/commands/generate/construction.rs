@@ -161,6 +161,12 @@ fn prism(model: &Model, layers: &[f64], direction: Option<&[f64]>) -> Result<Mad
             (0, RaggedArray::uniform(1, vertices)?)
         }
     };
+    if let Some(direction) =
+        direction.filter(|d| d.iter().any(|x| !x.is_finite()) || d.iter().all(|&x| x == 0.0))
+    {
+        return Err(Error::invalid(format!("{direction:?} is no direction"))
+            .with_cure("give finite numbers that are not all zero"));
+    }
     let sweep = extrude(model.vertex_count(), &simplices, layers)?;
     let base = model.positions();
     let positions = match (direction, base.dimension()) {

@@ -190,11 +190,15 @@ impl Generate {
         }
         let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
         let mut facts = vec![
-            fact("f-vector", words(f_vector), "cells of dimension 0, 1, .."),
+            fact("f-vector", words(f_vector.iter().map(usize::to_string)), "cells of dimension 0, 1, .."),
             fact("alternating sum", euler.to_string(), "the Euler characteristic"),
         ];
         if let Some([low, high]) = bounds {
-            facts.push(fact("bounding box", format!("({}) to ({})", words(&low), words(&high)), ""));
+            facts.push(fact(
+                "bounding box",
+                format!("({}) to ({})", coordinates(&low), coordinates(&high)),
+                "",
+            ));
         }
         let page = text::facts("model (written with -o OUT or --to FORMAT)", &facts);
         print_text(&page)
@@ -217,7 +221,10 @@ fn bounding_box(positions: &Positions) -> Option<[Vec<f64>; 2]> {
     Some(bounds)
 }
 
-/// Numbers in a row.
-fn words<T: ToString>(numbers: &[T]) -> String {
-    numbers.iter().map(T::to_string).collect::<Vec<_>>().join(" ")
+fn coordinates(point: &[f64]) -> String {
+    words(point.iter().map(|&x| text::number(x)))
+}
+
+fn words(numbers: impl Iterator<Item = String>) -> String {
+    numbers.collect::<Vec<_>>().join(" ")
 }

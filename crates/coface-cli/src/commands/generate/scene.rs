@@ -36,7 +36,10 @@ fn parse(path: &Path) -> Result<Value, Error> {
     let text = if path.as_os_str() == "-" {
         std::io::read_to_string(std::io::stdin().lock())?
     } else {
-        std::fs::read_to_string(path)?
+        std::fs::read_to_string(path).map_err(|error| {
+            Error::new(ErrorKind::Io, format!("the scene cannot be read: {error}"))
+                .with_cure("check the path; a scene is text")
+        })?
     };
     serde_json::from_str(&text)
         .map_err(|error| Error::parse(format!("this is no JSON: {error}")).at_line(error.line() as u64))

@@ -11,7 +11,7 @@ pub(super) enum Shape {
     /// A simplex: the origin and the unit vectors
     Simplex {
         /// The dimension
-        #[arg(long, short, value_name = "D", default_value_t = 3, value_parser = clap::value_parser!(u32).range(..=24))]
+        #[arg(long, short, value_name = "D", default_value_t = 3, value_parser = clap::value_parser!(u32).range(..=20))]
         dimension: u32,
     },
     /// A circle in the plane

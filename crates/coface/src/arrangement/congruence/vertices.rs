@@ -379,11 +379,11 @@ mod tests {
                 if expected[vertex].is_some() {
                     continue;
                 }
-                for other in vertex..positions.len() {
+                for (other, class) in expected.iter_mut().enumerate().skip(vertex) {
                     let square: f64 =
                         point(vertex).iter().zip(point(other)).map(|(x, y)| (x - y) * (x - y)).sum();
-                    if expected[other].is_none() && square <= tolerance * tolerance {
-                        expected[other] = Some(count);
+                    if class.is_none() && square <= tolerance * tolerance {
+                        *class = Some(count);
                     }
                 }
                 count += 1;

@@ -7,7 +7,7 @@ use crate::simplicial::SimplicialComplex;
 /// The book: `pages` triangles on one common edge {0, 1}.
 ///
 /// # Errors
-/// [`crate::ErrorKind::InvalidInput`] from 2^31 pages on.
+/// [`crate::ErrorKind::InvalidInput`] for more than 2^24 pages.
 ///
 /// # Examples
 /// ```
@@ -16,7 +16,7 @@ use crate::simplicial::SimplicialComplex;
 /// # Ok::<(), coface::Error>(())
 /// ```
 pub fn book(pages: u32) -> Result<SimplicialComplex, Error> {
-    require(pages < 1 << 31, || format!("a book of {pages} pages is too large"))?;
+    require(pages <= 1 << 24, || format!("a book of {pages} pages is not built; up to 2^24 are"))?;
     from_rule((0..pages).map(|i| vec![0, 1, 2 + i]).chain([vec![0, 1]]))
 }
 

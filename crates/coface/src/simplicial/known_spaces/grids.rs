@@ -160,7 +160,7 @@ pub fn small_klein_bottle() -> Result<SimplicialComplex, Error> {
 /// even ones. 5 vertices give the smallest Moebius band.
 ///
 /// # Errors
-/// [`crate::ErrorKind::InvalidInput`] below 5 vertices.
+/// [`crate::ErrorKind::InvalidInput`] unless there are 5 to 2^24 vertices.
 ///
 /// # Examples
 /// ```
@@ -170,8 +170,8 @@ pub fn small_klein_bottle() -> Result<SimplicialComplex, Error> {
 /// # Ok::<(), coface::Error>(())
 /// ```
 pub fn triangle_strip(vertex_count: u32) -> Result<SimplicialComplex, Error> {
-    require(vertex_count >= 5, || {
-        format!("a closed strip of {vertex_count} triangles is not simplicial; it needs 5")
+    require((5..=1 << 24).contains(&vertex_count), || {
+        format!("a closed strip of {vertex_count} triangles is not built; 5 to 2^24 are")
     })?;
     from_rule((0..vertex_count).map(|i| (i..i + 3).map(|v| v % vertex_count).collect()))
 }
@@ -189,7 +189,9 @@ pub fn triangle_strip(vertex_count: u32) -> Result<SimplicialComplex, Error> {
 /// ```
 pub fn pinched_torus_grid(columns: u32, rows: u32) -> Result<SimplicialComplex, Error> {
     require((6..1 << 15).contains(&columns) && (6..1 << 15).contains(&rows), || {
-        format!("a pinched torus of {columns} x {rows} squares is not built; each length must be 6 or more")
+        format!(
+            "a pinched torus of {columns} x {rows} squares is not built; each length must be 6 to 2^15 - 1"
+        )
     })?;
     let pinched = (columns / 2) * rows + rows / 2;
     from_rule(square_grid(columns, rows, |i, j| match (i % columns) * rows + j % rows {
