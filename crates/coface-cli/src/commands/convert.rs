@@ -164,7 +164,7 @@ pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
     ];
     for (what, count, is_kept) in losses {
         if count > 0 && !is_kept && !common.quiet {
-            remark(&format!("{} does not keep {what}: {count} left out", format.title()));
+            remark(&format!("a file of {} does not keep {what}: {count} left out", format.title()));
         }
     }
 }

@@ -105,7 +105,8 @@ impl AffineMap {
 
     /// The rotation of space about an axis through the origin, counterclockwise for who is looked at by the axis.
     ///
-    /// $R = \cos\varphi\, 1 + \sin\varphi\, [u]_\times + (1 - \cos\varphi)\, u u^T$ for the unit vector u along the axis.
+    /// $R x = \cos\varphi\, x + \sin\varphi\, u \times x + (1 - \cos\varphi)\, (u \cdot x)\, u$ for the unit vector u along the
+    /// axis.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if the axis is zero or not finite.
