@@ -315,9 +315,9 @@ fn drawings_keep_their_rings() {
     // Only GeoJSON keeps names.
     for (name, remark) in [
         ("a.geojson", ""),
-        ("b.wkt", "remark: WKT does not keep groups: 1 left out\n"),
+        ("b.wkt", "remark: a file of WKT does not keep groups: 1 left out\n"),
         ("c.geojson", ""),
-        ("d.lines", "remark: line segments does not keep data on cells: 2 left out\n"),
+        ("d.lines", "remark: a file of line segments does not keep data on cells: 2 left out\n"),
     ] {
         let to = folder.path().join(name);
         let run = coface(&["convert", argument(&from), "-o", argument(&to)]);
@@ -385,7 +385,7 @@ fn convert_says_which_groups_it_leaves_out() {
         assert!(output.status.success());
         String::from_utf8(output.stderr).unwrap()
     };
-    assert_eq!(remarks("named.off"), "remark: OFF does not keep groups: 1 left out\n");
+    assert_eq!(remarks("named.off"), "remark: a file of OFF does not keep groups: 1 left out\n");
     assert_eq!(remarks("again.obj"), "");
 }
 

@@ -77,8 +77,8 @@ pub(super) enum Construction {
     },
     /// Shapes and files in place: a JSON scene of nested lists with affine maps
     ///
-    /// {"assembly": [{"translate": [0,0,2]}, {"shape": "sphere", "radius": 2, "kind": "cube"}, [{"rotate": {"axis": [0,0,1],
-    /// "degrees": 90}}, {"file": "part.obj"}], {"scale": [1,1,-1]}, {"matrix": [[1,0,0,5],[0,1,0,0],[0,0,1,0]]}]}
+    /// `{"assembly": [{"translate": [0,0,2]}, {"shape": "sphere", "radius": 2, "kind": "cube"}, [{"rotate": {"axis": [0,0,1],
+    /// "degrees": 90}}, {"file": "part.obj"}], {"scale": [1,1,-1]}, {"matrix": [[1,0,0,5],[0,1,0,0],[0,0,1,0]]}]}`
     ///
     /// A map moves everything after it in its list; shapes have the parameters of the command line; "dimension" beside "assembly"
     /// is that of the space, 3 if it is left out, and plane things lie in its first axes. Each shape and file becomes a group.
