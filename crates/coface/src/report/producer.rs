@@ -150,7 +150,9 @@ impl Producer {
             Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => Err(Error::invalid(
                 "the cells of halfedges, gluings and boundary matrices are not sets of vertices",
             )
-            .with_cure("give the complex as facets, polygons or cells")),
+            .with_cure(
+                "give the complex as facets, polygons or cells; signed incidence is in its boundary matrices",
+            )),
         }
     }
 
