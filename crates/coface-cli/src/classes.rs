@@ -37,15 +37,20 @@ impl ClassFormat {
     }
 }
 
-/// Writes the classes of all degrees to a file that appears whole or not at all.
+/// Writes the classes of all degrees to a file that appears whole or not at all, and lets `write_other` write what belongs
+/// with it before it appears: if either fails, neither is there.
 pub(crate) fn write_classes(
     congruence: &ModelCongruence,
     path: &Path,
     format: ClassFormat,
+    write_other: impl FnOnce() -> Result<(), coface::Error>,
 ) -> Result<(), Failure> {
-    Ok(replace_file(path, |out| match format {
-        ClassFormat::Json => congruence.write_classes(out),
-        #[cfg(feature = "arrow")]
-        ClassFormat::Arrow => table::write(congruence.chains().classes(), out),
+    Ok(replace_file(path, |out| {
+        match format {
+            ClassFormat::Json => congruence.write_classes(out)?,
+            #[cfg(feature = "arrow")]
+            ClassFormat::Arrow => table::write(congruence.chains().classes(), out)?,
+        }
+        write_other()
     })?)
 }

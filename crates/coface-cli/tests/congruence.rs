@@ -262,6 +262,32 @@ type Class = Option<(u32, i8)>;
 
 #[cfg(feature = "arrow")]
 #[test]
+fn two_outputs_appear_both_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = file(&folder, "a.obj", &separate_cubes(1));
+    let [mesh, classes] = ["m.off", "c.json"].map(|name| folder.path().join(name));
+    let [no_mesh, no_classes] = ["none/m.off", "none/c.json"].map(|name| folder.path().join(name));
+    for (mesh, classes, wrong) in [(&mesh, &no_classes, &no_classes), (&no_mesh, &classes, &no_mesh)] {
+        let run = coface(&[
+            "congruence",
+            argument(&input),
+            "--tolerance",
+            "1e-6",
+            "-o",
+            argument(mesh),
+            "--classes",
+            argument(classes),
+        ]);
+        assert_eq!(run.status, 1);
+        assert!(run.stderr.contains(&wrong.display().to_string()), "{}", run.stderr);
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "the input alone");
+    }
+    let both = ["-o", argument(&mesh), "--classes", argument(&classes)];
+    assert_eq!(merged(&input, "1e-6", &both)["f_vector"], json!([8, 12, 6]));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
+}
+
+#[test]
 fn classes_are_a_table_of_arrow() {
     use arrow_array::Array;
     use arrow_array::cast::AsArray;

@@ -125,15 +125,19 @@ impl Congruence {
         }
         progress.stage("merging");
         let congruence = ModelCongruence::of(models, &self.request())?;
-        if let Some((path, format)) = output {
-            progress.stage(format!("writing {}", path.display()));
-            let model =
-                if format == Format::Json { congruence.to_chains()? } else { congruence.to_mesh()? };
-            io::write_path(&model, path, Some(format))?;
-        }
-        if let (Some(path), Some(format)) = (&self.classes, class_format) {
-            progress.stage(format!("writing {}", path.display()));
-            write_classes(&congruence, path, format)?;
+        let model = match output {
+            Some((_, Format::Json)) => Some(congruence.to_chains()?),
+            Some(_) => Some(congruence.to_mesh()?),
+            None => None,
+        };
+        progress.stage("writing");
+        let write_model = || match (output, &model) {
+            (Some((path, format)), Some(model)) => io::write_path(model, path, Some(format)),
+            _ => Ok(()),
+        };
+        match (&self.classes, class_format) {
+            (Some(path), Some(format)) => write_classes(&congruence, path, format, write_model)?,
+            _ => write_model()?,
         }
         progress.stage("multiplying boundaries");
         let object = congruence.to_json()?;
