@@ -114,7 +114,9 @@ fn signed_operators_compose_to_zero() {
     assert_eq!(reading(&["--operator", "EV", "--signed"], CUBE)["histogram"], json!({"-1": 12, "1": 12}));
     let refused = coface_reading(&["incidence", "--operator", "FV", "--signed", "-"], CUBE.as_bytes());
     assert!(refused.fails_with(1).contains("no boundary"));
-    // Chain complexes have signs, but no vertices of cells.
+    // A loop has a sign, but no two ends. The chain complex of a path has all operators.
+    let path = r#"{"boundaries":[{"rows":3,"cols":2,"entries":[[0,0,-1],[1,0,1],[1,1,-1],[2,1,1]]}]}"#;
+    assert_eq!(reading(&["--operator", "VV", "--incident"], path)["entries_count"], 4);
     let circle = r#"{"boundaries":[{"rows":1,"cols":1,"entries":[]}]}"#;
     assert_eq!(reading(&["--operator", "EV", "--signed"], circle)["entries_count"], 0);
     assert_eq!(reading(&["--operator", "CF", "--signed"], circle)["rows"], 0);

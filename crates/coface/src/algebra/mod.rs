@@ -41,6 +41,7 @@ pub use integer_matrix::IntegerMatrix;
 pub use permutation::Permutation;
 pub(crate) use prime_field::{Binary, Field, Odd};
 pub(crate) use primes::{is_prime, large_primes};
+pub(crate) use product::{ColumnBlock, joined_columns};
 pub use ragged::RaggedArray;
 pub use rational::Rational;
 pub use residue::Residue;

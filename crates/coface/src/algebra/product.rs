@@ -4,8 +4,35 @@ use super::{Entry, Integer, IntegerMatrix, SparseMatrix, WideMatrix};
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 
-/// Consecutive columns of a product: their lengths, their rows and their entries.
-type Block = (Vec<u32>, Vec<u32>, Vec<i32>);
+/// Consecutive columns of a matrix: their lengths, rows and entries.
+pub(crate) type ColumnBlock = (Vec<u32>, Vec<u32>, Vec<i32>);
+
+/// Starts, rows and entries of all columns, from blocks of them in order.
+///
+/// # Errors
+/// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
+pub(crate) fn joined_columns(column_count: usize, blocks: Vec<ColumnBlock>) -> Result<ColumnBlock, Error> {
+    let entry_count: usize = blocks.iter().map(|(_, rows, _)| rows.len()).sum();
+    if u32::try_from(entry_count).is_err() {
+        return Err(Error::new(
+            ErrorKind::TooLarge,
+            format!("{entry_count} entries in a product of matrices; the limit is 2^32 - 1"),
+        ));
+    }
+    let mut starts = Vec::with_capacity(column_count + 1);
+    let (mut rows, mut entries) = (Vec::with_capacity(entry_count), Vec::with_capacity(entry_count));
+    let mut total = 0;
+    starts.push(total);
+    for (lengths, block_rows, block_entries) in blocks {
+        starts.extend(lengths.into_iter().map(|length| {
+            total += length;
+            total
+        }));
+        rows.extend(block_rows);
+        entries.extend(block_entries);
+    }
+    Ok((starts, rows, entries))
+}
 
 /// Columns that one task multiplies.
 const BLOCK: usize = 1 << 12;
@@ -94,7 +121,7 @@ impl<E: Entry> SparseMatrix<E> {
 
     /// The product in machine integers; `None` when one does not suffice.
     fn narrow_product<F: Entry>(&self, other: &SparseMatrix<F>) -> Option<Result<SparseMatrix, Error>> {
-        let blocks: Option<Vec<Block>> = (0..other.column_count().div_ceil(BLOCK))
+        let blocks: Option<Vec<ColumnBlock>> = (0..other.column_count().div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| {
                 let (mut lengths, mut rows, mut entries) = (Vec::new(), Vec::new(), Vec::new());
@@ -124,26 +151,9 @@ impl<E: Entry> SparseMatrix<E> {
             })
             .collect();
         let blocks = blocks?;
-        let entry_count = blocks.iter().map(|(_, rows, _)| rows.len()).sum();
-        if u32::try_from(entry_count).is_err() {
-            return Some(Err(Error::new(
-                ErrorKind::TooLarge,
-                format!("{entry_count} entries in a product of matrices; the limit is 2^32 - 1"),
-            )));
-        }
-        let mut starts = Vec::with_capacity(other.column_count() + 1);
-        let (mut rows, mut entries) = (Vec::with_capacity(entry_count), Vec::with_capacity(entry_count));
-        let mut total = 0;
-        starts.push(total);
-        for (lengths, block_rows, block_entries) in blocks {
-            starts.extend(lengths.into_iter().map(|length| {
-                total += length;
-                total
-            }));
-            rows.extend(block_rows);
-            entries.extend(block_entries);
-        }
-        Some(SparseMatrix::from_parts(self.row_count(), starts, rows, entries))
+        Some(joined_columns(other.column_count(), blocks).and_then(|(starts, rows, entries)| {
+            SparseMatrix::from_parts(self.row_count(), starts, rows, entries)
+        }))
     }
 
     /// The product in integers of any size.

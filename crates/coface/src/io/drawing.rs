@@ -4,6 +4,7 @@
 //! what they bound: `polygon` numbers the polygons, `ring` is 0 for an outer ring and 1, 2, .. for the holes; both are -1
 //! for a line that is no ring.
 
+use super::lists::number_by_firsts;
 use super::model::{Group, GroupKind};
 use super::numbers::Numbers;
 use super::{CellData, Model};
@@ -275,17 +276,7 @@ fn weld(corners: &[[f64; 3]], owners: &[u32]) -> (Vec<u32>, Vec<u32>) {
             vertices[corner as usize] = equal[0];
         }
     }
-    let mut firsts = Vec::new();
-    for i in 0..vertices.len() {
-        let first = vertices[i] as usize;
-        if first == i {
-            vertices[i] = firsts.len() as u32;
-            firsts.push(i as u32);
-        } else {
-            // The first corner comes before, so it has its number already.
-            vertices[i] = vertices[first];
-        }
-    }
+    let firsts = number_by_firsts(&mut vertices);
     (vertices, firsts)
 }
 

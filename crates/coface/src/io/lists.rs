@@ -131,6 +131,23 @@ impl Lists {
     }
 }
 
+/// Numbers things by their first equals, in order: `firsts[i]` is the first thing that equals thing i, and becomes its
+/// number. The first of each number is given back.
+pub(crate) fn number_by_firsts(firsts: &mut [u32]) -> Vec<u32> {
+    let mut own = Vec::new();
+    for i in 0..firsts.len() {
+        let first = firsts[i] as usize;
+        if first == i {
+            firsts[i] = own.len() as u32;
+            own.push(i as u32);
+        } else {
+            // The first comes before, so it has its number already.
+            firsts[i] = firsts[first];
+        }
+    }
+    own
+}
+
 fn too_many() -> Error {
     Error::new(ErrorKind::TooLarge, "the polygons or lines name more than 2^32 - 1 vertices in all")
 }

@@ -140,19 +140,18 @@ impl Producer {
     /// The cells of all degrees as lists of vertices, numbered as in [`Self::chain_complex`], with their facets.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::InvalidInput`] for halfedges, gluings and bare chain complexes, whose cells are not told by their
-    /// vertices; [`crate::ErrorKind::TooLarge`] beyond 32 bits.
+    /// [`crate::ErrorKind::InvalidInput`] for halfedges and gluings, whose cells may have a vertex several times, and for
+    /// boundary matrices that do not tell the vertices of cells; [`crate::ErrorKind::TooLarge`] beyond 32 bits.
     pub fn lar_model(&self) -> Result<LarModel, Error> {
         match &self.cells {
             Cells::Polygons(mesh) => LarModel::try_from(mesh),
             Cells::Solids(mesh) => LarModel::try_from(&**mesh),
             Cells::Simplices(complex) => LarModel::try_from(complex),
-            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => Err(Error::invalid(
-                "the cells of halfedges, gluings and boundary matrices are not sets of vertices",
-            )
-            .with_cure(
-                "give the complex as facets, polygons or cells; signed incidence is in its boundary matrices",
-            )),
+            Cells::Chains(complex) => LarModel::try_from(complex),
+            Cells::Halfedges(_) | Cells::Gluings(_) => {
+                Err(Error::invalid("the cells of halfedges and gluings are not sets of vertices")
+                    .with_cure("give the complex as facets, polygons or cells, or its boundary matrices"))
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 use super::CellClasses;
 use super::classes::NONE;
 use super::rewrap::Piece;
-use crate::algebra::{RaggedArray, Sign, SparseMatrix};
+use crate::algebra::{ColumnBlock, RaggedArray, Sign, SparseMatrix, joined_columns};
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -20,9 +20,6 @@ pub(super) struct Mapped {
     /// The cell of each column, rising; empty if no cell has several.
     owners: Vec<u32>,
 }
-
-/// Consecutive columns: their lengths, rows and entries.
-type Block = (Vec<u32>, Vec<u32>, Vec<i32>);
 
 impl Mapped {
     pub(super) fn column_count(&self) -> usize {
@@ -79,26 +76,11 @@ impl Mapped {
     /// Each facet replaced by its image.
     pub(super) fn by_lists(boundary: &SparseMatrix, lower: &CellClasses) -> Result<Self, Error> {
         let cell_count = boundary.column_count();
-        let blocks: Vec<Block> = (0..cell_count.div_ceil(BLOCK))
+        let blocks: Vec<ColumnBlock> = (0..cell_count.div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| mapped_block(boundary, lower, block * BLOCK..((block + 1) * BLOCK).min(cell_count)))
             .collect::<Result<_, _>>()?;
-        let entry_count: usize = blocks.iter().map(|(_, rows, _)| rows.len()).sum();
-        if u32::try_from(entry_count).is_err() {
-            return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 entries in a quotient"));
-        }
-        let mut starts = Vec::with_capacity(cell_count + 1);
-        let (mut rows, mut entries) = (Vec::with_capacity(entry_count), Vec::with_capacity(entry_count));
-        let mut total = 0;
-        starts.push(total);
-        for (lengths, block_rows, block_entries) in blocks {
-            starts.extend(lengths.into_iter().map(|length| {
-                total += length;
-                total
-            }));
-            rows.extend_from_slice(&block_rows);
-            entries.extend_from_slice(&block_entries);
-        }
+        let (starts, rows, entries) = joined_columns(cell_count, blocks)?;
         Ok(Self { starts, rows, entries, owners: Vec::new() })
     }
 
@@ -237,7 +219,7 @@ fn mapped_block(
     boundary: &SparseMatrix,
     lower: &CellClasses,
     cells: std::ops::Range<usize>,
-) -> Result<Block, Error> {
+) -> Result<ColumnBlock, Error> {
     let (mut lengths, mut rows, mut entries) = (Vec::with_capacity(cells.len()), Vec::new(), Vec::new());
     let mut terms: Vec<(u32, i64)> = Vec::new();
     for cell in cells {

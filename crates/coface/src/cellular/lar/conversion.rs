@@ -4,6 +4,7 @@ use super::LarModel;
 use crate::Error;
 use crate::algebra::{RaggedArray, SparseMatrix};
 use crate::cellular::CellMesh;
+use crate::chains::ChainComplex;
 use crate::simplicial::FrozenComplex;
 use crate::surface::PolygonMesh;
 use crate::{CellId, FaceId};
@@ -87,6 +88,71 @@ impl TryFrom<&FrozenComplex> for LarModel {
     }
 }
 
+/// The cells of a chain complex, each with the vertices that its facets have, rising, and with its facets given; edges run
+/// from the vertex with the entry -1 to that with 1.
+///
+/// # Errors
+/// [`crate::ErrorKind::InvalidInput`] naming the first cell whose vertices its boundary does not tell: an edge without two
+/// ends, or another cell without a boundary.
+///
+/// # Examples
+/// ```
+/// use coface::algebra::SparseMatrix;
+/// use coface::cellular::LarModel;
+/// use coface::chains::ChainComplex;
+/// # fn main() -> Result<(), coface::Error> {
+/// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, 1), (1, 0, -1), (1, 1, -1), (2, 1, 1)])?;
+/// let path = LarModel::try_from(&ChainComplex::new(vec![edges])?)?;
+/// assert!(path.cells(1).iter().eq([[1, 0], [1, 2]]));
+/// # Ok(()) }
+/// ```
+impl TryFrom<&ChainComplex> for LarModel {
+    type Error = Error;
+
+    fn try_from(complex: &ChainComplex) -> Result<Self, Error> {
+        let untold = |fault: String| {
+            Error::invalid(format!("{fault}, so the cells are not sets of vertices"))
+                .with_cure("give the complex as facets, polygons or cells")
+        };
+        let mut cells: Vec<RaggedArray> = Vec::new();
+        for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
+            let mut lists = RaggedArray::new();
+            let mut vertices: Vec<u32> = Vec::new();
+            for (cell, column) in matrix.columns().enumerate() {
+                vertices.clear();
+                match cells.last() {
+                    None => match (column.rows(), column.entries()) {
+                        (&[start, end], [-1, 1]) | (&[end, start], [1, -1]) => vertices.extend([start, end]),
+                        _ => {
+                            return Err(untold(format!(
+                                "edge {cell} does not run from one vertex to another"
+                            )));
+                        }
+                    },
+                    Some(lower) => {
+                        let facets = column.rows().iter();
+                        vertices.extend(facets.flat_map(|&facet| lower.list(facet as usize)));
+                        vertices.sort_unstable();
+                        vertices.dedup();
+                        if vertices.is_empty() {
+                            return Err(untold(format!("cell {cell} of degree {degree} has no boundary")));
+                        }
+                    }
+                }
+                lists.push(&vertices);
+            }
+            cells.push(lists);
+        }
+        let mut model = Self::new(complex.cell_count(0), cells)?;
+        for (degree, matrix) in (1..).zip(complex.boundary_matrices()).skip(1) {
+            if matrix.column_count() > 0 {
+                model = model.with_facets(degree, columns(matrix)?)?;
+            }
+        }
+        Ok(model)
+    }
+}
+
 /// The rows with an entry, column by column.
 pub(super) fn columns(matrix: &SparseMatrix) -> Result<RaggedArray, Error> {
     RaggedArray::from_parts(matrix.column_starts().to_vec(), matrix.rows().to_vec())
@@ -106,6 +172,24 @@ mod tests {
         assert_eq!(model.f_vector(), [9, 13, 6, 1]);
         assert_eq!(model.given_facets(3).unwrap().item_count(), 6);
         assert_eq!(model.given_facets(2).unwrap().item_count(), 24);
+    }
+
+    /// Of a mesh and of its chain complex: the same cells, and the same facets as sets.
+    #[test]
+    fn a_chain_complex_tells_the_cells_of_its_mesh() {
+        let cells = RaggedArray::from_lists([[0, 1, 2, 3, 4, 5, 6, 7]]);
+        let mesh =
+            CellMesh::new(9, vec![CellShape::Hexahedron], cells, &RaggedArray::new(), &[[7, 8]]).unwrap();
+        let (own, told) =
+            (LarModel::try_from(&mesh).unwrap(), LarModel::try_from(&mesh.chain_complex()).unwrap());
+        assert_eq!(own.f_vector(), told.f_vector());
+        for operator in ["VV", "EE", "FE", "FF", "CF", "CV"].map(|name| name.parse().unwrap()) {
+            assert_eq!(own.shared_vertices(operator).unwrap(), told.shared_vertices(operator).unwrap());
+            assert_eq!(own.incident(operator).unwrap(), told.incident(operator).unwrap());
+        }
+        let loop_edge = ChainComplex::new(vec![SparseMatrix::zero(1, 1).unwrap()]).unwrap();
+        let error = LarModel::try_from(&loop_edge).unwrap_err();
+        assert!(error.message().contains("edge 0 does not run from one vertex to another"), "{error}");
     }
 
     #[test]

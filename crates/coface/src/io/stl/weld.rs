@@ -1,5 +1,6 @@
 //! Equal corners become one vertex.
 
+use crate::io::lists::number_by_firsts;
 use rayon::prelude::*;
 
 /// A corner by the bits of its three coordinates in single precision, with zero for negative zero.
@@ -38,17 +39,7 @@ pub(super) fn weld(corners: &[Corner]) -> Welded {
         }
     }
     drop(keys);
-    let mut first_corners = Vec::new();
-    for i in 0..vertices.len() {
-        let first = vertices[i] as usize;
-        if first == i {
-            vertices[i] = first_corners.len() as u32;
-            first_corners.push(i as u32);
-        } else {
-            // The first corner comes before, so it has its number already.
-            vertices[i] = vertices[first];
-        }
-    }
+    let first_corners = number_by_firsts(&mut vertices);
     Welded { vertices, first_corners }
 }
 
