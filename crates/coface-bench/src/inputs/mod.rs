@@ -2,6 +2,7 @@
 //!
 //! # Words
 //! * `icoN`: the icosphere of level N, $20 \cdot 4^N$ triangles; new vertices are numbered level by level.
+//! * `spheresN`: two icospheres of level N that overlap, one after the other.
 //! * `genus10_M`: a flat plate of M by M quads, two-sided, with ten square holes, each quad cut into two triangles.
 //! * `plateG_M`: such a plate with G holes in rows and columns.
 //! * `st_KxM`: a solid torus, K by K by M cubes closed up in the last direction, six tetrahedra a cube.
@@ -31,6 +32,7 @@ use coface::simplicial::known_spaces::sum_complex;
 /// The families, as a person writes them.
 pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("icoN", "icosphere of level N, 20 * 4^N triangles (ico8: 1,310,720)"),
+    ("spheresN", "two overlapping icospheres of level N, 40 * 4^N triangles (spheres6: 163,840)"),
     ("genus10_M", "closed surface of genus 10 (genus10_160: 100,480 triangles, genus10_510: 1,010,880)"),
     (
         "plateG_M",
@@ -74,6 +76,9 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
     };
     if let Some(level) = name.strip_prefix("ico") {
         return Ok(sphere::icosphere(number(level, 0, 10)?));
+    }
+    if let Some(level) = name.strip_prefix("spheres") {
+        return Ok(sphere::overlapping_icospheres(number(level, 0, 9)?));
     }
     if let Some(level) = name.strip_prefix("soup") {
         return Ok(soups::exploded_icosphere(number(level, 0, 9)?));
@@ -145,6 +150,7 @@ mod tests {
     fn small_members_of_each_family_have_the_counts_of_their_spaces() {
         assert_eq!(counts("ico0"), [12, 30, 20]);
         assert_eq!(counts("ico2"), [162, 480, 320]);
+        assert_eq!(counts("spheres1"), [84, 240, 160]);
         assert_eq!(counts("t3_3"), [27, 189, 324, 162]);
         assert_eq!(counts("grid3_1"), [8, 19, 18, 6]);
         assert_eq!(counts("grid3_2"), [27, 98, 120, 48]);

@@ -1,4 +1,4 @@
-//! The icosphere.
+//! The icosphere, and two of them.
 
 use super::Mesh;
 use coface::algebra::RaggedArray;
@@ -62,6 +62,22 @@ pub(super) fn icosphere(level: usize) -> Mesh {
         coordinates: points.concat(),
         lists: RaggedArray::from_lists(triangles),
     }
+}
+
+/// Two icospheres of radius 1 that overlap: the second is moved by (0.4, 0.03, 0.02), and its vertices and triangles come
+/// after those of the first.
+pub(super) fn overlapping_icospheres(level: usize) -> Mesh {
+    let first = icosphere(level);
+    let mut coordinates = first.coordinates.clone();
+    let moved =
+        first.coordinates.as_chunks::<3>().0.iter().flat_map(|p| [p[0] + 0.4, p[1] + 0.03, p[2] + 0.02]);
+    coordinates.extend(moved);
+    let mut lists = first.lists.clone();
+    let shift = first.vertex_count as u32;
+    for triangle in first.lists.iter() {
+        lists.push(&[triangle[0] + shift, triangle[1] + shift, triangle[2] + shift]);
+    }
+    Mesh { vertex_count: 2 * first.vertex_count, coordinates, lists }
 }
 
 fn unit(p: [f64; 3]) -> [f64; 3] {
