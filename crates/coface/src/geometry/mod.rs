@@ -2,8 +2,8 @@
 //!
 //! [`Positions`] holds the points of one model, in the unit of its file, in any dimension;
 //! [`polygon_area`] and [`enclosed_volume`] measure polygons on them, [`surface_moment`] and [`enclosed_moment`] integrate
-//! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points. An
-//! [`AffineMap`] moves points; an [`Angle`] is exact at quarter turns.
+//! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points, and
+//! [`triangulation`] of polygons needs no more than those. An [`AffineMap`] moves points; an [`Angle`] is exact at quarter turns.
 
 mod affine;
 mod angle;
@@ -11,6 +11,7 @@ mod measure;
 mod moments;
 mod positions;
 pub mod predicates;
+pub mod triangulation;
 
 pub use affine::AffineMap;
 pub use angle::Angle;
