@@ -35,9 +35,9 @@ fn two_product(a: f64, b: f64) -> [f64; 2] {
     [product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low]
 }
 
-/// A number within `error` of `high + low`.
+/// A number within `error` of `high + low`. What leaves the range of numbers is not a number and has no sign.
 ///
-/// All inputs must be ordinary ([`is_ordinary`]) and at most four of them multiplied.
+/// An error of zero says that the value is exact: sums and products of small integers are.
 ///
 /// # References
 /// M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of double-word
@@ -53,7 +53,15 @@ pub(super) struct Approximation {
 /// Sixteen squares of the unit roundoff.
 const BOUND: f64 = f64::from_bits((1023 - 102) << 52);
 
+/// Products below this size may lose what is too small to be a number.
+const SMALL: f64 = f64::from_bits((1023 - 850) << 52);
+
 impl Approximation {
+    /// The number `high + low`, known within `error`; `high` is the nearest number to the sum.
+    pub(super) fn known(high: f64, low: f64, error: f64) -> Self {
+        Self { high, low, error }
+    }
+
     /// A number that is known within `error`.
     pub(super) fn new(value: f64, error: f64) -> Self {
         Self { high: value, low: 0.0, error }
@@ -66,13 +74,14 @@ impl Approximation {
     }
 
     pub(super) fn plus(self, other: Self) -> Self {
-        let [sum, mut lost] = two_sum(self.high, other.high);
+        let [sum, lost] = two_sum(self.high, other.high);
         let [low_sum, low_lost] = two_sum(self.low, other.low);
-        lost += low_sum;
-        let [sum, mut lost] = quick_two_sum(sum, lost);
-        lost += low_lost;
+        let [lost, first_rest] = two_sum(lost, low_sum);
+        let [sum, lost] = quick_two_sum(sum, lost);
+        let [lost, second_rest] = two_sum(lost, low_lost);
         let [high, low] = quick_two_sum(sum, lost);
-        Self { high, low, error: widened(self.error + other.error) + BOUND * high.abs() }
+        // Nothing but the two rests is lost, so that sums of small integers stay exact.
+        Self { high, low, error: widened(self.error + other.error + first_rest.abs() + second_rest.abs()) }
     }
 
     pub(super) fn minus(self, other: Self) -> Self {
@@ -83,9 +92,20 @@ impl Approximation {
         let [product, mut lost] = two_product(self.high, other.high);
         lost += self.high * other.low + self.low * other.high;
         let [high, low] = quick_two_sum(product, lost);
-        let inherited =
-            self.high.abs() * other.error + other.high.abs() * self.error + self.error * other.error;
-        Self { high, low, error: widened(inherited) + BOUND * high.abs() }
+        let mut error = 0.0;
+        if self.error != 0.0 || other.error != 0.0 {
+            let size = |x: Self| x.high.abs() * (1.0 + f64::EPSILON);
+            let inherited = size(self) * other.error + size(other) * self.error + self.error * other.error;
+            error = widened(inherited) + f64::MIN_POSITIVE;
+        }
+        if self.low != 0.0 || other.low != 0.0 {
+            error += BOUND * high.abs();
+        }
+        // Products that are too small for their precision.
+        if high.abs() < SMALL && self.high != 0.0 && other.high != 0.0 {
+            error += f64::MIN_POSITIVE;
+        }
+        Self { high, low, error }
     }
 
     /// The quotient; `None` if the divisor may be small against its error.
@@ -94,28 +114,38 @@ impl Approximation {
         // Also false for what is not a number.
         if divisor.error < certain {
             let first = self.high / divisor.high;
+            if self.high != 0.0 && (self.high.abs() < SMALL || first.abs() < SMALL) {
+                return None;
+            }
             let exact = |x: f64| Self { high: x, low: 0.0, error: 0.0 };
             let rest = self.minus(divisor.times(exact(first)));
+            if rest.high == 0.0 && rest.error == 0.0 {
+                return Some(exact(first));
+            }
             let second = rest.high / divisor.high;
             let rest = rest.minus(divisor.times(exact(second)));
             let third = rest.high / divisor.high;
             let [high, low] = quick_two_sum(first, second);
             let quotient = Self { high, low, error: 0.0 }.plus(exact(third));
             let inherited = (self.error + quotient.high.abs() * divisor.error) / certain;
-            return Some(Self { error: widened(inherited) + 4.0 * BOUND * quotient.high.abs(), ..quotient });
+            let error = widened(inherited) + 4.0 * BOUND * quotient.high.abs() + f64::MIN_POSITIVE;
+            return Some(Self { error, ..quotient });
         }
         None
     }
 
     /// The sign, if the error leaves no doubt.
     pub(super) fn sign(self) -> Option<std::cmp::Ordering> {
+        if self.error == 0.0 {
+            return if (self.high + self.low).is_finite() { self.high.partial_cmp(&0.0) } else { None };
+        }
         // `low` is at most half a unit of `high`; the sum has the sign of `high`.
         (self.high.abs() - self.low.abs() > self.error).then(|| self.high.total_cmp(&0.0))
     }
 }
 
 /// A bound that covers the rounding of its own computation.
-fn widened(bound: f64) -> f64 {
+pub(super) fn widened(bound: f64) -> f64 {
     bound * (1.0 + 1.0 / 1024.0)
 }
 

@@ -1,0 +1,83 @@
+//! How triangles and tetrahedra of points in space run, whether the points are given or not.
+
+use super::arithmetic::{Arithmetic, cross, cross_coordinate, dot};
+use super::double_double::Approximation;
+use super::estimate::Estimate;
+use super::spatial_point::{Coordinates, SpatialPoint};
+use super::{orientation, spatial_orientation};
+use std::cmp::Ordering;
+
+/// Which way a triangle runs seen from the far end of an axis, exactly: the sign of that coordinate of
+/// $(b - a) \times (c - a)$, `Greater` for counterclockwise.
+///
+/// # Panics
+/// If `axis` is not below 3.
+///
+/// # Examples
+/// ```
+/// use coface::geometry::predicates::{SpatialPoint, normal_sign};
+/// use std::cmp::Ordering;
+/// let [a, b, c] = [[0., 0., 0.], [3., 0., 1.], [0., 2., 5.]].map(SpatialPoint::given);
+/// assert_eq!(normal_sign(2, [&a, &b, &c]), Ordering::Greater);
+/// assert_eq!(normal_sign(2, [&a, &c, &b]), Ordering::Less);
+/// ```
+pub fn normal_sign(axis: usize, [a, b, c]: [&SpatialPoint; 3]) -> Ordering {
+    if let (Some(a), Some(b), Some(c)) = (a.as_given(), b.as_given(), c.as_given()) {
+        let [a, b, c] = [a, b, c].map(|point| [point[(axis + 1) % 3], point[(axis + 2) % 3]]);
+        return orientation(a, b, c);
+    }
+    normal_coordinate::<Estimate>(axis, [a, b, c])
+        .certain_sign()
+        .or_else(|| normal_coordinate::<Approximation>(axis, [a, b, c]).certain_sign())
+        .unwrap_or_else(|| {
+            let [a, b, c] = [a, b, c].map(|point| point.to_exact());
+            cross_coordinate(&a.vector_to(&b), &a.vector_to(&c), axis).sign()
+        })
+}
+
+fn normal_coordinate<T: Coordinates>(axis: usize, [a, b, c]: [&SpatialPoint; 3]) -> T {
+    let to = |point: &SpatialPoint| [0, 1, 2].map(|axis| T::from_point(point, axis, a));
+    cross_coordinate(&to(b), &to(c), axis)
+}
+
+/// How a tetrahedron of points runs, exactly: `Greater` if the triangle of the first three runs counterclockwise seen from the
+/// fourth, `Equal` if the four are in one plane.
+///
+/// # Complexity
+/// Constant. Four implicit points in one plane are decided by integers of some thousand bits: where the plane is given,
+/// [`SpatialPoint::side_of`] is quicker.
+///
+/// # Examples
+/// ```
+/// use coface::geometry::predicates::{SpatialPoint, orientation_of_points};
+/// use std::cmp::Ordering;
+/// let plane = [[1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
+/// let third = SpatialPoint::on_plane([[0., 0., 0.], [1., 1., 1.]], plane).expect("not parallel");
+/// let [a, b, c] = plane.map(SpatialPoint::given);
+/// assert_eq!(orientation_of_points([&a, &b, &c, &third]), Ordering::Equal);
+/// assert_eq!(orientation_of_points([&a, &b, &third, &SpatialPoint::given([9.; 3])]), Ordering::Greater);
+/// ```
+pub fn orientation_of_points(points: [&SpatialPoint; 4]) -> Ordering {
+    let given = points.map(SpatialPoint::as_given);
+    if let [Some(a), Some(b), Some(c), Some(d)] = given {
+        return spatial_orientation(a, b, c, d);
+    }
+    // Even permutations.
+    for (last, [i, j, k]) in [(3, [0, 1, 2]), (2, [1, 0, 3]), (1, [0, 2, 3]), (0, [2, 1, 3])] {
+        if let [Some(a), Some(b), Some(c)] = [i, j, k].map(|i| given[i]) {
+            return points[last].side_of([a, b, c]);
+        }
+    }
+    volume::<Estimate>(points)
+        .certain_sign()
+        .or_else(|| volume::<Approximation>(points).certain_sign())
+        .unwrap_or_else(|| {
+            let [a, b, c, d] = points.map(|point| point.to_exact());
+            dot(&cross(&a.vector_to(&b), &a.vector_to(&c)), &a.vector_to(&d)).sign()
+        })
+}
+
+fn volume<T: Coordinates>([a, b, c, d]: [&SpatialPoint; 4]) -> T {
+    let to = |point: &SpatialPoint| [0, 1, 2].map(|axis| T::from_point(point, axis, a));
+    dot(&cross(&to(b), &to(c)), &to(d))
+}
