@@ -47,14 +47,32 @@ impl CellSelection {
                 winding.input_count()
             )));
         }
+        let is_inside = |cell: CellId, input: usize| rule.is_inside(winding.of_cell(cell)[input]);
+        Ok(Self::by_membership(winding.cell_count(), formula, is_inside))
+    }
+
+    /// The same where `is_inside` tells whether a cell is inside an input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::CellId;
+    /// use coface::arrangement::boolean::{BooleanFormula, CellSelection};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let formula = BooleanFormula::parse("a - b", &[])?;
+    /// let selection = CellSelection::by_membership(3, &formula, |cell, input| cell.index() == input);
+    /// assert_eq!(selection.cells().collect::<Vec<_>>(), [CellId::new(0)]);
+    /// # Ok(()) }
+    /// ```
+    pub fn by_membership(
+        cell_count: usize,
+        formula: &BooleanFormula,
+        is_inside: impl Fn(CellId, usize) -> bool,
+    ) -> Self {
         let mut stack = Vec::new();
-        let cells = (0..winding.cell_count())
-            .map(|cell| {
-                let numbers = winding.of_cell(CellId::new(cell));
-                formula.evaluate_on(&mut stack, |input| rule.is_inside(numbers[input]))
-            })
+        let cells = (0..cell_count)
+            .map(|cell| formula.evaluate_on(&mut stack, |input| is_inside(CellId::new(cell), input)))
             .collect();
-        Ok(Self { cells, exterior: formula.evaluate(|_| false) })
+        Self { cells, exterior: formula.evaluate(|_| false) }
     }
 
     /// Whether a cell is selected.

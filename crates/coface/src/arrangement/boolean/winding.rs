@@ -1,9 +1,9 @@
 //! Winding numbers of inputs around cells.
 
+use super::InputRim;
 use crate::algebra::SparseMatrix;
 use crate::chains::ChainComplex;
 use crate::{CellId, Error, ErrorKind};
-use std::collections::BTreeMap;
 
 /// Where a facet has the exterior, or one cell on both sides.
 const EXTERIOR: u32 = u32::MAX;
@@ -18,6 +18,22 @@ pub enum InsideRule {
     Positive,
     /// The odd ones: what is enclosed twice is outside.
     Odd,
+}
+
+/// What is counted.
+#[derive(Clone, Copy, PartialEq)]
+enum Count {
+    Whole,
+    Parity,
+}
+
+impl Count {
+    fn of(self, number: i64) -> i64 {
+        match self {
+            Self::Whole => number,
+            Self::Parity => number.rem_euclid(2),
+        }
+    }
 }
 
 impl InsideRule {
@@ -77,17 +93,45 @@ impl WindingNumbers {
     /// # Complexity
     /// Linear in the cells times inputs, and in the matrices.
     pub fn new(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        Self::counted(complex, inputs, Count::Whole)
+    }
+
+    /// The winding numbers modulo 2, as 0 and 1. They need no directions: inputs whose facets do not run coherently have them,
+    /// as long as an even number of facets meets in each ridge.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; [`ErrorKind::NotACycle`] only for ridges with odd coefficients.
+    ///
+    /// # Examples
+    /// A triangle with one of its edges turned:
+    /// ```
+    /// use coface::CellId;
+    /// use coface::algebra::SparseMatrix;
+    /// use coface::arrangement::boolean::WindingNumbers;
+    /// use coface::chains::ChainComplex;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = [(0, 0, 1), (1, 0, 1), (2, 0, -1)];
+    /// let triangle = vec![SparseMatrix::from_entries(3, 3, edges)?, SparseMatrix::from_entries(3, 1, face)?];
+    /// let complex = ChainComplex::new(triangle)?;
+    /// let turned = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, 1)])?;
+    /// assert!(WindingNumbers::new(&complex, &turned).is_err());
+    /// assert_eq!(WindingNumbers::parities(&complex, &turned)?.of_cell(CellId::new(0)), [1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn parities(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        Self::counted(complex, inputs, Count::Parity)
+    }
+
+    fn counted(complex: &ChainComplex, inputs: &SparseMatrix, count: Count) -> Result<Self, Error> {
         let degree = complex.degree_count().saturating_sub(1);
         let Some(boundaries) = complex.boundary_matrix(degree) else {
             return Err(Error::new(ErrorKind::Shape, "a complex of points has no facets"));
         };
-        if inputs.row_count() != boundaries.row_count() {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!("{} rows of inputs for {} facets", inputs.row_count(), boundaries.row_count()),
-            ));
+        let rims = InputRim::of_inputs(complex, inputs)?;
+        if let Some(rim) = rims.iter().find(|rim| count == Count::Whole || !rim.is_even()) {
+            return Err(rim.error(complex));
         }
-        check_closed(complex, degree - 1, inputs)?;
         let sides = sides_of_facets(boundaries)?;
         let (cell_count, input_count) = (boundaries.column_count(), inputs.column_count());
         let jumps = inputs.transpose();
@@ -115,7 +159,7 @@ impl WindingNumbers {
                 }
                 for (input, multiplicity) in jumps.column(facet as usize).iter() {
                     let number = &mut numbers[start + input];
-                    let sum = i64::from(*number) + sign * i64::from(multiplicity);
+                    let sum = count.of(i64::from(*number) + sign * i64::from(multiplicity));
                     *number = i32::try_from(sum).map_err(|_| {
                         Error::new(
                             ErrorKind::TooLarge,
@@ -137,12 +181,12 @@ impl WindingNumbers {
             ));
         }
         let found = Self { input_count, cell_count, numbers };
-        found.check(&sides, &jumps)?;
+        found.check(&sides, &jumps, count)?;
         Ok(found)
     }
 
     /// `Shape` naming a facet across which the numbers do not rise by its multiplicity: then the cells are not all there.
-    fn check(&self, sides: &[[u32; 2]], jumps: &SparseMatrix) -> Result<(), Error> {
+    fn check(&self, sides: &[[u32; 2]], jumps: &SparseMatrix, count: Count) -> Result<(), Error> {
         let number = |cell: u32, input: usize| {
             if cell == EXTERIOR {
                 0
@@ -152,8 +196,10 @@ impl WindingNumbers {
         };
         for (facet, &[back, front]) in sides.iter().enumerate() {
             let column = jumps.column(facet);
-            let fault = (0..self.input_count)
-                .find(|&input| number(back, input) - number(front, input) != i64::from(column.entry(input)));
+            let fault = (0..self.input_count).find(|&input| {
+                let jump = i64::from(column.entry(input));
+                count.of(number(back, input) - number(front, input) - jump) != 0
+            });
             if let Some(input) = fault {
                 return Err(Error::new(
                     ErrorKind::Shape,
@@ -221,72 +267,4 @@ pub(super) fn sides_of_facets(boundaries: &SparseMatrix) -> Result<Vec<[u32; 2]>
         }
     }
     Ok(sides)
-}
-
-/// `NotACycle` naming an input with a boundary and a closed walk, or two points, of that boundary.
-fn check_closed(complex: &ChainComplex, degree: usize, inputs: &SparseMatrix) -> Result<(), Error> {
-    let Some(ridges) = complex.boundary_matrix(degree) else { return Ok(()) };
-    let mut sum = vec![0i64; ridges.row_count()];
-    for (input, column) in inputs.columns().enumerate() {
-        let mut touched = Vec::new();
-        for (facet, multiplicity) in column.iter() {
-            for (ridge, entry) in ridges.column(facet).iter() {
-                sum[ridge] += i64::from(entry) * i64::from(multiplicity);
-                touched.push(ridge as u32);
-            }
-        }
-        touched.sort_unstable();
-        touched.dedup();
-        let open: Vec<u32> = touched.iter().copied().filter(|&ridge| sum[ridge as usize] != 0).collect();
-        touched.iter().for_each(|&ridge| sum[ridge as usize] = 0);
-        if open.is_empty() {
-            continue;
-        }
-        const MOST: usize = 12;
-        let (letter, walk) = match complex.boundary_matrix(degree - 1) {
-            Some(ends) if degree == 2 => ('e', walk_through(ends, &open)),
-            _ => (if degree == 1 { 'v' } else { 'c' }, open),
-        };
-        let mut list: Vec<String> = walk.iter().take(MOST).map(|ridge| format!("{letter}{ridge}")).collect();
-        if walk.len() > MOST {
-            list.push(format!("... ({} in all)", walk.len()));
-        }
-        return Err(Error::new(
-            ErrorKind::NotACycle,
-            format!("input {input} is not closed: it is open along {}", list.join(" ")),
-        )
-        .with_cure("close the input; only closed inputs have an inside"));
-    }
-    Ok(())
-}
-
-/// A walk along edges that are the support of a cycle, from the first of them until it comes back to where it was.
-fn walk_through(ends: &SparseMatrix, edges: &[u32]) -> Vec<u32> {
-    let mut at_vertex: Vec<(u32, u32)> = edges
-        .iter()
-        .flat_map(|&edge| ends.column(edge as usize).rows().iter().map(move |&vertex| (vertex, edge)))
-        .collect();
-    at_vertex.sort_unstable();
-    let Some(&start) = ends.column(edges[0] as usize).rows().first() else { return edges.to_vec() };
-    let mut walk = vec![edges[0]];
-    // The vertex that the walk is at, and the place in it of each edge's first vertex.
-    let mut here = start;
-    let mut places = BTreeMap::from([(start, 0)]);
-    let mut edge = edges[0];
-    loop {
-        let Some(&next) = ends.column(edge as usize).rows().iter().find(|&&vertex| vertex != here) else {
-            return walk;
-        };
-        if let Some(&first) = places.get(&next) {
-            walk.drain(..first);
-            return walk;
-        }
-        places.insert(next, walk.len());
-        // A vertex of the support of a cycle has another edge of it.
-        let from = at_vertex.partition_point(|&(vertex, _)| vertex < next);
-        let around = at_vertex[from..].iter().take_while(|&&(vertex, _)| vertex == next);
-        let Some(&(_, other)) = { around }.find(|&&(_, other)| other != edge) else { return walk };
-        walk.push(other);
-        (here, edge) = (next, other);
-    }
 }
