@@ -8,10 +8,12 @@
 //!   voids, and the exterior.
 //! * Sides of faces are **packed** as twice the face, plus one for a side that runs against its edge.
 //! * [`gift_wrap`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second method.
+//! * [`CutTriangles`] makes a conforming complex of any triangles, by cutting them against each other.
 //! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices with
 //!   coordinates.
 
 mod cells;
+mod cutting;
 mod face_planes;
 mod gift_wrapping;
 mod nesting;
@@ -21,6 +23,7 @@ mod radial_order;
 mod shells;
 
 pub use cells::SpatialCells;
+pub use cutting::{CutOptions, CutTriangles, SpatialVertexSource};
 pub use gift_wrapping::gift_wrap;
 pub use polygonal_complex::PolygonalComplex;
 pub use predicates::{GivenPoints, SpatialPredicates};

@@ -1,9 +1,8 @@
 //! The exact decisions about points in space that cells are made by.
 
 use crate::geometry::Positions;
-use crate::geometry::predicates::{Dyadic, orientation};
+use crate::geometry::predicates::{orientation, spatial_orientation};
 use crate::{Error, ErrorKind, VertexId};
-use robust::Coord3D;
 use std::cmp::Ordering;
 
 /// Exact decisions about vertices in space, by their numbers.
@@ -24,6 +23,18 @@ pub trait SpatialPredicates: Sync {
 
     /// Numbers between which coordinate `axis` of the vertex lies.
     fn range(&self, axis: usize, vertex: u32) -> [f64; 2];
+
+    /// Three vertices of the plane of a face, on it or not, which run counterclockwise seen from its front, where they are known;
+    /// all of the face is in that plane.
+    fn corners_of_plane(&self, _face: u32) -> Option<[u32; 3]> {
+        None
+    }
+
+    /// Two vertices of the line of an edge, on it or not, in its direction, where they are known. Then the faces around the edge are
+    /// known to leave it in different directions.
+    fn points_of_line(&self, _edge: u32) -> Option<[u32; 2]> {
+        None
+    }
 }
 
 /// Points that are given by three coordinates, taken at their exact values.
@@ -73,7 +84,8 @@ impl<'a> GivenPoints<'a> {
 
 impl SpatialPredicates for GivenPoints<'_> {
     fn compare(&self, axis: usize, a: u32, b: u32) -> Ordering {
-        sign(self.point(a)[axis], self.point(b)[axis])
+        let [a, b] = [a, b].map(|vertex| self.point(vertex)[axis]);
+        a.partial_cmp(&b).expect("coordinates are numbers")
     }
 
     fn normal_sign(&self, axis: usize, triangle: [u32; 3]) -> Ordering {
@@ -85,34 +97,13 @@ impl SpatialPredicates for GivenPoints<'_> {
     }
 
     fn orientation(&self, points: [u32; 4]) -> Ordering {
-        let points = points.map(|vertex| self.point(vertex));
-        if points.as_flattened().iter().all(|&x| is_ordinary(x)) {
-            let [a, b, c, d] = points.map(|[x, y, z]| Coord3D { x, y, z });
-            // There the determinant is that of a - d, b - d, c - d.
-            return sign(0.0, robust::orient3d(a, b, c, d));
-        }
-        let [a, b, c, d] = points.map(|point| point.map(Dyadic::from));
-        let [b, c, d] = [b, c, d].map(|p| [0, 1, 2].map(|axis| &p[axis] - &a[axis]));
-        let minor = |i: usize, j: usize| &(&c[i] * &d[j]) - &(&c[j] * &d[i]);
-        let determinant = &(&b[0] * &minor(1, 2)) + &(&b[1] * &minor(2, 0));
-        (&determinant + &(&b[2] * &minor(0, 1))).sign()
+        let [a, b, c, d] = points.map(|vertex| self.point(vertex));
+        spatial_orientation(a, b, c, d)
     }
 
     fn range(&self, axis: usize, vertex: u32) -> [f64; 2] {
         [self.point(vertex)[axis]; 2]
     }
-}
-
-/// How two numbers compare; both zeros are one.
-fn sign(a: f64, b: f64) -> Ordering {
-    a.partial_cmp(&b).expect("coordinates and determinants of ordinary numbers are numbers")
-}
-
-/// Whether products of three differences of such numbers, and the errors of those products, stay in the range of normal numbers.
-fn is_ordinary(x: f64) -> bool {
-    const SMALLEST: f64 = f64::from_bits((1023 - 150) << 52);
-    const LARGEST: f64 = f64::from_bits((1023 + 150) << 52);
-    x == 0.0 || (SMALLEST..=LARGEST).contains(&x.abs())
 }
 
 #[cfg(test)]

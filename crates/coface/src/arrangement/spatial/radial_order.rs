@@ -35,8 +35,19 @@ pub(super) struct EdgeView<'a, P> {
 }
 
 impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
-    pub(super) fn new(predicates: &'a P, planes: &'a [FacePlane], ends: [u32; 2]) -> Self {
+    pub(super) fn new(
+        complex: &PolygonalComplex,
+        predicates: &'a P,
+        planes: &'a [FacePlane],
+        edge: usize,
+    ) -> Self {
+        let ends = predicates.points_of_line(edge as u32).unwrap_or(complex.edges()[edge]);
         Self { predicates, planes, ends }
+    }
+
+    /// Two vertices on the line of the edge, in its direction.
+    pub(super) fn ends(&self) -> [u32; 2] {
+        self.ends
     }
 
     /// The half-plane of a side. The three corners of a face's plane are not on one line, so one of them is off the line of the
@@ -59,6 +70,9 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
     /// `Greater` when the second half-plane is less than a half turn counterclockwise of the first, `Less` when clockwise, `Equal`
     /// when they are the same or opposite.
     fn turn(&self, first: Wing, second: Wing) -> Ordering {
+        if first.apex == second.apex {
+            return Ordering::Equal;
+        }
         let [a, b] = self.ends;
         let sign = self.predicates.orientation([a, b, first.apex, second.apex]);
         if first.apex_sign == second.apex_sign { sign } else { sign.reverse() }
@@ -66,6 +80,9 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
 
     /// Whether two half-planes in one plane are the same.
     fn is_same(&self, first: Wing, second: Wing) -> bool {
+        if first.apex == second.apex {
+            return first.apex_sign == second.apex_sign;
+        }
         let [a, b] = self.ends;
         let plane = &self.planes[(first.side >> 1) as usize];
         let [x, y] = [first, second].map(|wing| plane.turn_along_axis(self.predicates, [a, b, wing.apex]));
@@ -158,10 +175,12 @@ impl RadialOrder {
             .into_par_iter()
             .enumerate()
             .map_init(Vec::new, |wings, (edge, list)| {
-                if list.len() < 2 {
+                // Two sides have only one order.
+                let is_sorted = list.len() == 2 && predicates.points_of_line(edge as u32).is_some();
+                if list.len() < 2 || is_sorted {
                     return None;
                 }
-                let view = EdgeView::new(predicates, planes, complex.edges()[edge]);
+                let view = EdgeView::new(complex, predicates, planes, edge);
                 view.sort(list, wings).err().map(|sides| (edge, sides))
             })
             .flatten()

@@ -106,8 +106,8 @@ impl Shells {
             }
         }
         let outer = edges.iter().map(|&edge| {
-            let ends = complex.edges()[edge];
-            let view = EdgeView::new(predicates, planes, ends);
+            let view = EdgeView::new(complex, predicates, planes, edge);
+            let ends = view.ends();
             let towards_outside = |apex: u32| {
                 let normal = |axis| predicates.normal_sign(axis, [ends[0], ends[1], apex]);
                 normal(2).reverse().then_with(|| normal(1)).then_with(|| normal(0).reverse())

@@ -1,0 +1,112 @@
+//! Where three sheets meet in one point inside all of them.
+
+use super::meetings::{Cut, Meetings, Place};
+use super::sheets::Sheets;
+use crate::Error;
+use crate::geometry::predicates::SpatialPoint;
+use crate::geometry::{AxisBox, BoxTree, boxes_meet};
+use rayon::prelude::*;
+
+/// The triples of sheets that meet in a point inside all three, rising.
+///
+/// A triple is found in its lowest sheet, where the cuts with the other two cross.
+///
+/// # Errors
+/// What `check` says of the number of triples found so far.
+pub(super) fn triples(
+    sheets: &Sheets,
+    meetings: &Meetings,
+    points: &[SpatialPoint],
+    check: impl Fn(usize) -> Result<(), Error>,
+) -> Result<Vec<[u32; 3]>, Error> {
+    let cuts = &meetings.cuts;
+    let ends: Vec<[SpatialPoint; 2]> = cuts
+        .par_iter()
+        .map(|cut| {
+            cut.ends.map(|end| match end {
+                Place::Corner(vertex) => SpatialPoint::given(sheets.point(vertex)),
+                _ => points[meetings.places.binary_search(&end).expect("the ends of cuts are places")],
+            })
+        })
+        .collect();
+    let crossing = Crossing { sheets, cuts, ends: &ends };
+    let mut found: Vec<[u32; 3]> = Vec::new();
+    let mut start = 0;
+    for own in cuts.chunk_by(|a, b| a.sheets[0] == b.sheets[0]) {
+        let range = start..start + own.len();
+        start = range.end;
+        crossing.add_within(range, &mut found, &check)?;
+    }
+    found.sort_unstable();
+    Ok(found)
+}
+
+/// Cuts with as many others in one sheet are compared with all of them.
+const FEW: usize = 24;
+
+struct Crossing<'a> {
+    sheets: &'a Sheets,
+    cuts: &'a [Cut],
+    ends: &'a [[SpatialPoint; 2]],
+}
+
+impl Crossing<'_> {
+    /// Adds the crossings of the cuts of one sheet.
+    fn add_within(
+        &self,
+        range: std::ops::Range<usize>,
+        found: &mut Vec<[u32; 3]>,
+        check: &impl Fn(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        if range.len() < 2 {
+            return Ok(());
+        }
+        let boxes: Vec<AxisBox> = range.clone().map(|cut| self.box_of(cut)).collect();
+        let at = |i: u32| range.start + i as usize;
+        if range.len() <= FEW {
+            for i in 0..range.len() as u32 {
+                for j in 0..i {
+                    if boxes_meet(&boxes[i as usize], &boxes[j as usize]) {
+                        found.extend(self.triple(at(i), at(j)));
+                    }
+                }
+            }
+            return check(found.len());
+        }
+        let tree = BoxTree::new(&boxes);
+        let groups: Vec<usize> = (0..tree.group_count()).collect();
+        for block in groups.chunks(1 << 8) {
+            let own: Vec<Vec<[u32; 3]>> = block
+                .par_chunks(4)
+                .map(|groups| {
+                    let mut own = Vec::new();
+                    for &group in groups {
+                        tree.pairs_of_group(group, |i, j| own.extend(self.triple(at(i), at(j))));
+                    }
+                    own
+                })
+                .collect();
+            own.iter().for_each(|own| found.extend_from_slice(own));
+            check(found.len())?;
+        }
+        Ok(())
+    }
+
+    /// The box around the rounded ends of a cut. Rounding is monotone: boxes of cuts that cross meet.
+    fn box_of(&self, cut: usize) -> AxisBox {
+        let [a, b] = self.ends[cut].map(|end| end.rounded());
+        [0, 1, 2].map(|axis| [a[axis].min(b[axis]), a[axis].max(b[axis])])
+    }
+
+    /// The three sheets of two cuts of one of them that cross inside both.
+    fn triple(&self, i: usize, j: usize) -> Option<[u32; 3]> {
+        let [[f, g], [_, h]] = [i, j].map(|cut| self.cuts[cut].sheets);
+        let separates = |sheet: u32, cut: usize| {
+            let plane = self.sheets.plane(sheet);
+            let [a, b] = &self.ends[cut];
+            let side = a.side_of(plane);
+            side.is_ne() && b.side_of(plane) == side.reverse()
+        };
+        (separates(h, i) && separates(g, j)).then(|| [f, g.min(h), g.max(h)])
+    }
+}
