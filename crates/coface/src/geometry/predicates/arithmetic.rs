@@ -5,7 +5,8 @@ use super::estimate::Estimate;
 use super::{Dyadic, SpatialPlane};
 use std::cmp::Ordering;
 
-/// Numbers that formulas are evaluated in: an [`Estimate`], an [`Approximation`] or the exact [`Dyadic`].
+/// Numbers that formulas are evaluated in: an [`Estimate`], an [`Approximation`], the exact
+/// [`ShortDyadic`](super::short_dyadic::ShortDyadic) or the exact [`Dyadic`].
 pub(super) trait Arithmetic: Sized {
     fn difference(a: f64, b: f64) -> Self;
     fn plus(&self, other: &Self) -> Self;
@@ -77,6 +78,9 @@ macro_rules! sign_of {
             .certain_sign()
             .or_else(|| {
                 $formula::<$crate::geometry::predicates::double_double::Approximation>($($argument),*).certain_sign()
+            })
+            .or_else(|| {
+                $formula::<$crate::geometry::predicates::short_dyadic::ShortDyadic>($($argument),*).certain_sign()
             })
             .unwrap_or_else(|| $formula::<$crate::geometry::predicates::Dyadic>($($argument),*).sign())
     };

@@ -12,8 +12,9 @@
 //!   `Less` to the right or clockwise, `Equal` on the line. In space `Greater` is where the normal points, from where the triangle
 //!   $a b c$ is seen to run counterclockwise.
 //!
-//! Each decision is made in floating point with a bound on the error, then in twice that precision, and by integers of any
-//! size where that leaves it open. Numbers so large or small that products leave the range go to the integers at once.
+//! Each decision is made in floating point with a bound on the error, then in twice that precision, and by integers where that
+//! leaves it open: in space first by short ones, then by those of any size. Numbers so large or small that products leave the range
+//! go to the integers at once.
 
 mod arithmetic;
 mod double_double;
@@ -24,9 +25,10 @@ mod planar_point;
 mod plane_filter;
 #[cfg(test)]
 mod samples;
-mod spatial_exact;
+mod short_dyadic;
 mod spatial_planes;
 mod spatial_point;
+mod spatial_quotient;
 mod spatial_signs;
 #[cfg(test)]
 mod spatial_tests;

@@ -3,6 +3,7 @@
 use super::arithmetic::{Arithmetic, cross, dot, normal, sign_of, vector};
 use super::double_double::is_ordinary;
 use super::estimate::Estimate;
+use super::short_dyadic::ShortDyadic;
 use super::{Dyadic, SpatialLine, SpatialPlane};
 use robust::Coord3D;
 use std::cmp::Ordering;
@@ -101,6 +102,10 @@ pub fn plane_axis(plane: SpatialPlane) -> (usize, Ordering) {
     let axis = largest(estimate.map(|coordinate| coordinate.value().abs()));
     if let Some(sign) = estimate[axis].sign() {
         return (axis, sign);
+    }
+    let short = normal::<ShortDyadic>(plane);
+    if short.iter().all(|coordinate| coordinate.certain_sign() == Some(Ordering::Equal)) {
+        return (0, Ordering::Equal);
     }
     let exact = normal::<Dyadic>(plane);
     let size = |axis: usize| if exact[axis].sign().is_lt() { -&exact[axis] } else { exact[axis].clone() };

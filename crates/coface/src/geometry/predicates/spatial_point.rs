@@ -3,7 +3,8 @@
 use super::arithmetic::{Arithmetic, cross, dot, normal, vector};
 use super::double_double::{Approximation, widened};
 use super::estimate::Estimate;
-use super::spatial_exact::{ExactPoint, Quotient, line_and_plane, three_planes, two_lines};
+use super::short_dyadic::ShortDyadic;
+use super::spatial_quotient::{Quotient, line_and_plane, sign_over, three_planes, two_lines};
 use super::{Dyadic, SpatialLine, SpatialPlane, spatial_orientation};
 use crate::algebra::Rational;
 use std::cmp::Ordering;
@@ -70,7 +71,7 @@ impl SpatialPoint {
     /// Constant: some hundred operations in floating point unless the line is nearly parallel to the plane.
     pub fn on_plane(line: SpatialLine, plane: SpatialPlane) -> Option<Self> {
         let known = [0, 1, 2].map(|axis| constant(&plane, axis).or_else(|| constant(&line, axis)));
-        Self::found(Definition::LineAndPlane(line, plane), known, line_and_plane(line, plane))
+        Self::found(Definition::LineAndPlane(line, plane), known, &line_and_plane(line, plane))
     }
 
     /// The only point that three planes have in common; `None` if they have none or more.
@@ -80,7 +81,7 @@ impl SpatialPoint {
     /// meet, are nearly parallel.
     pub fn of_planes(planes: [SpatialPlane; 3]) -> Option<Self> {
         let known = [0, 1, 2].map(|axis| planes.iter().find_map(|plane| constant(plane, axis)));
-        Self::found(Definition::Planes(planes), known, three_planes(planes))
+        Self::found(Definition::Planes(planes), known, &three_planes(planes))
     }
 
     /// The point where two lines of one plane cross; `None` if they are parallel, one or in no common plane.
@@ -90,31 +91,43 @@ impl SpatialPoint {
         }
         let known = [0, 1, 2].map(|axis| constant(&s, axis).or_else(|| constant(&t, axis)));
         let axis = crossing_axis(s, t)?;
-        Self::found(Definition::Lines([s, t], axis), known, two_lines([s, t], axis))
+        Self::found(Definition::Lines([s, t], axis), known, &two_lines([s, t], axis))
     }
 
     /// The point of a definition of which some coordinates are known at once, and all of them about.
     fn found(
         definition: Definition,
         known: [Option<f64>; 3],
-        about: Quotient<Approximation>,
+        about: &Quotient<Approximation>,
     ) -> Option<Self> {
         let mut point = Self { definition, ..Self::given([0.0; 3]) };
-        let filtered = match about.weight.sign() {
+        let mut exact = None;
+        match about.weight.sign() {
             Some(Ordering::Equal) => return None,
-            Some(_) => (0..3).all(|axis| {
-                let at = match known[axis] {
-                    Some(coordinate) => Some(Approximation::new(coordinate, 0.0)),
-                    None => about.offset[axis]
-                        .over(about.weight)
-                        .map(|along| Approximation::new(about.base[axis], 0.0).plus(along)),
-                };
-                at.is_some_and(|at| point.set_if_certain(axis, at))
-            }),
-            None => false,
-        };
-        if !filtered {
-            let exact = definition.exact(point.rounded)?;
+            Some(_) => {}
+            None => {
+                let short = exact.insert(definition.quotient::<ShortDyadic>([0.0; 3]));
+                if short.weight.certain_sign() == Some(Ordering::Equal) {
+                    return None;
+                }
+            }
+        }
+        let certain = (0..3).all(|axis| {
+            let at = match known[axis] {
+                Some(coordinate) => Some(Approximation::new(coordinate, 0.0)),
+                None => about.offset[axis]
+                    .over(about.weight)
+                    .map(|along| Approximation::new(about.base[axis], 0.0).plus(along)),
+            };
+            at.is_some_and(|at| {
+                point.set_if_certain(axis, at, || {
+                    let exact = exact.get_or_insert_with(|| definition.quotient([0.0; 3]));
+                    sign_over(&exact.above(at.high, axis), &[&exact.weight])
+                })
+            })
+        });
+        if !certain {
+            let exact = definition.quotient::<Dyadic>([0.0; 3]).with_positive_weight()?;
             for axis in 0..3 {
                 let (high, low, residue) = exact.rounded(axis);
                 point.rounded[axis] = high + 0.0;
@@ -135,26 +148,38 @@ impl SpatialPoint {
         Some(point)
     }
 
-    /// Takes over a coordinate if its rounding is certain.
-    fn set_if_certain(&mut self, axis: usize, at: Approximation) -> bool {
+    /// Takes over a coordinate if its rounding is certain; `residue` tells exactly how it compares with `at.high`, unless that takes
+    /// long.
+    fn set_if_certain(
+        &mut self,
+        axis: usize,
+        at: Approximation,
+        residue: impl FnOnce() -> Option<Ordering>,
+    ) -> bool {
         let error = widened(at.error);
         let (below, above) = (at.low - error, at.low + error);
         // All numbers between two that are rounded to the same are rounded to it.
         if at.high + below != at.high || at.high + above != at.high {
             return false;
         }
-        self.residues[axis] = if below > 0.0 {
+        let residue = if below > 0.0 {
             Ordering::Greater
         } else if above < 0.0 {
             Ordering::Less
         } else if error == 0.0 {
             Ordering::Equal
         } else {
-            return false;
+            match residue() {
+                Some(residue) => residue,
+                None => return false,
+            }
         };
+        self.residues[axis] = residue;
         self.rounded[axis] = at.high + 0.0;
-        self.rest[axis] = at.low;
-        self.error[axis] = at.error;
+        if residue.is_ne() {
+            self.rest[axis] = at.low;
+            self.error[axis] = at.error;
+        }
         true
     }
 
@@ -196,16 +221,20 @@ impl SpatialPoint {
     /// If `axis` is not below 3.
     pub fn compare_coordinate(&self, other: &Self, axis: usize) -> Ordering {
         self.known_order(other, axis)
-            .unwrap_or_else(|| self.to_exact().compare_coordinate(&other.to_exact(), axis))
+            .or_else(|| exact_order(&self.quotient::<ShortDyadic>(), &other.quotient(), axis))
+            .or_else(|| exact_order(&self.quotient::<Dyadic>(), &other.quotient(), axis))
+            .expect("exact numbers have a sign")
     }
 
     /// The order by x, then by y, then by z. Exact; `Equal` exactly for equal points.
     pub fn compare(&self, other: &Self) -> Ordering {
-        let mut exact = None;
+        let mut short = None;
         for axis in 0..3 {
             let order = self.known_order(other, axis).unwrap_or_else(|| {
-                let [a, b] = exact.get_or_insert_with(|| [self.to_exact(), other.to_exact()]);
-                a.compare_coordinate(b, axis)
+                let [a, b] = short.get_or_insert_with(|| [self, other].map(Self::quotient::<ShortDyadic>));
+                exact_order(a, b, axis)
+                    .or_else(|| exact_order(&self.quotient::<Dyadic>(), &other.quotient(), axis))
+                    .expect("exact numbers have a sign")
             });
             if order.is_ne() {
                 return order;
@@ -252,7 +281,9 @@ impl SpatialPoint {
         side_of_plane::<Estimate>(self, plane)
             .certain_sign()
             .or_else(|| side_of_plane::<Approximation>(self, plane).certain_sign())
-            .unwrap_or_else(|| self.to_exact().side_of(plane))
+            .or_else(|| exact_side(&self.quotient::<ShortDyadic>(), plane))
+            .or_else(|| exact_side(&self.quotient::<Dyadic>(), plane))
+            .expect("exact numbers have a sign")
     }
 
     /// The exact coordinates as fractions.
@@ -265,7 +296,8 @@ impl SpatialPoint {
     /// assert_eq!(crossing.to_rational().map(|x| x.to_string()), ["1/3", "1/3", "7"]);
     /// ```
     pub fn to_rational(&self) -> [Rational; 3] {
-        self.to_exact().to_rational()
+        let exact = self.quotient::<Dyadic>().with_positive_weight();
+        exact.expect("the point was found").to_rational()
     }
 
     /// The coordinates if they were given or are floating-point numbers.
@@ -273,22 +305,29 @@ impl SpatialPoint {
         matches!(self.definition, Definition::Given).then_some(self.rounded)
     }
 
-    /// The point as a quotient of exact numbers.
-    pub(super) fn to_exact(self) -> ExactPoint {
-        self.definition.exact(self.rounded).expect("the point was found")
+    /// The point as a quotient.
+    pub(super) fn quotient<T: Arithmetic>(&self) -> Quotient<T> {
+        self.definition.quotient(self.rounded)
     }
 }
 
 impl Definition {
-    /// The point with exact numbers; `None` if there is none.
-    fn exact(&self, given: [f64; 3]) -> Option<ExactPoint> {
+    fn quotient<T: Arithmetic>(&self, given: [f64; 3]) -> Quotient<T> {
         match *self {
-            Self::Given => Some(ExactPoint::given(given)),
-            Self::LineAndPlane(line, plane) => line_and_plane::<Dyadic>(line, plane).with_positive_weight(),
-            Self::Planes(planes) => three_planes::<Dyadic>(planes).with_positive_weight(),
-            Self::Lines(lines, axis) => two_lines::<Dyadic>(lines, axis).with_positive_weight(),
+            Self::Given => Quotient::given(given),
+            Self::LineAndPlane(line, plane) => line_and_plane(line, plane),
+            Self::Planes(planes) => three_planes(planes),
+            Self::Lines(lines, axis) => two_lines(lines, axis),
         }
     }
+}
+
+fn exact_order<T: Arithmetic>(a: &Quotient<T>, b: &Quotient<T>, axis: usize) -> Option<Ordering> {
+    sign_over(&a.difference(b, axis), &[&a.weight, &b.weight])
+}
+
+fn exact_side<T: Arithmetic>(point: &Quotient<T>, plane: SpatialPlane) -> Option<Ordering> {
+    sign_over(&point.height(plane), &[&point.weight])
 }
 
 /// The coordinate that all of some points share.

@@ -3,8 +3,10 @@
 use super::arithmetic::{Arithmetic, cross, cross_coordinate, dot};
 use super::double_double::Approximation;
 use super::estimate::Estimate;
+use super::short_dyadic::ShortDyadic;
 use super::spatial_point::{Coordinates, SpatialPoint};
-use super::{orientation, spatial_orientation};
+use super::spatial_quotient::sign_over;
+use super::{Dyadic, orientation, spatial_orientation};
 use std::cmp::Ordering;
 
 /// Which way a triangle runs seen from the far end of an axis, exactly: the sign of that coordinate of
@@ -29,10 +31,15 @@ pub fn normal_sign(axis: usize, [a, b, c]: [&SpatialPoint; 3]) -> Ordering {
     normal_coordinate::<Estimate>(axis, [a, b, c])
         .certain_sign()
         .or_else(|| normal_coordinate::<Approximation>(axis, [a, b, c]).certain_sign())
-        .unwrap_or_else(|| {
-            let [a, b, c] = [a, b, c].map(|point| point.to_exact());
-            cross_coordinate(&a.vector_to(&b), &a.vector_to(&c), axis).sign()
-        })
+        .or_else(|| exact_normal_sign::<ShortDyadic>(axis, [a, b, c]))
+        .or_else(|| exact_normal_sign::<Dyadic>(axis, [a, b, c]))
+        .expect("exact numbers have a sign")
+}
+
+fn exact_normal_sign<T: Arithmetic>(axis: usize, points: [&SpatialPoint; 3]) -> Option<Ordering> {
+    let [a, b, c] = points.map(SpatialPoint::quotient::<T>);
+    // The weight of a comes twice.
+    sign_over(&cross_coordinate(&a.vector_to(&b), &a.vector_to(&c), axis), &[&b.weight, &c.weight])
 }
 
 fn normal_coordinate<T: Coordinates>(axis: usize, [a, b, c]: [&SpatialPoint; 3]) -> T {
@@ -71,10 +78,16 @@ pub fn orientation_of_points(points: [&SpatialPoint; 4]) -> Ordering {
     volume::<Estimate>(points)
         .certain_sign()
         .or_else(|| volume::<Approximation>(points).certain_sign())
-        .unwrap_or_else(|| {
-            let [a, b, c, d] = points.map(|point| point.to_exact());
-            dot(&cross(&a.vector_to(&b), &a.vector_to(&c)), &a.vector_to(&d)).sign()
-        })
+        .or_else(|| exact_volume_sign::<ShortDyadic>(points))
+        .or_else(|| exact_volume_sign::<Dyadic>(points))
+        .expect("exact numbers have a sign")
+}
+
+fn exact_volume_sign<T: Arithmetic>(points: [&SpatialPoint; 4]) -> Option<Ordering> {
+    let [a, b, c, d] = points.map(SpatialPoint::quotient::<T>);
+    let volume = dot(&cross(&a.vector_to(&b), &a.vector_to(&c)), &a.vector_to(&d));
+    // The weight of a comes three times.
+    sign_over(&volume, &[&a.weight, &b.weight, &c.weight, &d.weight])
 }
 
 fn volume<T: Coordinates>([a, b, c, d]: [&SpatialPoint; 4]) -> T {

@@ -1,11 +1,11 @@
-//! Points in space as quotients of exact numbers.
+//! Points in space as quotients, in every precision.
 
 use super::arithmetic::{Arithmetic, cross, cross_coordinate, dot, normal, vector};
 use super::{Dyadic, SpatialLine, SpatialPlane};
 use crate::algebra::Rational;
 use std::cmp::Ordering;
 
-/// The point `base + offset / weight`.
+/// The point `base + offset / weight`. The weight is not zero; its sign counts in what says so.
 #[derive(Clone, Debug)]
 pub(super) struct Quotient<T> {
     pub(super) base: [f64; 3],
@@ -42,15 +42,37 @@ pub(super) fn two_lines<T: Arithmetic>(lines: [SpatialLine; 2], axis: usize) -> 
     Quotient { base: lines[0][0], offset: s.map(|d| d.times(&along)), weight }
 }
 
-/// A point with exact numbers; the weight is positive.
-pub(super) type ExactPoint = Quotient<Dyadic>;
-
-impl ExactPoint {
+impl<T: Arithmetic> Quotient<T> {
     pub(super) fn given(coordinates: [f64; 3]) -> Self {
-        let zero = || Dyadic::from(0.0);
-        Self { base: coordinates, offset: [zero(), zero(), zero()], weight: Dyadic::from(1.0) }
+        let zero = || T::difference(0.0, 0.0);
+        Self { base: coordinates, offset: [zero(), zero(), zero()], weight: T::difference(1.0, 0.0) }
     }
 
+    /// A coordinate minus a number, times the weight.
+    pub(super) fn above(&self, number: f64, axis: usize) -> T {
+        T::difference(self.base[axis], number).times(&self.weight).plus(&self.offset[axis])
+    }
+
+    /// A coordinate minus that of another point, times both weights.
+    pub(super) fn difference(&self, other: &Self, axis: usize) -> T {
+        let shift = self.above(other.base[axis], axis);
+        shift.times(&other.weight).minus(&other.offset[axis].times(&self.weight))
+    }
+
+    /// The vector to another point times both weights.
+    pub(super) fn vector_to(&self, other: &Self) -> [T; 3] {
+        [0, 1, 2].map(|axis| other.difference(self, axis))
+    }
+
+    /// How far the point is in front of a plane, times the weight and the length of the normal.
+    pub(super) fn height(&self, plane: SpatialPlane) -> T {
+        let normal = normal::<T>(plane);
+        let from_base = dot(&normal, &vector(plane[0], self.base));
+        from_base.times(&self.weight).plus(&dot(&normal, &self.offset))
+    }
+}
+
+impl Quotient<Dyadic> {
     /// The same point with a positive weight; `None` if the weight is zero.
     pub(super) fn with_positive_weight(self) -> Option<Self> {
         match self.weight.sign() {
@@ -64,44 +86,25 @@ impl ExactPoint {
         }
     }
 
-    /// A coordinate times the weight.
-    fn numerator(&self, axis: usize) -> Dyadic {
-        &(&Dyadic::from(self.base[axis]) * &self.weight) + &self.offset[axis]
-    }
-
-    /// The nearest floating-point number of a coordinate, and the number nearest to what is left.
+    /// The nearest floating-point number of a coordinate, the number nearest to what is left, and how the coordinate compares with
+    /// the first. The weight is positive.
     pub(super) fn rounded(&self, axis: usize) -> (f64, f64, Ordering) {
-        let numerator = self.numerator(axis);
-        let (high, residue) = numerator.rounded_quotient(&self.weight);
+        let (high, residue) = self.above(0.0, axis).rounded_quotient(&self.weight);
         if residue.is_eq() || !high.is_finite() {
             return (high, 0.0, residue);
         }
-        let rest = &numerator - &(&Dyadic::from(high) * &self.weight);
-        (high, rest.rounded_quotient(&self.weight).0, residue)
+        (high, self.above(high, axis).rounded_quotient(&self.weight).0, residue)
     }
 
+    /// The exact coordinates. The weight is positive.
     pub(super) fn to_rational(&self) -> [Rational; 3] {
-        [0, 1, 2].map(|axis| self.numerator(axis).quotient(&self.weight))
+        [0, 1, 2].map(|axis| self.above(0.0, axis).quotient(&self.weight))
     }
+}
 
-    pub(super) fn compare_coordinate(&self, other: &Self, axis: usize) -> Ordering {
-        let across = Dyadic::difference(self.base[axis], other.base[axis]);
-        let shift = &(&across * &self.weight) + &self.offset[axis];
-        (&(&shift * &other.weight) - &(&other.offset[axis] * &self.weight)).sign()
-    }
-
-    pub(super) fn side_of(&self, plane: SpatialPlane) -> Ordering {
-        let normal = normal::<Dyadic>(plane);
-        let from_base = dot(&normal, &vector(plane[0], self.base));
-        (&(&from_base * &self.weight) + &dot(&normal, &self.offset)).sign()
-    }
-
-    /// The vector to another point times both weights.
-    pub(super) fn vector_to(&self, other: &Self) -> [Dyadic; 3] {
-        [0, 1, 2].map(|axis| {
-            let across = Dyadic::difference(other.base[axis], self.base[axis]);
-            let shift = &(&across * &other.weight) + &other.offset[axis];
-            &(&shift * &self.weight) - &(&self.offset[axis] * &other.weight)
-        })
-    }
+/// The sign of a quotient's numerator, as it is when the denominator is made positive; `None` if the precision does not tell.
+pub(super) fn sign_over<T: Arithmetic>(numerator: &T, denominators: &[&T]) -> Option<Ordering> {
+    denominators.iter().try_fold(numerator.certain_sign()?, |sign, denominator| {
+        Some(if denominator.certain_sign()?.is_lt() { sign.reverse() } else { sign })
+    })
 }
