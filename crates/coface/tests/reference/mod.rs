@@ -5,6 +5,7 @@
 
 pub(crate) mod cells;
 pub(crate) mod drawing;
+pub(crate) mod models;
 pub(crate) mod soups;
 pub(crate) mod space;
 
@@ -62,6 +63,11 @@ pub(crate) fn is_zero<const N: usize>(p: &[Rational; N]) -> bool {
 pub(crate) struct Random(u64);
 
 impl Random {
+    /// The sequence as it is.
+    pub(crate) fn bare(seed: u64) -> Self {
+        Self(seed)
+    }
+
     pub(crate) fn new(seed: u64) -> Self {
         let mut random = Self(seed);
         (0..3).for_each(|_| {

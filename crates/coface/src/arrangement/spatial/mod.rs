@@ -12,6 +12,7 @@
 //! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices with
 //!   coordinates.
 
+mod by_congruence;
 mod cells;
 mod cutting;
 mod face_planes;
@@ -22,6 +23,7 @@ mod predicates;
 mod radial_order;
 mod shells;
 
+pub use by_congruence::{CongruenceArrangement, arrange_by_congruence};
 pub use cells::SpatialCells;
 pub use cutting::{CutOptions, CutTriangles, SpatialVertexSource};
 pub use gift_wrapping::gift_wrap;
