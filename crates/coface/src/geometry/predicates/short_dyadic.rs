@@ -3,10 +3,10 @@
 use super::arithmetic::Arithmetic;
 use std::cmp::Ordering;
 
-/// 1536 bits: the product of some twenty coordinates of one model.
-const LIMBS: usize = 24;
+/// 1024 bits: the product of some fifteen coordinates of one model.
+const LIMBS: usize = 16;
 
-/// The number $\pm m 2^e$, where m has up to 1536 bits; sums and products are exact. What gets longer is lost and has no sign.
+/// The number $\pm m 2^e$, where m has up to 1024 bits; sums and products are exact. What gets longer is lost and has no sign.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortDyadic {
     /// The mantissa, lowest limb first. Limbs from `length` on are zero, the one before is not.
@@ -26,26 +26,13 @@ impl ShortDyadic {
         self.length == usize::MAX
     }
 
-    /// The mantissa that goes with a lower exponent; `None` if it is too long.
-    fn aligned(&self, exponent: i64) -> Option<Self> {
-        let shift = self.exponent - exponent;
-        if shift == 0 {
-            return Some(*self);
-        }
-        let (whole, bits) = ((shift / 64) as usize, (shift % 64) as u32);
-        if self.length + whole >= LIMBS {
-            return None;
-        }
-        let mut moved = Self { exponent, negative: self.negative, ..ZERO };
-        let mut carry = 0;
-        for (i, &limb) in self.limbs[..self.length].iter().enumerate() {
-            let wide = u128::from(limb) << bits;
-            moved.limbs[i + whole] = wide as u64 | carry;
-            carry = (wide >> 64) as u64;
-        }
-        moved.limbs[self.length + whole] = carry;
-        moved.length = self.length + whole + usize::from(carry != 0);
-        Some(moved)
+    /// The number with this magnitude of at most 128 bits.
+    fn from_magnitude(magnitude: u128, exponent: i64, negative: bool) -> Self {
+        let [low, high] = [magnitude as u64, (magnitude >> 64) as u64];
+        let length = usize::from(magnitude != 0) + usize::from(high != 0);
+        let mut number = Self { length, exponent, negative, ..ZERO };
+        (number.limbs[0], number.limbs[1]) = (low, high);
+        number
     }
 
     /// The sum of two numbers, the second with the sign that is given.
@@ -59,81 +46,113 @@ impl ShortDyadic {
         if self.length == 0 {
             return Self { negative: other_negative, ..*other };
         }
-        let exponent = self.exponent.min(other.exponent);
-        let (Some(a), Some(b)) = (self.aligned(exponent), other.aligned(exponent)) else { return LOST };
-        if a.negative == other_negative {
-            return a.plus_magnitude(&b);
+        // The one of the larger exponent is moved, and comes second.
+        let ((still, negative), (moved, moved_negative)) = if self.exponent <= other.exponent {
+            ((self, self.negative), (other, other_negative))
+        } else {
+            ((other, other_negative), (self, self.negative))
+        };
+        let shift = moved.exponent - still.exponent;
+        let (whole, bits) = ((shift / 64) as usize, (shift % 64) as u32);
+        let length = still.length.max(moved.length.saturating_add(whole + usize::from(bits > 0)));
+        if length > LIMBS {
+            return LOST;
         }
-        match a.compare_magnitude(&b) {
-            Ordering::Equal => ZERO,
-            Ordering::Greater => a.minus_magnitude(&b),
-            Ordering::Less => Self { negative: other_negative, ..b }.minus_magnitude(&a),
-        }
-    }
-
-    fn compare_magnitude(&self, other: &Self) -> Ordering {
-        self.length.cmp(&other.length).then_with(|| {
-            self.limbs[..self.length].iter().rev().cmp(other.limbs[..other.length].iter().rev())
-        })
-    }
-
-    fn plus_magnitude(mut self, other: &Self) -> Self {
-        let length = self.length.max(other.length);
-        let mut carry = false;
-        for (limb, &more) in self.limbs[..length].iter_mut().zip(&other.limbs[..length]) {
-            let (sum, first) = limb.overflowing_add(more);
-            let (sum, second) = sum.overflowing_add(u64::from(carry));
-            (*limb, carry) = (sum, first || second);
-        }
-        self.length = length;
+        let mut found = Self { length, exponent: still.exponent, negative, ..ZERO };
+        found.limbs[..still.length].copy_from_slice(&still.limbs[..still.length]);
+        let carry = if negative == moved_negative {
+            found.add(&moved.limbs[..moved.length], whole, bits)
+        } else {
+            let borrow = found.subtract(&moved.limbs[..moved.length], whole, bits);
+            if borrow {
+                found.negate();
+            }
+            false
+        };
         if carry {
             if length == LIMBS {
                 return LOST;
             }
-            self.limbs[length] = 1;
-            self.length += 1;
+            found.limbs[length] = 1;
+            found.length += 1;
         }
-        self
+        while found.length > 0 && found.limbs[found.length - 1] == 0 {
+            found.length -= 1;
+        }
+        found
     }
 
-    /// The difference to a number that is not larger.
-    fn minus_magnitude(mut self, other: &Self) -> Self {
-        let mut borrow = false;
-        let length = self.length;
-        for (limb, &less) in self.limbs[..length].iter_mut().zip(&other.limbs[..length]) {
-            let (rest, first) = limb.overflowing_sub(less);
-            let (rest, second) = rest.overflowing_sub(u64::from(borrow));
-            (*limb, borrow) = (rest, first || second);
+    /// Adds shifted limbs to the first `length`; whether a one is carried out of these.
+    fn add(&mut self, limbs: &[u64], whole: usize, bits: u32) -> bool {
+        let (mut carry, mut left_over) = (false, 0);
+        let rest = &mut self.limbs[whole..self.length];
+        for (i, limb) in rest.iter_mut().enumerate() {
+            let wide = u128::from(limbs.get(i).copied().unwrap_or(0)) << bits;
+            let (sum, first) = limb.overflowing_add(wide as u64 | left_over);
+            let (sum, second) = sum.overflowing_add(u64::from(carry));
+            (*limb, carry, left_over) = (sum, first || second, (wide >> 64) as u64);
         }
-        while self.length > 0 && self.limbs[self.length - 1] == 0 {
-            self.length -= 1;
-        }
-        self
+        carry
     }
+
+    /// Subtracts shifted limbs from the first `length`; whether one is borrowed from beyond these.
+    fn subtract(&mut self, limbs: &[u64], whole: usize, bits: u32) -> bool {
+        let (mut borrow, mut left_over) = (false, 0);
+        let rest = &mut self.limbs[whole..self.length];
+        for (i, limb) in rest.iter_mut().enumerate() {
+            let wide = u128::from(limbs.get(i).copied().unwrap_or(0)) << bits;
+            let (difference, first) = limb.overflowing_sub(wide as u64 | left_over);
+            let (difference, second) = difference.overflowing_sub(u64::from(borrow));
+            (*limb, borrow, left_over) = (difference, first || second, (wide >> 64) as u64);
+        }
+        borrow
+    }
+
+    /// The negative of a mantissa that wrapped.
+    fn negate(&mut self) {
+        let mut carry = true;
+        for limb in &mut self.limbs[..self.length] {
+            (*limb, carry) = (!*limb).overflowing_add(u64::from(carry));
+        }
+        self.negative = !self.negative;
+    }
+}
+
+/// The odd mantissa, exponent and sign of a finite number: those with few digits stay short.
+fn parts(x: f64) -> (u64, i64, bool) {
+    let bits = x.to_bits();
+    let biased = (bits >> 52 & 0x7ff) as i64;
+    let fraction = bits & ((1 << 52) - 1);
+    let (mantissa, exponent) =
+        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
+    if mantissa == 0 {
+        return (0, 0, false);
+    }
+    let zeros = mantissa.trailing_zeros();
+    (mantissa >> zeros, exponent + i64::from(zeros), x < 0.0)
 }
 
 impl From<f64> for ShortDyadic {
     /// The exact value of a finite number.
     fn from(x: f64) -> Self {
-        let bits = x.to_bits();
-        let biased = (bits >> 52 & 0x7ff) as i64;
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) =
-            if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
-        if mantissa == 0 {
-            return ZERO;
-        }
-        // Integers and other numbers with few digits stay short.
-        let zeros = mantissa.trailing_zeros();
-        let mut number = Self { length: 1, exponent: exponent + i64::from(zeros), negative: x < 0.0, ..ZERO };
-        number.limbs[0] = mantissa >> zeros;
-        number
+        let (mantissa, exponent, negative) = parts(x);
+        Self::from_magnitude(u128::from(mantissa), exponent, negative)
     }
 }
 
 impl Arithmetic for ShortDyadic {
     fn difference(a: f64, b: f64) -> Self {
-        Self::from(a).minus(&Self::from(b))
+        let ((m, e, a_negative), (n, f, b_negative)) = (parts(a), parts(b));
+        if n == 0 || m == 0 || (e - f).abs() > 72 {
+            return Self::from(a).minus(&Self::from(b));
+        }
+        let exponent = e.min(f);
+        let signed = |mantissa: u64, shift: i64, negative: bool| {
+            let magnitude = i128::from(mantissa) << shift;
+            if negative { -magnitude } else { magnitude }
+        };
+        let difference = signed(m, e - exponent, a_negative) - signed(n, f - exponent, b_negative);
+        Self::from_magnitude(difference.unsigned_abs(), exponent, difference < 0)
     }
 
     fn plus(&self, other: &Self) -> Self {
