@@ -9,23 +9,39 @@
 //! * Sides of faces are **packed** as twice the face, plus one for a side that runs against its edge.
 //! * [`gift_wrap`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second method.
 //! * [`CutTriangles`] makes a conforming complex of any triangles, by cutting them against each other.
+//! * A [`SpatialArrangement`] is all of it for [`SpatialPolygons`]: they are triangulated, cut and their pieces **merged** again, so that
+//!   faces and edges are those of the polygons; the cells before that are **fine**.
 //! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices with
 //!   coordinates.
 
+mod arrangement;
+mod axis_view;
 mod by_congruence;
 mod cells;
 mod cutting;
+mod drawing;
 mod face_planes;
+mod face_walks;
+mod flat_polygons;
 mod gift_wrapping;
+mod inputs;
+mod merging;
 mod nesting;
+mod patches;
 mod polygonal_complex;
+mod polygons;
 mod predicates;
 mod radial_order;
 mod shells;
+mod snapping;
 
+pub use arrangement::{SpatialArrangement, SpatialOptions};
 pub use by_congruence::{CongruenceArrangement, arrange_by_congruence};
 pub use cells::SpatialCells;
 pub use cutting::{CutOptions, CutTriangles, SpatialVertexSource};
+pub use drawing::DrawnTriangles;
+pub use flat_polygons::{NonPlanar, SplitPolygon};
 pub use gift_wrapping::gift_wrap;
 pub use polygonal_complex::PolygonalComplex;
+pub use polygons::SpatialPolygons;
 pub use predicates::{GivenPoints, SpatialPredicates};
