@@ -3,7 +3,7 @@
 use crate::commands;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
-use coface::io::Format;
+use coface::io::{Format, ReadOptions};
 use std::path::PathBuf;
 
 const STYLES: Styles = Styles::styled()
@@ -53,6 +53,26 @@ pub(crate) struct Common {
     /// Read the input as this format, instead of finding out: off, obj, ply, stl, ...
     #[arg(long, value_name = "F", global = true, help_heading = "Common options", value_parser = format_of_name)]
     pub(crate) format: Option<Format>,
+    /// Replace the curves of an SVG by chords within this length of them, in its unit
+    #[arg(long, value_name = "LENGTH", global = true, help_heading = "Common options",
+          allow_negative_numbers = true, value_parser = flatness)]
+    pub(crate) flatten: Option<f64>,
+}
+
+impl Common {
+    /// How inputs are read.
+    pub(crate) fn reading(&self) -> ReadOptions {
+        let mut options = ReadOptions::default();
+        (options.format, options.flatten) = (self.format, self.flatten);
+        options
+    }
+}
+
+fn flatness(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|length: &f64| length.is_finite() && *length > 0.0)
+        .ok_or_else(|| "the distance of chords from curves is a finite length above 0".to_owned())
 }
 
 /// The format of this name or extension.
@@ -77,6 +97,8 @@ pub(crate) enum Verb {
     Skeleton(commands::skeleton::Skeleton),
     Incidence(commands::incidence::Incidence),
     Congruence(commands::congruence::Congruence),
+    Arrange(commands::arrange::Arrange),
+    Boolean(commands::boolean::Boolean),
     Generate(commands::generate::Generate),
     Convert(commands::convert::Convert),
     Completions(commands::completions::Completions),

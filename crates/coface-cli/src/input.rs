@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::progress::Progress;
-use coface::io::{self, Format, Model};
+use coface::io::{self, Format, Model, ReadOptions};
 use coface::report::Producer;
 use std::path::Path;
 
@@ -22,19 +22,14 @@ fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// Reads a file, or standard input for `-`, in this format or in the one that its name and content tell.
-pub(crate) fn read(path: &Path, format: Option<Format>, progress: &Progress) -> Result<Loaded, Failure> {
+/// Reads a file, or standard input for `-`.
+pub(crate) fn read(path: &Path, options: ReadOptions, progress: &Progress) -> Result<Loaded, Failure> {
     let name = name(path);
     progress.stage(format!("reading {name}"));
     let model = if is_standard_input(path) {
-        let stdin = std::io::stdin().lock();
-        let model = match format {
-            Some(format) => io::read(stdin, format),
-            None => io::read_unknown(stdin),
-        };
-        model.map_err(|error| error.in_file(name.clone()))?
+        io::read_with(std::io::stdin().lock(), &options).map_err(|error| error.in_file(name.clone()))?
     } else {
-        io::read_path(path, format)?
+        io::read_path_with(path, &options)?
     };
     let format = model.format().unwrap_or(Format::Json);
     Ok(Loaded { name, format, model })
@@ -43,10 +38,10 @@ pub(crate) fn read(path: &Path, format: Option<Format>, progress: &Progress) -> 
 /// Reads a model and identifies its cells: its name for people, and the producer.
 pub(crate) fn produce(
     path: &Path,
-    format: Option<Format>,
+    options: ReadOptions,
     progress: &Progress,
 ) -> Result<(String, Producer), Failure> {
-    let Loaded { name, model, .. } = read(path, format, progress)?;
+    let Loaded { name, model, .. } = read(path, options, progress)?;
     progress.stage("identifying cells");
     let producer = Producer::of(model).map_err(|error| error.in_file(name.clone()))?;
     Ok((name, producer))

@@ -59,7 +59,7 @@ impl Request<'_> {
         answer: impl FnOnce(&SimplicialComplex, &SimplexSet) -> Result<SimplexSet, Error>,
     ) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(self.input, common.format, &progress)?;
+        let loaded = input::read(self.input, common.reading(), &progress)?;
         let in_file = |error: Error| error.in_file(loaded.name.clone());
         progress.stage("making the complex");
         let complex = simplicial_complex(&loaded.model).map_err(in_file)?;

@@ -21,7 +21,7 @@ pub(crate) fn read(
     common: &Common,
     progress: &Progress,
 ) -> Result<(String, SurfaceModel), Failure> {
-    let loaded = input::read(path, common.format, progress)?;
+    let loaded = input::read(path, common.reading(), progress)?;
     progress.stage("identifying cells");
     let is_volume = !loaded.model.cells().is_empty();
     let surface = if boundary && is_volume {

@@ -80,7 +80,7 @@ struct Found {
 impl Cocycles {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
-        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
+        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
         let in_file = |error: Error| error.in_file(name.clone());
         let skeleton = producer.two_skeleton().map_err(in_file)?;
         let naming = Naming { producer: &producer, pair: None, shift: 0 };

@@ -119,7 +119,7 @@ impl Congruence {
         let mut models = Vec::new();
         let mut left_out = 0;
         for path in &self.inputs {
-            let Loaded { name, model, .. } = input::read(path, common.format, &progress)?;
+            let Loaded { name, model, .. } = input::read(path, common.reading(), &progress)?;
             left_out += model.groups().len() + model.data().len();
             models.push((name, model));
         }

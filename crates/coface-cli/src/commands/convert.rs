@@ -22,7 +22,7 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg
     #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
     to: Option<Format>,
     /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed
@@ -64,7 +64,7 @@ impl Convert {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
         }
         let progress = Progress::start(common.quiet);
-        let mut loaded = input::read(&self.input, common.format, &progress)?;
+        let mut loaded = input::read(&self.input, common.reading(), &progress)?;
         if self.triangulate {
             progress.stage("subdividing");
             let (model, carriers) =
@@ -153,7 +153,7 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
 pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
     // Rings are written as rings of polygons, which tells these two.
     let is_told = |data: &CellData| {
-        matches!(format, Format::GeoJson | Format::Wkt)
+        matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
             && data.kind() == GroupKind::Lines
             && matches!(data.name(), "polygon" | "ring")
     };

@@ -102,7 +102,7 @@ impl Incidence {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let output = common.output.as_deref().map(Output::of).transpose()?;
         let progress = Progress::start(common.quiet);
-        let (file, producer) = input::produce(&self.input, common.format, &progress)?;
+        let (file, producer) = input::produce(&self.input, common.reading(), &progress)?;
         progress.stage("relating cells");
         let needs_entries = output.is_some() || (common.json && self.entries);
         let shown =

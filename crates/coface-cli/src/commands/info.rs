@@ -86,7 +86,7 @@ impl Info {
     }
 
     fn report(&self, path: &Path, common: &Common, progress: &Progress) -> Result<Named, Failure> {
-        let loaded = input::read(path, common.format, progress)?;
+        let loaded = input::read(path, common.reading(), progress)?;
         progress.stage(format!("examining {}", loaded.name));
         let format = loaded.format;
         let report = Report::with_moments(loaded.model, &self.moment)

@@ -1,5 +1,7 @@
 //! The verbs, one a file.
 
+pub(crate) mod arrange;
+pub(crate) mod boolean;
 pub(crate) mod boundary;
 pub(crate) mod closure;
 pub(crate) mod cocycles;
@@ -42,6 +44,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Skeleton(verb) => verb.run(common),
         Verb::Incidence(verb) => verb.run(common),
         Verb::Congruence(verb) => verb.run(common),
+        Verb::Arrange(verb) => verb.run(common),
+        Verb::Boolean(verb) => verb.run(common),
         Verb::Generate(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),

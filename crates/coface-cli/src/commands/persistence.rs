@@ -84,7 +84,7 @@ impl Persistence {
         });
         let output = output.transpose()?;
         let progress = Progress::start(common.quiet);
-        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
+        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
         let complex = producer.chain_complex()?;
         progress.stage("sorting cells");
         let (function, filtration) = match &self.values {

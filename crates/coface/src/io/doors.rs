@@ -1,8 +1,8 @@
 //! Reading and writing models by path or stream, whatever the format.
 
 use super::{
-    Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, vtk,
-    wkt,
+    Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg,
+    vtk, wkt,
 };
 use crate::{Error, ErrorKind};
 use std::fs::File;
@@ -34,7 +34,48 @@ const START: usize = 1 << 16;
 /// # Ok(()) }
 /// ```
 pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model, Error> {
-    let path = path.as_ref();
+    read_path_with(path, &ReadOptions { format, ..ReadOptions::default() })
+}
+
+/// How files are read.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct ReadOptions {
+    /// The format, instead of the one that name and content tell.
+    pub format: Option<Format>,
+    /// The farthest that chords may be from the curves of an SVG, in its unit; curves are refused without it.
+    pub flatten: Option<f64>,
+}
+
+impl ReadOptions {
+    fn check(&self) -> Result<(), Error> {
+        match self.flatten {
+            Some(tolerance) => svg::check_tolerance(tolerance),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Reads the model in a file as [`read_path`] does, with more to say about how.
+///
+/// # Errors
+/// As [`read_path`]; [`ErrorKind::InvalidInput`] if the distance of chords is not positive and finite.
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, ReadOptions};
+/// # fn main() -> Result<(), coface::Error> {
+/// let path = std::env::temp_dir().join("coface-read-path-with.svg");
+/// std::fs::write(&path, "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle r=\"1\"/></svg>")?;
+/// let mut options = ReadOptions::default();
+/// options.flatten = Some(0.5);
+/// assert_eq!(io::read_path_with(&path, &options)?.lines().len(), 1);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Model, Error> {
+    let (path, format) = (path.as_ref(), options.format);
+    options.check()?;
     if !path.exists()
         && let Some((file, entry)) = entry_of(path)
     {
@@ -58,7 +99,7 @@ pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model
             Some(format) => format,
             None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
         };
-        read_started(&start, whole, &mut file, format)
+        read_started(&start, whole, &mut file, format, options.flatten)
     };
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
@@ -78,7 +119,30 @@ pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model
 /// ```
 pub fn read(mut input: impl Read, format: Format) -> Result<Model, Error> {
     let (start, whole) = start_of(&mut input)?;
-    read_started(&start, whole, &mut input, format)
+    read_started(&start, whole, &mut input, format, None)
+}
+
+/// Reads a model from a stream: of the format of the options, or of the one that its content tells.
+///
+/// # Errors
+/// As [`read_unknown`]; [`ErrorKind::InvalidInput`] if the distance of chords is not positive and finite.
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, ReadOptions};
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = io::read_with(&b"0,0,1,1"[..], &ReadOptions::default())?;
+/// assert_eq!(model.lines().len(), 1);
+/// # Ok(()) }
+/// ```
+pub fn read_with(mut input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+    options.check()?;
+    let (start, whole) = start_of(&mut input)?;
+    let format = match options.format {
+        Some(format) => format,
+        None => format::decide(format::without_mark(&start), whole, None)?,
+    };
+    read_started(&start, whole, &mut input, format, options.flatten)
 }
 
 /// Reads a model whose format only its content tells, such as one from the standard input.
@@ -94,10 +158,8 @@ pub fn read(mut input: impl Read, format: Format) -> Result<Model, Error> {
 /// assert_eq!(io::read_unknown(&b"[[0, 1, 2]]"[..])?.format(), Some(io::Format::Json));
 /// # Ok(()) }
 /// ```
-pub fn read_unknown(mut input: impl Read) -> Result<Model, Error> {
-    let (start, whole) = start_of(&mut input)?;
-    let format = format::decide(format::without_mark(&start), whole, None)?;
-    read_started(&start, whole, &mut input, format)
+pub fn read_unknown(input: impl Read) -> Result<Model, Error> {
+    read_with(input, &ReadOptions::default())
 }
 
 /// Writes a model in this format, in the encoding that is most often wanted: ascii, but binary for STL and PLY.
@@ -129,6 +191,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Lines => lines_text::write(model, out),
         Format::GeoJson => geojson::write(model, out),
         Format::Wkt => wkt::write(model, out),
+        Format::Svg => svg::write(model, out),
     }
 }
 
@@ -197,7 +260,13 @@ fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
 }
 
 /// Reads on from the start that was looked at.
-fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) -> Result<Model, Error> {
+fn read_started(
+    start: &[u8],
+    whole: bool,
+    rest: &mut dyn Read,
+    format: Format,
+    flatten: Option<f64>,
+) -> Result<Model, Error> {
     format::check_told(format, start, whole)?;
     let rest = rest.take(if whole { 0 } else { u64::MAX });
     let mut input = format::without_mark(start).chain(rest);
@@ -215,6 +284,7 @@ fn read_started(start: &[u8], whole: bool, rest: &mut dyn Read, format: Format) 
         Format::Lines => lines_text::read(input)?,
         Format::GeoJson => geojson::read(input)?,
         Format::Wkt => wkt::read(input)?,
+        Format::Svg => svg::read_with(input, flatten)?,
     };
     Ok(model.with_format(format))
 }

@@ -111,9 +111,10 @@ impl Drawing {
         self.lines.last().map_or(0, |line| line.end)
     }
 
-    /// Ends a line. One whose corners are all equal is kept as a point, and `place` names it in a warning.
-    pub(super) fn end_line(&mut self, place: impl FnOnce() -> String) {
-        self.end(-1, -1, place);
+    /// Ends a line. One whose corners are all equal is kept as a point, and `place` names it in a warning; says whether it is
+    /// more than a point.
+    pub(super) fn end_line(&mut self, place: impl FnOnce() -> String) -> bool {
+        self.end(-1, -1, place)
     }
 
     /// The rings that follow are those of another polygon.
@@ -121,11 +122,11 @@ impl Drawing {
         self.ring_count = 0;
     }
 
-    /// Ends a ring, whose first corner must stand at its end again.
+    /// Ends a ring, whose first corner must stand at its end again; says whether it is more than a point.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if it does not.
-    pub(super) fn end_ring(&mut self, place: impl FnOnce() -> String) -> Result<(), Error> {
+    pub(super) fn end_ring(&mut self, place: impl FnOnce() -> String) -> Result<bool, Error> {
         let corners = &self.corners[self.open()..];
         if corners.first() != corners.last() {
             let number = |x: f64| format!("{x}");
@@ -145,10 +146,9 @@ impl Drawing {
         if corners.len() > 1 && self.ring_count == 0 {
             self.polygon_count += 1;
         }
-        if self.end(self.polygon_count - 1, self.ring_count, place) {
-            self.ring_count += 1;
-        }
-        Ok(())
+        let is_kept = self.end(self.polygon_count - 1, self.ring_count, place);
+        self.ring_count += i64::from(is_kept);
+        Ok(is_kept)
     }
 
     /// Ends a line or ring; says whether it is more than a point.
@@ -282,7 +282,7 @@ fn weld(corners: &[[f64; 3]], owners: &[u32]) -> (Vec<u32>, Vec<u32>) {
 
 /// What a model draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(crate) enum Shape {
     /// This line.
     Line(usize),
     /// The polygon that these lines are the rings of.
@@ -295,7 +295,7 @@ pub(super) enum Shape {
 
 /// What a model draws, each with the number of the group that names it: lines and rings, then the polygons, then the
 /// points and the vertices that nothing uses.
-pub(super) fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
+pub(crate) fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
     let mut shapes = Vec::new();
     let names = names_of(model, GroupKind::Lines);
     let [polygons, rings] = [POLYGON, RING].map(|name| match model.data_named(name, GroupKind::Lines) {

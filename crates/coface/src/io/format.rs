@@ -32,6 +32,8 @@ pub enum Format {
     GeoJson,
     /// Well-known text: points, lines and polygons with holes.
     Wkt,
+    /// SVG: paths, polygons and lines.
+    Svg,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -44,7 +46,7 @@ enum Likeness {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -57,10 +59,11 @@ impl Format {
         Self::Lines,
         Self::GeoJson,
         Self::Wkt,
+        Self::Svg,
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `json`, `isosig`, `lines`, `geojson`, `wkt`.
+    /// `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`.
     ///
     /// # Examples
     /// ```
@@ -92,6 +95,7 @@ impl Format {
             Self::Lines => &["lines"],
             Self::GeoJson => &["geojson"],
             Self::Wkt => &["wkt"],
+            Self::Svg => &["svg"],
         }
     }
 
@@ -116,6 +120,7 @@ impl Format {
             Self::Lines => "line segments",
             Self::GeoJson => "GeoJSON",
             Self::Wkt => "WKT",
+            Self::Svg => "SVG",
         }
     }
 
@@ -238,6 +243,7 @@ impl Format {
             Self::GeoJson if !whole && start.trim_ascii_start().starts_with(b"{") => Likeness::Possible,
             Self::GeoJson => Likeness::No,
             Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
+            Self::Svg => certain_if(is_svg(start)),
         }
     }
 }
@@ -367,8 +373,37 @@ fn foreign(start: &[u8]) -> Option<(&'static str, &'static str)> {
     ];
     KNOWN
         .iter()
-        .find(|(mark, _, _)| start.trim_ascii_start().starts_with(mark))
+        .find(|(mark, _, _)| start.trim_ascii_start().starts_with(mark) && !is_svg(start))
         .map(|&(_, what, cure)| (what, cure))
+}
+
+/// Whether the start is that of XML with an element `svg` that nothing but comments and declarations stand before.
+fn is_svg(start: &[u8]) -> bool {
+    let mut rest = start.trim_ascii_start();
+    while rest.first() == Some(&b'<') {
+        if let Some(name) = rest.strip_prefix(b"<svg") {
+            return name
+                .first()
+                .is_none_or(|byte| byte.is_ascii_whitespace() || matches!(byte, b'>' | b'/' | b':'));
+        }
+        if let Some(prefixed) = memchr::memmem::find(&rest[..rest.len().min(64)], b":svg")
+            && rest[1..prefixed].iter().all(u8::is_ascii_alphanumeric)
+        {
+            return true;
+        }
+        let end: &[u8] = if rest.starts_with(b"<!--") {
+            b"-->"
+        } else if rest.starts_with(b"<?") {
+            b"?>"
+        } else if rest.starts_with(b"<!DOCTYPE svg") {
+            return true;
+        } else {
+            return false;
+        };
+        let Some(at) = memchr::memmem::find(rest, end) else { return false };
+        rest = rest[at + end.len()..].trim_ascii_start();
+    }
+    false
 }
 
 /// Whether this is text: no control bytes but white space.
@@ -480,7 +515,7 @@ mod tests {
             Format::from_name("xyz")
                 .unwrap_err()
                 .to_string()
-                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt")
+                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg")
         );
     }
 
@@ -507,6 +542,9 @@ mod tests {
             (b"SRID=4326;POINT (1 2)", Format::Wkt),
             (b"polygon z((0 0 1,", Format::Wkt),
             (b"MULTIPOINT\n(1 2)", Format::Wkt),
+            (b"<?xml version=\"1.0\"?>\n<!-- a > b -->\n<svg width=\"1\">", Format::Svg),
+            (b"<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\">", Format::Svg),
+            (b"<svg:svg xmlns:svg=\"http://www.w3.org/2000/svg\"/>", Format::Svg),
         ] {
             assert_eq!(Format::from_content(start, true), Some(format), "{}", start.escape_ascii());
             assert_eq!(decide(start, true, None).unwrap(), format);
@@ -539,6 +577,7 @@ mod tests {
             (b"\x1f\x8b\x08", "gzip"),
             (b"\xff\xfeO\0F\0", "UTF-16"),
             (b"<VTKFile type=\"PolyData\">", "XML"),
+            (b"<svgfoo>", "XML"),
             (b"once upon a time", "text"),
             (b"\x07\x01\x99\x80", "binary"),
         ] {

@@ -34,13 +34,15 @@ pub mod ply;
 mod samples;
 mod scanner;
 pub mod stl;
+pub mod svg;
 mod values;
 pub mod vtk;
 pub mod wkt;
 
 pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
-pub use doors::{read, read_path, read_unknown, write, write_path};
+pub use doors::{ReadOptions, read, read_path, read_path_with, read_unknown, read_with, write, write_path};
+pub(crate) use drawing::{Shape, shapes};
 pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};
 pub(crate) use model::{repeated_vertex, segments};

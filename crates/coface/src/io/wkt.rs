@@ -332,7 +332,7 @@ impl<R: Read> Reader<R> {
         let line = self.line;
         if is_ring {
             let end = self.drawing.end_ring(|| format!("the ring that ends in line {line}"));
-            return end.map_err(|fault| fault.at_line(line));
+            return end.map(drop).map_err(|fault| fault.at_line(line));
         }
         self.drawing.end_line(|| format!("the line string that ends in line {line}"));
         Ok(())

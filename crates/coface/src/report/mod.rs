@@ -22,6 +22,7 @@ mod lookup;
 mod moments;
 mod ordered_simplices;
 mod pair;
+mod planar;
 mod polygons;
 mod problem;
 mod producer;
@@ -38,6 +39,10 @@ pub use json::{groups_to_json, integer_to_json};
 pub use moments::Moment;
 pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
+pub use planar::{
+    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
+    is_planar,
+};
 pub use problem::{Problem, ProblemKind};
 pub use producer::Producer;
 pub use repair::{RepairRequest, repaired};

@@ -122,7 +122,7 @@ impl Construction {
                 Ok(Made::Cells(PlacedCells::new(grid.positions()?, CellKind::Cuboid, dimension, cells)?))
             }
             Self::Prism { input, layers, direction } => {
-                let loaded = input::read(input, common.format, progress)?;
+                let loaded = input::read(input, common.reading(), progress)?;
                 let direction = direction.as_ref().map(Numbers::as_slice);
                 Ok(prism(&loaded.model, layers.as_slice(), direction)
                     .map_err(|error| error.in_file(loaded.name))?)
@@ -205,7 +205,7 @@ fn product(
     common: &Common,
     progress: &Progress,
 ) -> Result<Made, Failure> {
-    let [first, second] = [first, second].map(|path| input::read(path, common.format, progress));
+    let [first, second] = [first, second].map(|path| input::read(path, common.reading(), progress));
     let (first, second) = (first?, second?);
     progress.stage("making the product");
     if !chains && let (Ok(a), Ok(b)) = (simplicial_complex(&first.model), simplicial_complex(&second.model)) {

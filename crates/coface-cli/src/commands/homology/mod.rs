@@ -15,6 +15,7 @@ use crate::progress::Progress;
 use crate::{input, text};
 use clap::Args;
 use coface::chains::ChainComplex;
+use coface::io::ReadOptions;
 use coface::report::{Pair, Producer, groups_to_json};
 use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyBasis, homology};
 use serde_json::json;
@@ -83,7 +84,7 @@ impl Homology {
         let given: Vec<GivenChain> =
             self.cycle.iter().map(|argument| GivenChain::read(argument)).collect::<Result<_, _>>()?;
         let progress = Progress::start(common.quiet);
-        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
+        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
         let whole = producer.chain_complex()?;
         let pair = self.pair(&producer, &whole, &progress)?;
         let complex = pair.as_ref().map_or(&whole, Pair::chains);
@@ -154,7 +155,7 @@ impl Homology {
             page += &words;
         }
         if let (Some(map), Some(target)) = (&self.map, &self.target) {
-            let target = input::read(target, None, &progress)?;
+            let target = input::read(target, ReadOptions::default(), &progress)?;
             progress.stage("computing the induced map");
             let (value, words) = maps::answer(&producer, map, target)?;
             object["map"] = value;
@@ -175,7 +176,7 @@ impl Homology {
         if part.as_os_str() == "boundary" {
             return Ok(Some(Pair::with_boundary(producer, whole)?));
         }
-        let part = input::read(part, None, progress)?;
+        let part = input::read(part, ReadOptions::default(), progress)?;
         let pair = Pair::with_model(producer, whole, &part.model);
         Ok(Some(pair.map_err(|error| error.in_file(part.name))?))
     }

@@ -151,7 +151,7 @@ impl Pi1 {
             return surface::run(self, common);
         }
         let progress = Progress::start(common.quiet);
-        let (name, producer) = input::produce(&self.input, common.format, &progress)?;
+        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
         let skeleton = producer.two_skeleton().map_err(|error| error.in_file(name.clone()))?;
         let number = |vertex: VertexId| producer.cell_vertices(0, vertex.index())[0];
         progress.stage("walking around faces");

@@ -57,7 +57,7 @@ pub(super) struct Surface<'a> {
 
 pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
     let progress = Progress::start(common.quiet);
-    let (name, producer) = input::produce(&verb.input, common.format, &progress)?;
+    let (name, producer) = input::produce(&verb.input, common.reading(), &progress)?;
     let skeleton = producer.two_skeleton().map_err(|error| error.in_file(name.clone()))?;
     let numbers: Vec<u32> =
         (0..skeleton.vertex_count()).map(|vertex| producer.cell_vertices(0, vertex)[0]).collect();

@@ -22,3 +22,4 @@ mod writing;
 pub(super) use reading::is_geojson;
 pub use reading::read;
 pub use writing::write;
+pub(crate) use writing::write_with;

@@ -4,6 +4,7 @@ use crate::Error;
 use crate::io::Model;
 use crate::io::decimal::flush;
 use crate::io::drawing::{Shape, closed, push_place, shapes, written_dimension};
+use serde_json::{Map, Value};
 use std::io::Write;
 
 /// Writes a `FeatureCollection`, one feature a line.
@@ -28,21 +29,33 @@ use std::io::Write;
 /// assert_eq!(coface::io::geojson::read(&written[..])?, model);
 /// # Ok(()) }
 /// ```
-pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
+pub fn write(model: &Model, output: impl Write) -> Result<(), Error> {
+    write_with(model, output, &|_| Map::new())
+}
+
+/// The same with more properties: those of the first shape of each feature.
+pub(crate) fn write_with(
+    model: &Model,
+    mut output: impl Write,
+    properties: &dyn Fn(usize) -> Map<String, Value>,
+) -> Result<(), Error> {
     let writer = Writer { model, dimension: written_dimension(model, "GeoJSON")? };
     let shapes = shapes(model);
     let mut text = b"{\"type\":\"FeatureCollection\",\"features\":[\n".to_vec();
     let features = shapes.chunk_by(|(_, a), (_, b)| a.is_some() && a == b);
+    let mut shape = 0;
     for (i, feature) in features.enumerate() {
         if i > 0 {
             text.extend_from_slice(b",\n");
         }
-        text.extend_from_slice(b"{\"type\":\"Feature\",\"properties\":{");
+        let mut properties = properties(shape);
+        shape += feature.len();
         if let Some(group) = feature[0].1 {
-            text.extend_from_slice(b"\"name\":");
-            serde_json::to_writer(&mut text, model.groups[group].name()).map_err(std::io::Error::from)?;
+            properties.insert("name".to_owned(), model.groups[group].name().into());
         }
-        text.extend_from_slice(b"},\"geometry\":");
+        text.extend_from_slice(b"{\"type\":\"Feature\",\"properties\":");
+        serde_json::to_writer(&mut text, &properties).map_err(std::io::Error::from)?;
+        text.extend_from_slice(b",\"geometry\":");
         writer.push_geometry(feature, &mut text);
         text.push(b'}');
         flush(&mut text, &mut output)?;

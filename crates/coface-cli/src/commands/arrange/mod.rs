@@ -1,0 +1,133 @@
+//! `coface arrange`: what drawings cut the plane into, and surfaces space.
+
+mod planar;
+mod spatial;
+
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input::{self, Loaded};
+use crate::progress::Progress;
+use clap::{Args, ValueEnum};
+use coface::arrangement::boolean::InsideRule;
+use coface::io::{Format, Model};
+use coface::report::is_planar;
+use std::path::{Path, PathBuf};
+
+/// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.
+///
+/// Inputs are any mix of drawings: segments (.lines), OBJ with lines or polygons, GeoJSON, WKT, SVG. They are planar when all points
+/// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance.
+///
+/// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
+/// .lines has the edges; .json the chain complex with positions.
+///
+/// With --json: "dimension", "f_vector", "measures" (areas of the bounded faces, volumes of the bounded cells), "inside" (for each
+/// the inputs that contain it, numbered from 0), "products_zero" (the boundary of every boundary, found by multiplying),
+/// "holes"; in the plane also "components", "bridges" (edges with one face on both sides), "dangling_edges" (those that hang on
+/// the rest by one end), "rounding" (whether coordinates are exact, and whether the drawing with rounded ones is the same
+/// complex), "snap_rounds".
+///
+/// A file contains what its polygons contain. A file of lines alone contains what they enclose an odd number of times, if they are
+/// closed: if an even number of them ends at every point.
+#[derive(Args)]
+pub(crate) struct Arrange {
+    /// The drawings or surfaces; - is standard input
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    #[command(flatten)]
+    cells: CellOptions,
+    /// Leave out edges with one face on both sides: bridges and dangling edges
+    #[arg(long)]
+    prune: bool,
+    /// Write where each vertex, edge and face comes from: .json
+    #[arg(long, value_name = "FILE")]
+    provenance: Option<PathBuf>,
+}
+
+/// Options of arrangements and of what stands on them.
+#[derive(Args)]
+pub(crate) struct CellOptions {
+    /// Whether inputs lie in the plane or in space [default: in the plane if all do]
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u8).range(2..=3))]
+    pub(crate) dimension: Option<u8>,
+    /// Which winding numbers are inside [default: nonzero, but what an SVG says; holes count against outer rings]
+    #[arg(long, value_name = "RULE")]
+    pub(crate) rule: Option<Rule>,
+    /// Round coordinates and arrange again until all vertices are where their coordinates say
+    #[arg(long)]
+    pub(crate) snap: bool,
+    /// Refuse an arrangement of more than N cells
+    #[arg(long, value_name = "N")]
+    pub(crate) max_cells: Option<usize>,
+}
+
+/// Which winding numbers are inside.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Rule {
+    /// All but zero
+    Nonzero,
+    /// The odd ones
+    #[value(alias = "odd", alias = "even-odd")]
+    Evenodd,
+    /// Those above zero
+    Positive,
+}
+
+impl Rule {
+    pub(crate) fn inside(self) -> InsideRule {
+        match self {
+            Self::Nonzero => InsideRule::Nonzero,
+            Self::Evenodd => InsideRule::Odd,
+            Self::Positive => InsideRule::Positive,
+        }
+    }
+}
+
+impl Arrange {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let output = output_format(common)?;
+        if let Some(path) = &self.provenance {
+            check_json(path)?;
+        }
+        let progress = Progress::start(common.quiet);
+        let models = read_all(&self.inputs, common, &progress)?;
+        match dimension_of(&models, self.cells.dimension) {
+            2 => planar::run(self, common, output, &models, progress),
+            _ => spatial::run(self, common, output, &models, progress),
+        }
+    }
+}
+
+/// The inputs with their names.
+pub(crate) fn read_all(
+    inputs: &[PathBuf],
+    common: &Common,
+    progress: &Progress,
+) -> Result<Vec<(String, Model)>, Failure> {
+    let mut models = Vec::new();
+    for path in inputs {
+        let Loaded { name, model, .. } = input::read(path, common.reading(), progress)?;
+        models.push((name, model));
+    }
+    Ok(models)
+}
+
+/// 2 if all models lie in the plane, else 3; or what was asked for.
+pub(crate) fn dimension_of(models: &[(String, Model)], asked: Option<u8>) -> u8 {
+    asked.unwrap_or_else(|| if models.iter().all(|(_, model)| is_planar(model)) { 2 } else { 3 })
+}
+
+/// The file of -o with its format.
+pub(crate) fn output_format(common: &Common) -> Result<Option<(&Path, Format)>, Failure> {
+    let Some(path) = common.output.as_deref() else { return Ok(None) };
+    let unknown = || Failure::new(format!("{}: the extension is no format known here", path.display()));
+    Ok(Some((path, Format::from_path(path).ok_or_else(unknown)?)))
+}
+
+/// Refuses a file that is not named as JSON.
+pub(crate) fn check_json(path: &Path) -> Result<(), Failure> {
+    if crate::output::is_json(path) {
+        return Ok(());
+    }
+    Err(Failure::new(format!("{}: provenance is written as JSON: name a .json file", path.display())))
+}

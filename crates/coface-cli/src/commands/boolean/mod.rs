@@ -1,0 +1,126 @@
+//! `coface boolean`: regions of the plane, or solids, combined.
+
+mod planar;
+mod spatial;
+
+use super::arrange::{CellOptions, check_json, dimension_of, output_format, read_all};
+use crate::arguments::{Arguments, Common};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use clap::{Args, CommandFactory, ValueEnum, error::ErrorKind};
+use coface::arrangement::boolean::BooleanFormula;
+use coface::report::RegionSource;
+use std::path::PathBuf;
+
+/// Combine regions of the plane or solids: union, intersection, difference, xor, or any formula.
+///
+/// The operation comes first, then any number of inputs; a difference is the first without all others, xor is what lies in an odd
+/// number. With --formula there is no operation: "(a | b) - c" names the inputs by letters, or by numbers from 0, and has
+/// ! for complement, & for intersection, - for difference, ^ for xor, | for union, from the tightest to the loosest.
+///
+/// Inputs in the plane are polygons (GeoJSON, WKT, SVG, meshes), or closed lines. The result has polygons with holes: outer
+/// rings run counterclockwise, all rings are simple and touch in points only. A polygon that crosses itself is refused unless
+/// --rule says what is inside of it.
+///
+/// With --json: "measure" (the area or volume), "f_vector", "components", "closed", "manifold" with its witness; in the plane also
+/// "polygons", "holes", "measures", "pinches" (vertices where more than two edges of the boundary meet), "rounding".
+#[derive(Args)]
+pub(crate) struct Boolean {
+    /// union, intersection, difference or xor, unless there is a formula; then the inputs
+    #[arg(required = true, value_name = "OPERATION|INPUT")]
+    arguments: Vec<PathBuf>,
+    /// A formula of the inputs: a, b, c, .. or 0, 1, 2, ..
+    #[arg(long, value_name = "FORMULA", allow_hyphen_values = true)]
+    formula: Option<String>,
+    #[command(flatten)]
+    cells: CellOptions,
+    /// What an input of the formula is: a file, or a feature (the polygons of one name, or one polygon without a name)
+    #[arg(long, value_name = "WHAT", default_value = "files")]
+    inputs: Inputs,
+    /// Keep the walls between cells that are selected both
+    #[arg(long)]
+    keep_walls: bool,
+    /// Write where each vertex, edge and polygon of the result comes from: .json
+    #[arg(long, value_name = "FILE")]
+    provenance: Option<PathBuf>,
+}
+
+/// What an input of the formula is.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Inputs {
+    Files,
+    Features,
+}
+
+/// An operation by its name.
+#[derive(Clone, Copy, ValueEnum)]
+enum Operation {
+    Union,
+    Intersection,
+    Difference,
+    Xor,
+}
+
+/// What to do with the inputs.
+enum Task {
+    Named(Operation),
+    Formula(BooleanFormula),
+}
+
+impl Task {
+    /// The formula on so many inputs.
+    fn formula(&self, count: usize) -> BooleanFormula {
+        match self {
+            Self::Formula(formula) => formula.clone(),
+            Self::Named(Operation::Union) => BooleanFormula::union(count),
+            Self::Named(Operation::Intersection) => BooleanFormula::intersection(count),
+            Self::Named(Operation::Difference) => BooleanFormula::difference(count),
+            Self::Named(Operation::Xor) => BooleanFormula::xor(count),
+        }
+    }
+}
+
+impl Boolean {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let (task, inputs) = self.task()?;
+        let output = output_format(common)?;
+        if let Some(path) = &self.provenance {
+            check_json(path)?;
+        }
+        let progress = Progress::start(common.quiet);
+        let models = read_all(inputs, common, &progress)?;
+        match dimension_of(&models, self.cells.dimension) {
+            2 => planar::run(self, &task, common, output, &models, progress),
+            _ => spatial::run(self, &task, common, output, &models, progress),
+        }
+    }
+
+    /// The operation or formula, and the files.
+    fn task(&self) -> Result<(Task, &[PathBuf]), Failure> {
+        if let Some(formula) = &self.formula {
+            let parsed = BooleanFormula::parse(formula, &[]);
+            let formula = parsed.map_err(|error| Failure::new(format!("--formula: {error}")))?;
+            return Ok((Task::Formula(formula), &self.arguments));
+        }
+        let name = self.arguments[0].to_string_lossy();
+        let operation = Operation::from_str(&name, false).unwrap_or_else(|_| {
+            let message = format!(
+                "\"{name}\" is no operation: begin with union, intersection, difference or xor, or give --formula\n"
+            );
+            Arguments::command().error(ErrorKind::InvalidValue, message).exit()
+        });
+        if self.arguments.len() < 2 {
+            let message = "name the inputs after the operation\n";
+            Arguments::command().error(ErrorKind::MissingRequiredArgument, message).exit();
+        }
+        Ok((Task::Named(operation), &self.arguments[1..]))
+    }
+
+    /// What makes an input of a formula in the plane.
+    fn region_source(&self) -> RegionSource {
+        match self.inputs {
+            Inputs::Files => RegionSource::Models,
+            Inputs::Features => RegionSource::Features,
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! `coface boolean` in the plane.
+
+use super::{Boolean, Task};
+use crate::arguments::Common;
+use crate::commands::arrange::Rule;
+use crate::failure::Failure;
+use crate::output::{print_json, print_text, remark, write_json};
+use crate::progress::Progress;
+use crate::text;
+use coface::io::{Format, Model, replace_file};
+use coface::report::{BooleanRequest, PlanarDrawing, RegionBoolean};
+use serde_json::{Value, json};
+use std::path::Path;
+
+pub(super) fn run(
+    verb: &Boolean,
+    task: &Task,
+    common: &Common,
+    output: Option<(&Path, Format)>,
+    models: &[(String, Model)],
+    progress: Progress,
+) -> Result<(), Failure> {
+    progress.stage("arranging");
+    let drawing =
+        PlanarDrawing::new(models.iter().map(|(name, model)| (name.as_str(), model)), verb.region_source())?;
+    let region_count = drawing.region_names().len();
+    if region_count == 0 {
+        return Err(Failure::new("there is no region in the inputs: give polygons or closed lines"));
+    }
+    let mut request = BooleanRequest::default();
+    request.rule = verb.cells.rule.map(Rule::inside);
+    request.keep_walls = verb.keep_walls;
+    request.snap = verb.cells.snap;
+    request.max_cells = verb.cells.max_cells;
+    let unbounded = drawing.unbounded_segment_count();
+    let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
+    let object = result.to_json();
+    progress.stage("writing");
+    if let Some((path, format)) = output {
+        replace_file(path, |out| result.write(out, format))?;
+    }
+    if let Some(path) = &verb.provenance {
+        write_json(path, &result.provenance_to_json())?;
+    }
+    drop(progress);
+    if unbounded > 0 && !common.quiet {
+        remark(&format!(
+            "{} beside polygons bound nothing and are passed over",
+            text::count(unbounded, "segment")
+        ));
+    }
+    if !result.is_valid_when_rounded() && !common.quiet {
+        remark("coordinates are rounded, and with them the polygons are not sound; --snap makes them so");
+    }
+    if common.json {
+        return print_json(&object);
+    }
+    if common.output.is_some() || verb.provenance.is_some() {
+        return Ok(());
+    }
+    print_text(&page(&result, &object))
+}
+
+fn page(result: &RegionBoolean, object: &Value) -> String {
+    let mut facts = Vec::new();
+    let mut fact = |label: &str, value: String, gloss: &str| {
+        facts.push((label.to_owned(), value, gloss.to_owned()));
+    };
+    let [vertices, edges, polygons] = result.f_vector();
+    fact("area", text::number(result.area()), "");
+    fact("polygons", text::grouped(polygons), "");
+    fact("holes", text::grouped(result.hole_count()), "");
+    fact(
+        "components",
+        text::grouped(result.component_count()),
+        "parts that touch in points only are different ones",
+    );
+    fact("vertices", text::grouped(vertices), "");
+    fact("edges", text::grouped(edges), "");
+    let pinches = result.pinches().len();
+    let manifold = match pinches {
+        0 => "a curve everywhere".to_owned(),
+        _ => format!("pinched at {}", text::count(pinches, "vertex")),
+    };
+    fact("boundary", manifold, "");
+    let rounding = &object["rounding"];
+    let value = match (rounding["exact"] == json!(true), rounding["valid"] == json!(true)) {
+        (true, _) => "none",
+        (_, true) => "harmless",
+        _ => "breaks polygons",
+    };
+    fact("rounding", value.to_owned(), "of the coordinates of crossings");
+    text::facts("Boolean combination of regions", &facts)
+}

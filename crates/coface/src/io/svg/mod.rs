@@ -1,0 +1,24 @@
+//! SVG: paths, polygons, polylines, lines, rectangles, circles and ellipses, with their transformations.
+//!
+//! Closed subpaths, polygons, rectangles, circles and ellipses become rings: closed lines with the integers `polygon` and `ring`,
+//! as in [`geojson`](super::geojson); the closed subpaths of one path are the rings of one polygon, in their order. A third
+//! array, `fill_rule`, says what is inside: 0 for what winds around, 1 for what winds around an odd number of times, -1 for lines
+//! that are no rings. Open subpaths, polylines and lines are lines. The `id` of an element names a group of its lines.
+//!
+//! Coordinates are those of the user: transformations are applied, `viewBox`, `width` and `height` are not. The second axis points
+//! down in a picture and is not turned around. Curves are replaced by chords within a tolerance that must be given. What is defined
+//! but not drawn (`defs`, `symbol`, `clipPath`, `mask`, `pattern`, `marker`) is passed over, and so are text, images and `use`, with
+//! a warning.
+
+mod curves;
+mod elements;
+mod path;
+mod reading;
+#[cfg(test)]
+mod tests;
+mod transformation;
+mod writing;
+
+pub(super) use reading::{check_tolerance, read_with};
+pub use reading::{read, read_flattened};
+pub use writing::write;

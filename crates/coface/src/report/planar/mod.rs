@@ -1,0 +1,22 @@
+//! Drawings arranged in the plane, and Boolean combinations of the regions in them.
+//!
+//! # Words
+//! * A [`PlanarDrawing`] is what several models draw: **segments**, each of one model, and **rings** of segments that bound
+//!   **polygons**. A **region** is the union of the polygons of a model, or of a named part of it.
+//! * A [`DrawingArrangement`] is the complex that all segments cut the plane into, with the models whose regions contain each face.
+//! * A [`RegionBoolean`] is the set of faces that a formula of regions selects, as polygons with holes.
+//!
+//! A model without polygons whose lines end nowhere (an even number of them at every point) is a region as well: what its lines
+//! enclose an odd number of times.
+
+mod arrangement;
+mod boolean;
+mod containment;
+mod drawing;
+mod outline;
+mod sides;
+mod writing;
+
+pub use arrangement::{ArrangementRequest, DrawingArrangement};
+pub use boolean::{BooleanRequest, RegionBoolean};
+pub use drawing::{PlanarDrawing, RegionSource, is_planar};

@@ -1,0 +1,161 @@
+//! Arrangements and results as models, for files.
+
+use super::arrangement::DrawingArrangement;
+use super::boolean::RegionBoolean;
+use super::outline::Outline;
+use crate::algebra::RaggedArray;
+use crate::geometry::Positions;
+use crate::io::{self, CellData, Format, GroupKind, Model, geojson};
+use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use serde_json::{Map, Value, json};
+use std::io::Write;
+
+impl DrawingArrangement {
+    /// Writes the arrangement in a format.
+    ///
+    /// * JSON: the chain complex with the positions of the vertices.
+    /// * Segments as text: all edges.
+    /// * GeoJSON, WKT, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
+    ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it).
+    /// * Others: faces as polygons; a face with holes or corners that touch is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] if the format cannot hold it; [`ErrorKind::Io`] from the output.
+    pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
+        let arrangement = &self.arrangement;
+        let positions = arrangement.positions().clone();
+        match format {
+            Format::Json => {
+                return io::write(&Model::from_chains(arrangement.chain_complex()?, positions)?, out, format);
+            }
+            Format::Lines => {
+                let edges = (0..arrangement.edge_count())
+                    .map(|edge| arrangement.ends(EdgeId::new(edge)).map(VertexId::to_u32));
+                return io::write(
+                    &Model::from_lines(positions, RaggedArray::from_lists(edges))?,
+                    out,
+                    format,
+                );
+            }
+            _ => {}
+        }
+        let labels: Vec<u32> = (0..arrangement.face_count() as u32).collect();
+        let mut outline = Outline::new(&self.sides(), &labels, false);
+        let vertices = std::mem::take(&mut outline.vertices);
+        outline.rings.items_mut().iter_mut().for_each(|vertex| *vertex = vertices[*vertex as usize]);
+        let loose: Vec<[u32; 2]> = (0..arrangement.edge_count())
+            .map(EdgeId::new)
+            .filter(|&edge| arrangement.is_bridge(edge))
+            .map(|edge| arrangement.ends(edge).map(VertexId::to_u32))
+            .collect();
+        if is_drawing(format) {
+            let areas = arrangement.areas();
+            let names = self.drawing.region_names();
+            let properties = |polygon: usize| {
+                let regions = self.regions_around(FaceId::new(polygon)).iter();
+                let inside: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
+                object(json!({"face": polygon, "area": areas[polygon], "inside": inside}))
+            };
+            return write_drawing(&outline, positions, &loose, out, format, &properties);
+        }
+        let model = mesh(&outline, positions, &loose)?;
+        io::write(&model, out, format)
+    }
+}
+
+impl RegionBoolean {
+    /// Writes the result in a format.
+    ///
+    /// * GeoJSON, WKT, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
+    ///   those that contain some of it).
+    /// * Segments as text: the edges.
+    /// * Others: polygons; one with holes is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] if the format cannot hold it; [`ErrorKind::Io`] from the output.
+    pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
+        let positions = self.positions.clone();
+        if format == Format::Lines {
+            let lines = RaggedArray::from_lists(&self.outline.edges);
+            return io::write(&Model::from_lines(positions, lines)?, out, format);
+        }
+        if is_drawing(format) {
+            let names = self.arranged.drawing.region_names();
+            let properties = |polygon: usize| {
+                let regions = self.regions_of_polygon(polygon).iter();
+                let regions: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
+                object(json!({"polygon": polygon, "area": self.polygon_areas()[polygon], "regions": regions}))
+            };
+            return write_drawing(&self.outline, positions, &[], out, format, &properties);
+        }
+        io::write(&mesh(&self.outline, positions, &[])?, out, format)
+    }
+}
+
+/// Whether a format holds polygons with holes.
+fn is_drawing(format: Format) -> bool {
+    matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
+}
+
+fn object(value: Value) -> Map<String, Value> {
+    match value {
+        Value::Object(map) => map,
+        _ => Map::new(),
+    }
+}
+
+/// Polygons with holes, then loose edges, then vertices that nothing uses.
+fn write_drawing(
+    outline: &Outline,
+    positions: Positions,
+    loose: &[[u32; 2]],
+    out: &mut dyn Write,
+    format: Format,
+    properties: &dyn Fn(usize) -> Map<String, Value>,
+) -> Result<(), Error> {
+    let (mut lines, mut polygons, mut rings) = (RaggedArray::new(), Vec::new(), Vec::new());
+    let mut closed = Vec::new();
+    for polygon in 0..outline.polygon_count() {
+        for (ring, corners) in outline.rings_of(polygon).enumerate() {
+            closed.clear();
+            closed.extend(corners.iter().chain(corners.first()));
+            lines.push(&closed);
+            polygons.push(polygon as i64);
+            rings.push(ring as i64);
+        }
+    }
+    for edge in loose {
+        lines.push(edge);
+        polygons.push(-1);
+        rings.push(-1);
+    }
+    let model = Model::from_lines(positions, lines)?
+        .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
+        .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
+    if format == Format::GeoJson {
+        let count = outline.polygon_count();
+        return geojson::write_with(&model, out, &|shape| {
+            if shape < count { properties(shape) } else { Map::new() }
+        });
+    }
+    io::write(&model, out, format)
+}
+
+/// Polygons of a mesh, and loose edges.
+fn mesh(outline: &Outline, positions: Positions, loose: &[[u32; 2]]) -> Result<Model, Error> {
+    let mut polygons = RaggedArray::new();
+    let mut numbers = Vec::new();
+    for polygon in 0..outline.polygon_count() {
+        let mut rings = outline.rings_of(polygon);
+        if let (Some(ring), None) = (rings.next(), rings.next()) {
+            polygons.push(ring);
+            numbers.push(polygon as i64);
+            continue;
+        }
+        return Err(Error::new(ErrorKind::UnsupportedFormat, format!("polygon {polygon} has holes"))
+            .with_cure("write GeoJSON, WKT or SVG, which hold polygons with holes"));
+    }
+    let lines = RaggedArray::from_lists(loose);
+    let model = Model::from_polygons(positions, polygons)?.with_lines(lines)?;
+    model.with_data(CellData::integers("face", GroupKind::Polygons, 1, numbers)?)
+}
