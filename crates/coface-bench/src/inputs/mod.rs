@@ -15,8 +15,12 @@
 //! * `cubes_sep_K`: K by K by K cubes, each of six squares with four vertices of their own, each coordinate off by up to 1e-8.
 //! * `cuboid_edges_K`, `cuboid_faces_K`: the edges and the squares of the K by K by K cuboid grid, as lists of vertices.
 //! * `simp_N`: N random simplices of dimension 0 to 5 on N/10 vertices.
+//! * `seg_N`, `long_N`: N random segments in the plane; about eight crossings each, or all of length 0.4.
+//! * `coast_N`, `star_N`, `squares_N`: two regions in the plane with N vertices each: two curves that cross a few times, two
+//!   polygons of random radii, two grids of squares. Coordinates are integers below 2^28.
 
 mod cubes;
+mod drawings;
 mod mesh;
 mod plate;
 mod random_simplices;
@@ -55,6 +59,11 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ),
     ("cuboid_edges_K", "edges of the K by K by K cuboid grid (cuboid_edges_100: 3,060,300)"),
     ("cuboid_faces_K", "squares of the K by K by K cuboid grid (cuboid_faces_100: 3,030,000)"),
+    ("seg_N", "N random segments in the plane with about 8 crossings each (seg_100000)"),
+    ("long_N", "N random segments of length 0.4 from points of the unit square (long_800)"),
+    ("coast_N", "two closed curves of N vertices that cross a few dozen times (coast_1000000)"),
+    ("star_N", "two polygons of N vertices with random radii, turned by half a step (star_10000)"),
+    ("squares_N", "a grid of N/4 squares and the same turned by half a radian (squares_100000)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
 ];
 
@@ -115,6 +124,11 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
             Ok(random_simplices::random_2_complex(vertices, triangles))
         }
         ("sum", modulus) => Mesh::of_complex(&sum_complex(number(modulus, 4, 200)? as u32, &[0, 1, 3])?),
+        ("seg", count) => Ok(drawings::random_segments(number(count, 1, 10_000_000)?, None)),
+        ("long", count) => Ok(drawings::random_segments(number(count, 1, 100_000)?, Some(0.4))),
+        ("coast", count) => Ok(drawings::coastlines(number(count, 3, 10_000_000)?)),
+        ("star", count) => Ok(drawings::stars(number(count, 3, 10_000_000)?)),
+        ("squares", count) => Ok(drawings::squares(number(count, 4, 10_000_000)?)),
         ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),
         _ => Err(unknown()),
     }

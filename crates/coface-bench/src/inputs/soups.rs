@@ -4,10 +4,14 @@ use super::{Mesh, sphere};
 use coface::algebra::RaggedArray;
 
 /// Numbers from 0 to 1, the same on every machine.
-struct Noise(u64);
+pub(super) struct Noise(u64);
 
 impl Noise {
-    fn next(&mut self) -> f64 {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    pub(super) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
@@ -16,7 +20,7 @@ impl Noise {
 /// The icosphere with three vertices for each triangle, each coordinate off by up to 1e-9.
 pub(super) fn exploded_icosphere(level: usize) -> Mesh {
     let mesh = sphere::icosphere(level);
-    let mut noise = Noise(7);
+    let mut noise = Noise::new(7);
     let coordinates: Vec<f64> = mesh
         .lists
         .items()
@@ -32,7 +36,7 @@ pub(super) fn exploded_icosphere(level: usize) -> Mesh {
 pub(super) fn separate_cubes(side: usize) -> Mesh {
     const SQUARES: [[usize; 4]; 6] =
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let mut noise = Noise(7);
+    let mut noise = Noise::new(7);
     let mut coordinates = Vec::with_capacity(72 * side * side * side);
     for cube in 0..side * side * side {
         let corner = [cube % side, cube / side % side, cube / side / side];

@@ -13,6 +13,7 @@ mod info;
 mod manifold;
 mod operators;
 mod persistence;
+mod planar;
 mod reading;
 mod simplicial;
 mod surfaces;
@@ -73,6 +74,8 @@ pub(crate) const ALL: &[Task] = &[
     operators::FACES,
     operators::VERTICES,
     operators::GRID,
+    planar::SEGMENTS,
+    planar::LONG_SEGMENTS,
     info::TASK,
 ];
 

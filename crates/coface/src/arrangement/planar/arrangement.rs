@@ -1,16 +1,19 @@
 //! The arrangement of segments in the plane.
 
+use super::PlanarOptions;
 use super::crossings::{Meetings, Soup};
 use super::edges::Edges;
 use super::faces::{Faces, NONE, Orbits};
-use super::nesting::Below;
-use super::segment_grid::SegmentGrid;
+use super::nesting::{Ray, rising_line};
+use super::segment_tree::SegmentTree;
 use super::vertices::Vertices;
 use crate::algebra::{RaggedArray, SparseMatrix};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::geometry::predicates::{PlanarPoint, direction_turn};
 use crate::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
+use rayon::prelude::*;
+use std::cmp::Ordering;
 
 /// Where a vertex of an arrangement comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +73,19 @@ impl PlanarArrangement {
     /// $O((n + k) \log (n + k))$ for n segments with k crossings where segments are evenly sized or crowd in few places, at
     /// most $O(n^2 \log n)$; in parallel, with the same result whatever the number of threads.
     pub fn new(positions: &Positions, segments: &[[u32; 2]]) -> Result<Self, Error> {
+        Self::with_options(positions, segments, &PlanarOptions::default())
+    }
+
+    /// The same, with a bound on the number of cells.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`]: crossings are counted while
+    /// they are found, so that a drawing far above the bound is refused early. The message does not depend on the number of threads.
+    pub fn with_options(
+        positions: &Positions,
+        segments: &[[u32; 2]],
+        options: &PlanarOptions,
+    ) -> Result<Self, Error> {
         if positions.dimension() != 2 && !positions.is_empty() {
             return Err(Error::new(
                 ErrorKind::Shape,
@@ -92,14 +108,15 @@ impl PlanarArrangement {
         if segments.len() + count >= 1 << 31 {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 segments and points"));
         }
-        let soup = Soup::new(positions.as_flat().as_chunks::<2>().0.to_vec(), segments.to_vec());
-        let grid = SegmentGrid::new(&soup.lines);
-        let meetings = Meetings::of(&soup, &grid);
+        let soup =
+            Soup::with_loose_points(positions.as_flat().as_chunks::<2>().0.to_vec(), segments.to_vec());
+        let tree = soup.tree();
+        let meetings = Meetings::of(&soup, &tree, options)?;
         if meetings.crossings.len() + count >= 1 << 31 {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 crossings")
                 .with_cure("arrange the segments in parts"));
         }
-        let Vertices { events, vertex_of_event } = Vertices::new(&soup, &meetings);
+        let Vertices { events, vertex_of_event } = Vertices::of_soup(&soup, &meetings);
         let edges = Edges::new(&soup, &meetings, &vertex_of_event)?;
         let (mut sources, mut vertices) =
             (Vec::with_capacity(events.len()), Vec::with_capacity(events.len()));
@@ -112,13 +129,16 @@ impl PlanarArrangement {
                 Some(i) => {
                     let crossing = &meetings.crossings[i];
                     sources.push(VertexSource::Crossing(crossing.segments.map(|s| s as usize)));
-                    vertices.push(crossing.point(&soup.lines));
+                    vertices.push(crossing.point(&soup));
                 }
             }
         }
         let mut vertex_of_point = vertex_of_event;
         vertex_of_point.truncate(count);
-        Self::assemble(soup, &grid, segments.len(), sources, vertices, vertex_of_point, edges)
+        options.check(edges.ends.len() + vertices.len(), "without its faces")?;
+        let found = Self::assemble(soup, &tree, segments.len(), sources, vertices, vertex_of_point, edges)?;
+        options.check(found.f_vector().iter().sum(), "in all")?;
+        Ok(found)
     }
 
     /// The arrangement of polylines: each list runs through its points in order. Segment numbers count the sides of all
@@ -145,7 +165,7 @@ impl PlanarArrangement {
 
     pub(super) fn assemble(
         soup: Soup,
-        grid: &SegmentGrid,
+        tree: &SegmentTree,
         segment_count: usize,
         sources: Vec<VertexSource>,
         vertices: Vec<PlanarPoint>,
@@ -153,14 +173,26 @@ impl PlanarArrangement {
         edges: Edges,
     ) -> Result<Self, Error> {
         let Edges { ends, segments: segments_of_edge, of_segment: edges_of_segment } = edges;
-        let line = |edge: u32| {
-            let [a, b] = soup.lines[segments_of_edge.list(edge as usize)[0] as usize];
-            if (a[0], a[1]) < (b[0], b[1]) { [a, b] } else { [b, a] }
+        let line = |edge: u32| rising_line(soup.line(segments_of_edge.list(edge as usize)[0]));
+        // Upper ends lie in the half plane to the right and straight up, lower ones opposite: the halves do not mix.
+        let orbits = Orbits::new(vertices.len(), &ends, |a, b| {
+            (a % 2)
+                .cmp(&(b % 2))
+                .then_with(|| if a == b { Ordering::Equal } else { direction_turn(line(b / 2), line(a / 2)) })
+        });
+        let halfedge_below = |&vertex: &u32| {
+            let ray = Ray { from: vertices[vertex as usize] };
+            let edge = |segment: u32| {
+                ray.edge_below(edges_of_segment.list(segment as usize), &ends, |vertex| {
+                    vertices[vertex as usize]
+                })
+            };
+            ray.first_below(tree, edge).map(|edge| 2 * edge)
         };
-        let orbits = Orbits::new(vertices.len(), &ends, |a, b| direction_turn(line(a), line(b)));
-        let below = Below { soup: &soup, grid, ends: &ends, edges_of_segment: &edges_of_segment };
-        let below = below.components(&orbits, |vertex| vertices[vertex as usize]);
-        let faces = Faces::new(&orbits, &below);
+        // There is nothing to the left of the lowest vertex of all.
+        let mut below = vec![None; orbits.lowest_vertices.len().min(1)];
+        below.par_extend(orbits.lowest_vertices.par_iter().skip(1).with_min_len(16).map(halfedge_below));
+        let faces = Faces::new(&orbits, &below, 0..below.len());
         let flat = vertices.iter().flat_map(PlanarPoint::rounded).collect();
         let positions = Positions::from_flat(2, flat)?;
         let Soup { points, mut segments, .. } = soup;

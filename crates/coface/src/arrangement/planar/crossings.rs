@@ -1,22 +1,22 @@
 //! Where segments meet: every pair that has a common point, exactly.
 
-use super::segment_grid::SegmentGrid;
+use super::PlanarOptions;
+use super::segment_tree::{Part, SegmentTree};
+use crate::Error;
 use crate::geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// What is arranged: points, and segments between them; then points on their own as segments of no length.
+/// What is arranged: points, and segments between them.
 pub(super) struct Soup {
     pub(super) points: Vec<[f64; 2]>,
-    /// The ends of each segment, first those that were given.
+    /// The points at the ends of each segment.
     pub(super) segments: Vec<[u32; 2]>,
-    /// The coordinates of the ends.
-    pub(super) lines: Vec<PlanarLine>,
 }
 
 impl Soup {
-    /// The segments, and a point on its own for each point that no segment with a length ends in.
-    pub(super) fn new(points: Vec<[f64; 2]>, mut segments: Vec<[u32; 2]>) -> Self {
+    /// The segments as given, and after them a segment of no length for each point that no segment with a length ends in.
+    pub(super) fn with_loose_points(points: Vec<[f64; 2]>, mut segments: Vec<[u32; 2]>) -> Self {
         let mut loose = vec![true; points.len()];
         for &[a, b] in &segments {
             if points[a as usize] != points[b as usize] {
@@ -25,8 +25,18 @@ impl Soup {
             }
         }
         segments.extend((0..points.len() as u32).filter(|&p| loose[p as usize]).map(|p| [p, p]));
-        let lines = segments.iter().map(|ends| ends.map(|p| points[p as usize])).collect();
-        Self { points, segments, lines }
+        Self { points, segments }
+    }
+
+    /// The ends of a segment.
+    pub(super) fn line(&self, segment: u32) -> PlanarLine {
+        self.segments[segment as usize].map(|point| self.points[point as usize])
+    }
+
+    /// The tree on the segments.
+    pub(super) fn tree(&self) -> SegmentTree {
+        let is_joined = |s: usize| s > 0 && self.segments[s][0] == self.segments[s - 1][1];
+        SegmentTree::new(self.segments.len(), |s| self.line(s as u32), is_joined)
     }
 }
 
@@ -39,9 +49,8 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    pub(super) fn point(&self, lines: &[PlanarLine]) -> PlanarPoint {
-        let lines = self.segments.map(|s| lines[s as usize]);
-        PlanarPoint::known_crossing(lines, self.rounded, self.residues)
+    pub(super) fn point(&self, soup: &Soup) -> PlanarPoint {
+        PlanarPoint::known_crossing(self.segments.map(|s| soup.line(s)), self.rounded, self.residues)
     }
 }
 
@@ -51,52 +60,61 @@ pub(super) struct Meetings {
     pub(super) crossings: Vec<Crossing>,
     /// A segment and a given point that lies on it and is not one of its ends.
     pub(super) touches: Vec<[u32; 2]>,
+    /// Points at one place, at which segments end; twice the same one where segments fold back.
+    pub(super) equal_points: Vec<[u32; 2]>,
 }
 
 impl Meetings {
     /// The meetings of all pairs; their order does not depend on the number of threads.
-    pub(super) fn of(soup: &Soup, grid: &SegmentGrid) -> Self {
-        const BLOCK: usize = 256;
-        let count = soup.segments.len();
-        let blocks: Vec<Self> = (0..count.div_ceil(BLOCK))
-            .into_par_iter()
-            .map_init(
-                || vec![u32::MAX; count],
-                |met_by, block| {
-                    let mut found = Self::default();
-                    for s in block * BLOCK..((block + 1) * BLOCK).min(count) {
-                        grid.near(soup.lines[s], |list| {
-                            // Each pair once: by its lower segment, and when it is first seen.
-                            for &t in list.iter().rev().take_while(|&&t| t as usize > s) {
-                                if std::mem::replace(&mut met_by[t as usize], s as u32) != s as u32 {
-                                    found.meet(soup, s as u32, t);
-                                }
-                            }
-                        });
-                    }
-                    found
-                },
-            )
-            .collect();
-        let mut all = Self {
-            crossings: Vec::with_capacity(blocks.iter().map(|block| block.crossings.len()).sum()),
-            touches: Vec::new(),
+    ///
+    /// # Errors
+    /// When there must be more cells than the options allow.
+    pub(super) fn of(soup: &Soup, tree: &SegmentTree, options: &PlanarOptions) -> Result<Self, Error> {
+        let parts = tree.parts();
+        let search = |&part: &Part| {
+            let mut found = Self::default();
+            tree.search(part, |pair, lines| found.meet(soup, pair, lines));
+            found
         };
-        for block in blocks {
-            all.crossings.extend(block.crossings);
-            all.touches.extend(block.touches);
+        // Without a bound all at once; else some parts at a time.
+        let at_once =
+            if options.max_cells.is_some() { parts.len().div_ceil(64).max(1) } else { parts.len().max(1) };
+        let mut all = Self::default();
+        let mut next_look = 0;
+        for some in parts.chunks(at_once) {
+            let found: Vec<Self> = some.par_iter().map(search).collect();
+            let more = |count: fn(&Self) -> usize| found.iter().map(count).sum();
+            all.crossings.reserve(more(|part| part.crossings.len()));
+            all.touches.reserve(more(|part| part.touches.len()));
+            all.equal_points.reserve(more(|part| part.equal_points.len()));
+            for part in found {
+                all.crossings.extend(part.crossings);
+                all.touches.extend(part.touches);
+                all.equal_points.extend(part.equal_points);
+            }
+            if let Some(most) = options.max_cells
+                && all.crossings.len() > most / 4
+                && all.crossings.len() >= next_look
+            {
+                options.check(all.least_cell_count(), "so far")?;
+                // Crossings at one place count once: until there are twice as many it is not worth while to look again.
+                next_look = 2 * all.crossings.len();
+            }
         }
-        all
+        Ok(all)
     }
 
-    fn meet(&mut self, soup: &Soup, s: u32, t: u32) {
-        let [[a, b], [c, d]] = [s, t].map(|segment| soup.lines[segment as usize]);
-        let apart = |axis: usize| {
-            a[axis].max(b[axis]) < c[axis].min(d[axis]) || c[axis].max(d[axis]) < a[axis].min(b[axis])
-        };
-        if apart(0) || apart(1) {
-            return;
-        }
+    /// A number of cells that the arrangement has at least: at a crossing a vertex with four edges, and with $V - E + F$ the number
+    /// of components there are at least four cells a crossing.
+    fn least_cell_count(&self) -> usize {
+        let mut places: Vec<[u64; 2]> =
+            self.crossings.par_iter().map(|crossing| crossing.rounded.map(|x| (x + 0.0).to_bits())).collect();
+        places.par_sort_unstable();
+        places.dedup();
+        4 * places.len()
+    }
+
+    fn meet(&mut self, soup: &Soup, [s, t]: [u32; 2], [[a, b], [c, d]]: [PlanarLine; 2]) {
         let of_t = [orientation(a, b, c), orientation(a, b, d)];
         if of_t[0] == of_t[1] && of_t[0].is_ne() {
             return;
@@ -116,7 +134,17 @@ impl Meetings {
             });
             return;
         }
-        for (on, line, ends, sides, other) in [(s, [a, b], [c, d], of_t, t), (t, [c, d], [a, b], of_s, s)] {
+        let [touch_count, equal_count] = [self.touches.len(), self.equal_points.len()];
+        let [ends_s, ends_t] = [s, t].map(|segment| soup.segments[segment as usize]);
+        for (p, at_p) in ends_s.into_iter().zip([a, b]) {
+            for (q, at_q) in ends_t.into_iter().zip([c, d]) {
+                if p != q && at_p == at_q {
+                    self.equal_points.push([p, q]);
+                }
+            }
+        }
+        let touches = [(s, [a, b], [c, d], of_t, ends_t), (t, [c, d], [a, b], of_s, ends_s)];
+        for (on, line, ends, sides, numbers) in touches {
             for end in 0..2 {
                 let point = ends[end];
                 // A point of the line is on the segment when it is in the box around it.
@@ -125,9 +153,14 @@ impl Meetings {
                     p.min(q) <= point[axis] && point[axis] <= p.max(q)
                 });
                 if sides[end].is_eq() && within && !line.contains(&point) {
-                    self.touches.push([on, soup.segments[other as usize][end]]);
+                    self.touches.push([on, numbers[end]]);
                 }
             }
+        }
+        // Segments that share an end and more: they fold back there.
+        if self.touches.len() > touch_count || self.equal_points.len() > equal_count {
+            let shared = ends_s.into_iter().filter(|end| ends_t.contains(end));
+            self.equal_points.extend(shared.map(|end| [end, end]));
         }
     }
 }

@@ -26,21 +26,17 @@ pub(super) struct Orbits {
 }
 
 impl Orbits {
-    /// The orbits of edges whose ends and whole order are lexicographic; `turn` says how the direction of one edge turns into
-    /// that of another, both from lower to upper end.
+    /// The orbits of edges; `order` is that of halfedges that leave one vertex, counterclockwise from straight down (exclusive).
+    ///
+    /// The orbits outside take vertices to be in lexicographic order and edges to be straight.
     pub(super) fn new(
         vertex_count: usize,
         ends: &[[u32; 2]],
-        turn: impl Fn(u32, u32) -> Ordering + Sync,
+        order: impl Fn(u32, u32) -> Ordering + Sync,
     ) -> Self {
         let tails = ends.iter().flat_map(|&ends| ends);
-        // Lists of rising halfedges: those to upper ends and those to lower ones mixed.
         let mut rotation = RaggedArray::grouped(vertex_count, tails);
         let starts: Vec<usize> = (0..=vertex_count).map(|v| rotation.start(v)).collect();
-        // Upper ends lie in the half plane to the right and straight up, lower ones opposite: the halves do not mix.
-        let order = |a: &u32, b: &u32| {
-            (a % 2).cmp(&(b % 2)).then_with(|| if a == b { Ordering::Equal } else { turn(b / 2, a / 2) })
-        };
         let mut lists: Vec<&mut [u32]> = Vec::with_capacity(vertex_count);
         let mut rest = rotation.items_mut();
         for list in starts.windows(2) {
@@ -48,7 +44,7 @@ impl Orbits {
             lists.push(list);
             rest = after;
         }
-        lists.into_par_iter().with_min_len(256).for_each(|list| list.sort_unstable_by(order));
+        lists.into_par_iter().with_min_len(256).for_each(|list| list.sort_unstable_by(|&a, &b| order(a, b)));
         let mut next = vec![0; 2 * ends.len()];
         for leaving in rotation.iter() {
             // Arriving opposite to a halfedge, a face on the left goes on clockwise.
@@ -107,8 +103,13 @@ pub(super) struct Faces {
 }
 
 impl Faces {
-    /// The faces, given the halfedge directly below each component that has one, with the face on its left.
-    pub(super) fn new(orbits: &Orbits, below: &[Option<u32>]) -> Self {
+    /// The faces, given the halfedge directly below each component that has one, with the face on its left, and the components by
+    /// rising lowest points.
+    pub(super) fn new(
+        orbits: &Orbits,
+        below: &[Option<u32>],
+        components: impl Iterator<Item = usize>,
+    ) -> Self {
         let mut is_outer = vec![false; orbits.orbits.len()];
         for &orbit in orbits.outer_orbits.iter().filter(|&&orbit| orbit != NONE) {
             is_outer[orbit as usize] = true;
@@ -119,11 +120,13 @@ impl Faces {
             of_orbit[orbit] = first_orbits.len() as u32;
             first_orbits.push(orbit as u32);
         }
-        let mut around_component = Vec::with_capacity(below.len());
-        for (&outer, &below) in orbits.outer_orbits.iter().zip(below) {
+        let mut around_component = vec![NONE; below.len()];
+        for component in components {
+            let outer = orbits.outer_orbits[component];
             // What is below starts further left, so its component comes before this one.
-            let face = below.map_or(NONE, |halfedge| of_orbit[orbits.orbit_of[halfedge as usize] as usize]);
-            around_component.push(face);
+            let face = below[component]
+                .map_or(NONE, |halfedge| of_orbit[orbits.orbit_of[halfedge as usize] as usize]);
+            around_component[component] = face;
             if outer != NONE {
                 of_orbit[outer as usize] = face;
             }

@@ -3,82 +3,60 @@
 //! A ray goes down from the lowest vertex of a component, turned to the left by less than any angle. It meets no vertex, so what
 //! it meets first is the inside of an edge, and the component is in the face above that.
 
-use super::crossings::Soup;
-use super::faces::{NONE, Orbits};
-use super::segment_grid::SegmentGrid;
-use crate::algebra::RaggedArray;
+use super::faces::NONE;
+use super::segment_tree::SegmentTree;
 use crate::geometry::predicates::{PlanarLine, PlanarPoint, direction_turn};
-use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// The parts of an arrangement that rays are sent through.
-pub(super) struct Below<'a> {
-    pub(super) soup: &'a Soup,
-    pub(super) grid: &'a SegmentGrid,
-    pub(super) ends: &'a [[u32; 2]],
-    /// The edges along each segment; none where an edge has been taken away.
-    pub(super) edges_of_segment: &'a RaggedArray,
+/// The ray down from a point.
+pub(super) struct Ray {
+    pub(super) from: PlanarPoint,
 }
 
-impl Below<'_> {
-    /// For each component the halfedge directly below its lowest vertex, with the component on its left.
-    pub(super) fn components(
+impl Ray {
+    /// What `accept` makes of the first segment below among those that it makes something of.
+    pub(super) fn first_below<T: Copy>(
         &self,
-        orbits: &Orbits,
-        point: impl Fn(u32) -> PlanarPoint + Sync,
-    ) -> Vec<Option<u32>> {
-        let find = |&vertex: &u32| self.halfedge_below(vertex, &point);
-        // There is nothing to the left of the lowest vertex of all.
-        let mut below: Vec<Option<u32>> =
-            orbits.lowest_vertices.par_iter().skip(1).with_min_len(16).map(find).collect();
-        if !orbits.lowest_vertices.is_empty() {
-            below.insert(0, None);
-        }
-        below
-    }
-
-    fn halfedge_below(&self, vertex: u32, point: &(impl Fn(u32) -> PlanarPoint + Sync)) -> Option<u32> {
-        let from = point(vertex);
-        let mut best: Option<(PlanarLine, u32)> = None;
-        self.grid.downward(from.rounded(), |list| {
-            for &segment in list {
-                let [a, b] = self.soup.lines[segment as usize];
-                let line = if a[0] < b[0] { [a, b] } else { [b, a] };
-                // Rounding is monotone: what the rounded x is beyond, the exact one is beyond or at.
-                let x = from.rounded()[0];
-                // Also false for vertical ones: the ray passes on their left.
-                let is_across = line[0][0] < line[1][0]
-                    && line[0][0] <= x
-                    && x <= line[1][0]
-                    && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_gt()
-                    && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_le();
-                if !is_across || from.side_of(line).is_le() {
-                    continue;
-                }
+        tree: &SegmentTree,
+        accept: impl Fn(u32) -> Option<T>,
+    ) -> Option<T> {
+        let from = &self.from;
+        let mut best: Option<(PlanarLine, T)> = None;
+        tree.downward(from.rounded(), |segment, line| {
+            let line = rising_line(line);
+            // Rounding is monotone: what the rounded x is beyond, the exact one is beyond or at.
+            let x = from.rounded()[0];
+            // Also false for vertical ones: the ray passes on their left.
+            let is_across = line[0][0] < line[1][0]
+                && line[0][0] <= x
+                && x <= line[1][0]
+                && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_gt()
+                && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_le();
+            if is_across && from.side_of(line).is_gt() {
                 let higher = best.is_none_or(|(other, _)| match from.compare_heights(line, other) {
                     // Both come to one point from the left: the one that falls more is above there.
                     Ordering::Equal => direction_turn(line, other).is_gt(),
                     order => order.is_gt(),
                 });
-                if higher && let Some(edge) = self.edge_below(segment, &from, point) {
-                    best = Some((line, edge));
+                if higher && let Some(found) = accept(segment) {
+                    best = Some((line, found));
                 }
             }
-            best.map(|(line, _)| lower_bound(line, from.rounded()[0]))
+            best.map(|(line, _)| lower_bound(line, x))
         });
-        best.map(|(_, edge)| 2 * edge)
+        best.map(|(_, found)| found)
     }
 
-    /// The edge along a segment that is directly left of the vertical line through a point, if it is there.
-    fn edge_below(
+    /// Of edges along a segment, which rise, the one that is directly left of the vertical line through the point, if it is there.
+    /// Edges that were taken away are none.
+    pub(super) fn edge_below(
         &self,
-        segment: u32,
-        from: &PlanarPoint,
-        point: &(impl Fn(u32) -> PlanarPoint + Sync),
+        edges: &[u32],
+        ends: &[[u32; 2]],
+        point: impl Fn(u32) -> PlanarPoint,
     ) -> Option<u32> {
-        let edges = self.edges_of_segment.list(segment as usize);
         let starts_left = |&edge: &u32| {
-            edge == NONE || point(self.ends[edge as usize][0]).compare_coordinate(from, 0).is_lt()
+            edge == NONE || point(ends[edge as usize][0]).compare_coordinate(&self.from, 0).is_lt()
         };
         // Edges that were taken away have no ends to compare; the last that starts left is searched among the others.
         let edge = if edges.contains(&NONE) {
@@ -86,8 +64,13 @@ impl Below<'_> {
         } else {
             edges[..edges.partition_point(starts_left)].last().copied()
         };
-        edge.filter(|&edge| point(self.ends[edge as usize][1]).compare_coordinate(from, 0).is_ge())
+        edge.filter(|&edge| point(ends[edge as usize][1]).compare_coordinate(&self.from, 0).is_ge())
     }
+}
+
+/// A segment from its lexicographically lower to its upper end.
+pub(super) fn rising_line([a, b]: PlanarLine) -> PlanarLine {
+    if (a[0], a[1]) < (b[0], b[1]) { [a, b] } else { [b, a] }
 }
 
 /// A number below the height of a line at a place that is known up to rounding.

@@ -4,7 +4,6 @@ use super::PlanarArrangement;
 use super::crossings::Soup;
 use super::edges::Edges;
 use super::faces::NONE;
-use super::segment_grid::SegmentGrid;
 use crate::algebra::RaggedArray;
 use crate::{EdgeId, Error};
 
@@ -59,9 +58,9 @@ impl PlanarArrangement {
             segments: RaggedArray::from_lists(edges.map(|edge| self.segments_of_edge.list(edge))),
             of_segment,
         };
-        let soup = Soup::new(self.points.clone(), self.segments.clone());
-        let grid = SegmentGrid::new(&soup.lines);
+        let soup = Soup::with_loose_points(self.points.clone(), self.segments.clone());
+        let tree = soup.tree();
         let vertex_of_point = self.vertex_of_point.iter().map(renumbered).collect();
-        Self::assemble(soup, &grid, self.segments.len(), sources, vertices, vertex_of_point, edges)
+        Self::assemble(soup, &tree, self.segments.len(), sources, vertices, vertex_of_point, edges)
     }
 }

@@ -1,7 +1,7 @@
 //! Arrangements of the rims of regions: how often each region winds around each face.
 
 use super::PlanarArrangement;
-use super::faces::NONE;
+use super::windings::Windings;
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
 use crate::{Error, ErrorKind, FaceId};
@@ -30,9 +30,7 @@ use crate::{Error, ErrorKind, FaceId};
 pub struct PlanarRegions {
     arrangement: PlanarArrangement,
     region_count: usize,
-    /// For each face the regions with a winding number that is not zero, rising.
-    windings: Vec<(u32, i32)>,
-    starts: Vec<u32>,
+    windings: Windings,
 }
 
 impl PlanarRegions {
@@ -62,46 +60,17 @@ impl PlanarRegions {
             }
         }
         let arrangement = PlanarArrangement::new(positions, &sides)?;
-        // What is left of an edge winds this much more than what is right of it.
-        let step = |halfedge: u32| {
+        // What is left of a side winds this much more than what is right of it.
+        let step = |halfedge: u32, list: &mut Vec<(u32, i32)>| {
             let sign = if halfedge.is_multiple_of(2) { 1 } else { -1 };
-            let segments = arrangement.segments_of_edge.list(halfedge as usize / 2);
-            let mut step: Vec<(u32, i32)> = segments
-                .iter()
-                .map(|&side| {
-                    let [a, b] =
-                        sides[side as usize].map(|point| arrangement.vertex_of_point[point as usize]);
-                    (region_of_side[side as usize], if a < b { sign } else { -sign })
-                })
-                .collect();
-            step.sort_unstable();
-            step
-        };
-        let face_count = arrangement.face_count();
-        let mut windings: Vec<Option<Vec<(u32, i32)>>> = vec![None; face_count];
-        let mut queue = vec![None];
-        while let Some(face) = queue.pop() {
-            let here =
-                face.map_or(&[][..], |f: FaceId| windings[f.index()].as_deref().unwrap_or(&[])).to_vec();
-            for &halfedge in arrangement.walks(face).flatten() {
-                let across =
-                    arrangement.faces.of_orbit[arrangement.orbits.orbit_of[(halfedge ^ 1) as usize] as usize];
-                if across != NONE && windings[across as usize].is_none() {
-                    windings[across as usize] = Some(sum(&here, &step(halfedge ^ 1)));
-                    queue.push(Some(FaceId::from_u32(across)));
-                }
+            for &side in arrangement.segments_of_edge.list(halfedge as usize / 2) {
+                let [a, b] = sides[side as usize].map(|point| arrangement.vertex_of_point[point as usize]);
+                list.push((region_of_side[side as usize], if a < b { sign } else { -sign }));
             }
-        }
-        let mut starts = vec![0u32];
-        let mut flat = Vec::new();
-        for winding in windings {
-            flat.extend(winding.expect("faces are connected across edges"));
-            let end = u32::try_from(flat.len())
-                .map_err(|_| Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"))?;
-            starts.push(end);
-        }
+        };
+        let windings = Windings::new(&arrangement.orbits, &arrangement.faces, step)?;
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
-        Ok(Self { arrangement, region_count, windings: flat, starts })
+        Ok(Self { arrangement, region_count, windings })
     }
 
     /// The arrangement of all sides of all rings, one segment a side, ring after ring.
@@ -119,7 +88,12 @@ impl PlanarRegions {
     /// # Panics
     /// If there is no such face.
     pub fn winding_numbers(&self, face: FaceId) -> &[(u32, i32)] {
-        &self.windings[self.starts[face.index()] as usize..self.starts[face.index() + 1] as usize]
+        assert!(
+            face.index() < self.arrangement.face_count(),
+            "there are {} faces",
+            self.arrangement.face_count()
+        );
+        self.windings.of_face(face.to_u32())
     }
 
     /// The bounded faces whose winding numbers satisfy a condition: any Boolean formula of the regions.
@@ -127,25 +101,4 @@ impl PlanarRegions {
         let faces = (0..self.arrangement.face_count()).map(FaceId::new);
         faces.filter(|&face| condition(self.winding_numbers(face))).collect()
     }
-}
-
-/// The sum of two lists that rise by region; the second may have regions more than once. Zeros are left out.
-fn sum(a: &[(u32, i32)], b: &[(u32, i32)]) -> Vec<(u32, i32)> {
-    let mut merged: Vec<(u32, i32)> = Vec::with_capacity(a.len() + b.len());
-    let (mut i, mut j) = (0, 0);
-    while i < a.len() || j < b.len() {
-        let from_a = j == b.len() || (i < a.len() && a[i].0 <= b[j].0);
-        let (region, winding) = if from_a { a[i] } else { b[j] };
-        if from_a {
-            i += 1;
-        } else {
-            j += 1;
-        }
-        match merged.last_mut() {
-            Some(last) if last.0 == region => last.1 += winding,
-            _ => merged.push((region, winding)),
-        }
-    }
-    merged.retain(|&(_, winding)| winding != 0);
-    merged
 }

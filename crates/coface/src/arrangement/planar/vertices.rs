@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 /// Points in lexicographic order, none twice.
 pub(super) struct Vertices {
-    /// The lowest event of each vertex: given points come first, then crossings in their order.
+    /// The lowest event of each vertex.
     pub(super) events: Vec<u32>,
     /// The vertex of each event.
     pub(super) vertex_of_event: Vec<u32>,
@@ -23,15 +23,24 @@ struct Place {
 const SPLIT_OFF: usize = 8;
 
 impl Vertices {
-    pub(super) fn new(soup: &Soup, meetings: &Meetings) -> Self {
+    /// The vertices of all given points of a soup, and then of all crossings.
+    pub(super) fn of_soup(soup: &Soup, meetings: &Meetings) -> Self {
         let given = soup.points.len();
         let point = |event: u32| match (event as usize).checked_sub(given) {
             None => PlanarPoint::given(soup.points[event as usize]),
-            Some(crossing) => meetings.crossings[crossing].point(&soup.lines),
+            Some(crossing) => meetings.crossings[crossing].point(soup),
         };
         let coordinates =
             soup.points.iter().copied().chain(meetings.crossings.iter().map(|crossing| crossing.rounded));
-        let mut places: Vec<Place> = coordinates
+        Self::new(coordinates, point)
+    }
+
+    /// The vertices of events with these rounded coordinates.
+    pub(super) fn new(
+        rounded: impl Iterator<Item = [f64; 2]>,
+        point: impl Fn(u32) -> PlanarPoint + Sync,
+    ) -> Self {
+        let mut places: Vec<Place> = rounded
             .enumerate()
             // Adding zero makes the negative zero positive.
             .map(|(event, rounded)| Place { rounded: rounded.map(|x| x + 0.0), event: event as u32 })
@@ -42,6 +51,7 @@ impl Vertices {
         });
         let mut vertices =
             Self { events: Vec::with_capacity(places.len()), vertex_of_event: vec![0; places.len()] };
+        let is_exact = |class: &Vec<u32>| point(class[0]).residues()[0].is_some_and(|side| side.is_eq());
         for column in places.chunk_by(|a, b| a.rounded[0] == b.rounded[0]) {
             if let [place] = column {
                 vertices.push(&[place.event]);
@@ -52,7 +62,6 @@ impl Vertices {
                 split_into_classes(same, &point, &mut classes);
             }
             // Rounded to one x, in the order of the rounded y; that is the true order where x is exact.
-            let is_exact = |class: &Vec<u32>| point(class[0]).residues()[0].is_some_and(|side| side.is_eq());
             if classes.len() > 1 && !classes.iter().all(is_exact) {
                 let mut exact: Vec<(PlanarPoint, HomogeneousPoint, Vec<u32>)> = classes
                     .into_par_iter()

@@ -1,0 +1,39 @@
+//! Arrangements and overlays in the plane.
+
+use super::{Clock, Task, Work};
+use crate::inputs::Mesh;
+use coface::Error;
+use coface::arrangement::planar::PlanarArrangement;
+use coface::geometry::Positions;
+use std::path::Path;
+
+pub(super) const SEGMENTS: Task = Task {
+    name: "arrangement",
+    about: "the planar arrangement of random segments, with faces and holes",
+    extension: "raw3",
+    inputs: &["seg_10000", "seg_20000", "seg_50000", "seg_100000"],
+    work: Work::Inside(arranged),
+};
+
+pub(super) const LONG_SEGMENTS: Task = Task {
+    name: "arrangement-long",
+    about: "the planar arrangement of random segments of length 0.4, which cross in numbers that grow with the square",
+    extension: "raw3",
+    inputs: &["long_200", "long_400", "long_800"],
+    work: Work::Inside(arranged),
+};
+
+/// The points of a drawing, its lists, and the third coordinate of each list's first point.
+fn drawing(path: &Path) -> Result<(Positions, Mesh), Error> {
+    let mesh = Mesh::read_raw3(path)?;
+    let flat = mesh.coordinates.chunks_exact(3).flat_map(|p| [p[0], p[1]]).collect();
+    Ok((Positions::from_flat(2, flat)?, mesh))
+}
+
+fn arranged(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let segments: Vec<[u32; 2]> = mesh.lists.iter().map(|ends| [ends[0], ends[1]]).collect();
+    let found = clock.time(segments.len(), || PlanarArrangement::new(&positions, &segments))?;
+    let [vertices, edges, faces] = found.f_vector();
+    Ok(format!("V {vertices} E {edges} F {faces}"))
+}

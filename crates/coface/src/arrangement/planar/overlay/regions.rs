@@ -1,0 +1,326 @@
+//! Regions laid over each other, and what a condition on their winding numbers selects.
+
+use super::super::crossings::{Crossing, Meetings};
+use super::super::faces::{Faces, NONE, Orbits};
+use super::super::nesting::Ray;
+use super::super::segment_tree::SegmentTree;
+use super::super::windings::Windings;
+use super::super::{PlanarOptions, VertexSource};
+use super::PlanarPolygons;
+use super::chains::{Chain, ChainEdges, Chains, Rings};
+use crate::algebra::RaggedArray;
+use crate::arrangement::boolean::{BooleanFormula, InsideRule};
+use crate::geometry::Positions;
+use crate::geometry::predicates::{PlanarLine, PlanarPoint, direction_turn, orientation};
+use crate::{Error, ErrorKind};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// Regions with closed rings, laid over each other exactly: any Boolean combination of them is ready to be read off.
+///
+/// A ring winds once around what it has on its left. Rings may cross and touch themselves and each other, overlap, and be there
+/// several times. Nothing is decided with a tolerance.
+///
+/// # Examples
+/// Two squares that overlap in a quarter.
+/// ```
+/// use coface::algebra::RaggedArray;
+/// use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+/// use coface::arrangement::planar::PlanarOverlay;
+/// use coface::geometry::Positions;
+/// # fn main() -> Result<(), coface::Error> {
+/// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+/// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+/// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+/// let select = |text| overlay.boolean(&BooleanFormula::parse(text, &[])?, InsideRule::Nonzero);
+/// assert_eq!(select("a | b")?.exact_area().to_string(), "7");
+/// assert_eq!(select("a ^ b")?.polygons().len(), 2);
+/// let both = select("a & b")?;
+/// assert_eq!(both.f_vector(), [4, 4, 1]);
+/// // The square that both have in common starts with the corner of the second.
+/// assert_eq!(both.ring_positions(0).next(), Some([1.0, 1.0]));
+/// # Ok(()) }
+/// ```
+pub struct PlanarOverlay {
+    pub(super) rings: Rings,
+    /// The region of each ring that has sides.
+    regions: Vec<u32>,
+    region_count: usize,
+    pub(super) crossings: Vec<Crossing>,
+    pub(super) chains: Chains,
+    pub(super) edges: ChainEdges,
+    pub(super) orbits: Orbits,
+    pub(super) faces: Faces,
+    pub(super) windings: Windings,
+    /// The lexicographically lowest corner of each edge between its ends.
+    pub(super) lowest_corners: Vec<u32>,
+}
+
+impl PlanarOverlay {
+    /// The overlay of rings. Each ring runs through its points and back to the first; `regions[i]` is the region that ring i
+    /// belongs to.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless positions have two coordinates and there is one region for each ring;
+    /// [`ErrorKind::NotInComplex`] naming a ring with a point that is not there; [`ErrorKind::TooLarge`] beyond 2^31 pieces.
+    ///
+    /// # Complexity
+    /// $O(n + k \log k)$, and the search for pairs of sides that come near each other, for n sides that meet k times; in parallel,
+    /// with the same result whatever the number of threads. Corners between meetings are not sorted.
+    pub fn new(positions: &Positions, rings: &RaggedArray, regions: &[u32]) -> Result<Self, Error> {
+        Self::with_options(positions, rings, regions, &PlanarOptions::default())
+    }
+
+    /// The same, with a bound on the number of cells.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`], as soon as that is certain.
+    pub fn with_options(
+        positions: &Positions,
+        rings: &RaggedArray,
+        regions: &[u32],
+        options: &PlanarOptions,
+    ) -> Result<Self, Error> {
+        check(positions, rings, regions)?;
+        let rings = Rings::new(positions, rings);
+        let tree = rings.soup.tree();
+        let meetings = Meetings::of(&rings.soup, &tree, options)?;
+        if meetings.crossings.len() + rings.points.len() >= 1 << 31 {
+            return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 corners and crossings")
+                .with_cure("lay the regions over each other in parts"));
+        }
+        let chains = Chains::new(&rings, &meetings);
+        let crossings = meetings.crossings;
+        let edges = ChainEdges::new(&chains.chains);
+        let parts = Parts { rings: &rings, crossings: &crossings, chains: &chains, edges: &edges };
+        let mut orbits = Orbits::new(chains.nodes.len(), &edges.ends, |a, b| parts.order(a, b));
+        let lowest_corners: Vec<u32> = (0..edges.ends.len() as u32)
+            .into_par_iter()
+            .map(|edge| parts.first_chain(edge).lowest_corner(&rings).unwrap_or(NONE))
+            .collect();
+        let lowest = parts.lowest_points(&mut orbits, &lowest_corners);
+        let mut rising: Vec<usize> = (0..lowest.len()).collect();
+        rising.par_sort_by(|&a, &b| lowest[a].compare(&lowest[b]));
+        let mut below = vec![None; lowest.len()];
+        // There is nothing to the left of the lowest point of all.
+        let found: Vec<Option<u32>> = rising
+            .par_iter()
+            .skip(1)
+            .map(|&component| parts.halfedge_below(&tree, lowest[component]))
+            .collect();
+        for (&component, found) in rising.iter().skip(1).zip(found) {
+            below[component] = found;
+        }
+        drop(tree);
+        let faces = Faces::new(&orbits, &below, rising.into_iter());
+        let regions: Vec<u32> = rings.numbers.iter().map(|&ring| regions[ring as usize]).collect();
+        let step = |halfedge: u32, list: &mut Vec<(u32, i32)>| {
+            for &chain in edges.chains.list(halfedge as usize / 2) {
+                let along = edges.halfedge_of_chain[chain as usize] == halfedge;
+                let ring = chains.chains[chain as usize].ring;
+                list.push((regions[ring as usize], if along { 1 } else { -1 }));
+            }
+        };
+        let windings = Windings::new(&orbits, &faces, step)?;
+        // Corners between nodes are a vertex and an edge more each.
+        let corner_counts =
+            (0..edges.ends.len() as u32).map(|edge| parts.first_chain(edge).corner_count as usize);
+        let corner_count: usize = corner_counts.sum();
+        let cell_count = chains.nodes.len() + edges.ends.len() + 2 * corner_count + faces.orbits.len();
+        options.check(cell_count, "in all")?;
+        let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
+        Ok(Self {
+            rings,
+            regions,
+            region_count,
+            crossings,
+            chains,
+            edges,
+            orbits,
+            faces,
+            windings,
+            lowest_corners,
+        })
+    }
+
+    /// One more than the highest region that a ring with sides belongs to.
+    pub fn region_count(&self) -> usize {
+        self.region_count
+    }
+
+    /// The number of bounded faces that the rings cut the plane into.
+    pub fn face_count(&self) -> usize {
+        self.faces.orbits.len()
+    }
+
+    /// The places where rings meet each other or themselves.
+    pub fn meeting_count(&self) -> usize {
+        self.chains.meeting_count
+    }
+
+    /// The polygons of the faces whose winding numbers satisfy a Boolean formula of the regions; regions that are not there have
+    /// nothing inside.
+    ///
+    /// # Errors
+    /// As [`Self::select`].
+    ///
+    /// # Complexity
+    /// As [`Self::select`], times the length of the formula.
+    pub fn boolean(&self, formula: &BooleanFormula, rule: InsideRule) -> Result<PlanarPolygons<'_>, Error> {
+        self.select(|windings| {
+            formula.evaluate(|input| {
+                let found = windings.binary_search_by_key(&(input as u32), |&(region, _)| region);
+                found.is_ok_and(|at| rule.is_inside(windings[at].1))
+            })
+        })
+    }
+
+    pub(super) fn parts(&self) -> Parts<'_> {
+        Parts { rings: &self.rings, crossings: &self.crossings, chains: &self.chains, edges: &self.edges }
+    }
+
+    /// Where a node or corner comes from; a crossing names places of sides in the lists of all rings together.
+    pub(super) fn source(&self, event: u32) -> VertexSource {
+        match (event as usize).checked_sub(self.rings.points.len()) {
+            None => VertexSource::Given(self.rings.points[event as usize] as usize),
+            Some(crossing) => VertexSource::Crossing(
+                self.crossings[crossing].segments.map(|side| self.rings.places[side as usize] as usize),
+            ),
+        }
+    }
+}
+
+/// # Errors
+/// If the input of an overlay does not fit together.
+fn check(positions: &Positions, rings: &RaggedArray, regions: &[u32]) -> Result<(), Error> {
+    if positions.dimension() != 2 && !positions.is_empty() {
+        return Err(Error::new(
+            ErrorKind::Shape,
+            format!("points of dimension {} do not lie in the plane", positions.dimension()),
+        )
+        .with_cure("give two coordinates for each point"));
+    }
+    if rings.len() != regions.len() {
+        return Err(Error::new(
+            ErrorKind::Shape,
+            format!("{} regions are named for {} rings", regions.len(), rings.len()),
+        )
+        .with_cure("name the region of each ring"));
+    }
+    let count = positions.len();
+    if rings.items().iter().any(|&point| point as usize >= count) {
+        let (ring, point) = rings
+            .iter()
+            .enumerate()
+            .find_map(|(i, ring)| Some((i, *ring.iter().find(|&&point| point as usize >= count)?)))
+            .expect("one of the rings has such a point");
+        return Err(Error::new(
+            ErrorKind::NotInComplex,
+            format!("ring {ring} runs through point {point}; there are {count} points"),
+        ));
+    }
+    if rings.item_count() >= 1 << 31 {
+        return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 sides"));
+    }
+    Ok(())
+}
+
+/// What decisions about nodes and edges are made from.
+#[derive(Clone, Copy)]
+pub(super) struct Parts<'a> {
+    rings: &'a Rings,
+    crossings: &'a [Crossing],
+    chains: &'a Chains,
+    edges: &'a ChainEdges,
+}
+
+impl<'a> Parts<'a> {
+    /// The chain that an edge has its direction from.
+    pub(super) fn first_chain(&self, edge: u32) -> &'a Chain {
+        &self.chains.chains[self.edges.first_chain(edge) as usize]
+    }
+
+    /// A corner, or after the corners a crossing.
+    pub(super) fn event_point(&self, event: u32) -> PlanarPoint {
+        match (event as usize).checked_sub(self.rings.points.len()) {
+            None => PlanarPoint::given(self.rings.soup.points[event as usize]),
+            Some(crossing) => self.crossings[crossing].point(&self.rings.soup),
+        }
+    }
+
+    pub(super) fn node_point(&self, node: u32) -> PlanarPoint {
+        self.event_point(self.chains.nodes[node as usize])
+    }
+
+    /// The side along which a halfedge leaves its node, in the direction of leaving.
+    pub(super) fn departure(&self, halfedge: u32) -> PlanarLine {
+        let chain = self.first_chain(halfedge / 2);
+        if halfedge.is_multiple_of(2) {
+            self.rings.soup.line(chain.sides[0])
+        } else {
+            let [a, b] = self.rings.soup.line(chain.sides[1]);
+            [b, a]
+        }
+    }
+
+    /// The order of halfedges that leave one node, counterclockwise from straight down (exclusive).
+    fn order(&self, a: u32, b: u32) -> Ordering {
+        if a == b {
+            return Ordering::Equal;
+        }
+        let [s, t] = [a, b].map(|halfedge| self.departure(halfedge));
+        // First those to the right and straight up.
+        let is_back = |line: PlanarLine| line[0] > line[1];
+        is_back(s).cmp(&is_back(t)).then_with(|| direction_turn(t, s))
+    }
+
+    /// How an edge turns at a corner within it: `Greater` for counterclockwise.
+    pub(super) fn turn_at(&self, corner: u32, ring: usize) -> Ordering {
+        let [a, b] = self.rings.soup.line(self.rings.side_before(corner, ring));
+        orientation(a, b, self.rings.soup.line(corner)[1])
+    }
+
+    pub(super) fn ring_of_edge(&self, edge: u32) -> usize {
+        self.first_chain(edge).ring as usize
+    }
+
+    /// The lowest point of each component; the orbits outside are put right where that is no node.
+    fn lowest_points(&self, orbits: &mut Orbits, lowest_corners: &[u32]) -> Vec<PlanarPoint> {
+        let mut lowest: Vec<PlanarPoint> =
+            orbits.lowest_vertices.iter().map(|&node| self.node_point(node)).collect();
+        for (edge, &corner) in (0..).zip(lowest_corners).filter(|(_, corner)| **corner != NONE) {
+            let component = orbits.component_of[self.edges.ends[edge as usize][0] as usize] as usize;
+            let point = PlanarPoint::given(self.rings.soup.points[corner as usize]);
+            if point.compare(&lowest[component]).is_lt() {
+                lowest[component] = point;
+                // At the lowest corner the outside is on the side that the edge does not turn to.
+                let turns_left = self.turn_at(corner, self.ring_of_edge(edge)).is_gt();
+                orbits.outer_orbits[component] = orbits.orbit_of[(2 * edge + u32::from(turns_left)) as usize];
+            }
+        }
+        lowest
+    }
+
+    /// The halfedge directly below a point, with the point on its left.
+    fn halfedge_below(&self, tree: &SegmentTree, from: PlanarPoint) -> Option<u32> {
+        Ray { from }.first_below(tree, |side| {
+            let [a, b] = self.rings.soup.line(side);
+            let is_right = a[0] < b[0];
+            // The nodes on the side that come before the place left of the line down.
+            let breaks = &self.chains.breaks;
+            let inside = breaks.partition_point(|at| (at.side, at.rank) <= (side, 0));
+            let own = &breaks[inside..];
+            let own = &own[..own.partition_point(|at| at.side == side)];
+            let passed = own.partition_point(|at| {
+                let is_left = self.node_point(at.node).compare_coordinate(&from, 0).is_lt();
+                is_left == is_right
+            });
+            let ring = self.rings.ring_of(side);
+            let [first, end] = [self.chains.starts[ring], self.chains.starts[ring + 1]].map(|at| at as usize);
+            // Before the first node of a ring its last chain runs.
+            let chain = if inside + passed == first { end } else { inside + passed } - 1;
+            let along = self.edges.halfedge_of_chain[chain];
+            Some(if is_right { along } else { along ^ 1 })
+        })
+    }
+}

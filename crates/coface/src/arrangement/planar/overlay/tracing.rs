@@ -1,0 +1,320 @@
+//! The rings around selected faces.
+
+use super::regions::Parts;
+use super::{PlanarOverlay, PlanarPolygons};
+use crate::Error;
+use crate::algebra::{RaggedArray, UnionFind};
+use crate::arrangement::planar::faces::NONE;
+use crate::geometry::Positions;
+use crate::geometry::predicates::{PlanarPoint, direction_turn};
+
+impl PlanarOverlay {
+    /// The polygons of the faces whose winding numbers satisfy a condition: for each face it gets the regions with a winding number
+    /// that is not zero, rising, with that number; for the unbounded face the empty list.
+    ///
+    /// Faces with an edge in common are one polygon; edges with the selection on both sides are left out, and so are crossings at
+    /// which a ring goes straight on.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) beyond 2^32 vertices.
+    ///
+    /// # Complexity
+    /// Linear in the nodes, edges and faces, and in what comes out.
+    pub fn select(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<PlanarPolygons<'_>, Error> {
+        let face_count = self.faces.orbits.len() as u32;
+        let mut is_inside: Vec<bool> =
+            (0..face_count).map(|face| condition(self.windings.of_face(face))).collect();
+        // The unbounded face comes last.
+        is_inside.push(condition(&[]));
+        let face = |halfedge: u32| {
+            self.faces.of_orbit[self.orbits.orbit_of[halfedge as usize] as usize].min(face_count)
+        };
+        let is_boundary: Vec<bool> = (0..self.orbits.next.len() as u32)
+            .map(|h| is_inside[face(h) as usize] && !is_inside[face(h ^ 1) as usize])
+            .collect();
+        let mut polygons = UnionFind::new(is_inside.len());
+        for edge in 0..self.edges.ends.len() as u32 {
+            let [left, right] = [face(2 * edge), face(2 * edge + 1)];
+            if left != right && is_inside[left as usize] && is_inside[right as usize] {
+                polygons.unite(left, right);
+            }
+        }
+        let (rings, starts) = self.simple_rings(&is_boundary);
+        let parts = self.parts();
+        let has_exterior = is_inside[face_count as usize];
+        let exterior = polygons.find(face_count);
+        // Polygons by their first rings; what reaches to infinity is the last, and has no ring around it.
+        let mut number_of = vec![NONE; is_inside.len()];
+        let (mut polygon_of_ring, mut outer_rings) = (Vec::with_capacity(starts.len()), Vec::new());
+        for (ring, range) in starts.windows(2).enumerate() {
+            let halfedges = &rings[range[0]..range[1]];
+            let class = polygons.find(face(halfedges[0]));
+            let number = &mut number_of[class as usize];
+            if *number == NONE && !(has_exterior && class == exterior) {
+                *number = outer_rings.len() as u32;
+                outer_rings.push(NONE);
+            }
+            polygon_of_ring.push(*number);
+            if *number != NONE && self.is_counterclockwise(&parts, halfedges) {
+                outer_rings[*number as usize] = ring as u32;
+            }
+        }
+        let polygon_count = outer_rings.len();
+        for number in polygon_of_ring.iter_mut().filter(|number| **number == NONE) {
+            *number = polygon_count as u32;
+        }
+        let list_count = polygon_count + usize::from(has_exterior);
+        let mut by_polygon = RaggedArray::grouped(list_count, polygon_of_ring.iter().copied());
+        let list_starts: Vec<usize> = (0..=polygon_count).map(|polygon| by_polygon.start(polygon)).collect();
+        for (polygon, &outer) in outer_rings.iter().enumerate() {
+            let list = &mut by_polygon.items_mut()[list_starts[polygon]..list_starts[polygon + 1]];
+            if let Some(at) = list.iter().position(|&ring| ring == outer) {
+                list[..=at].rotate_right(1);
+            }
+        }
+        // Rings are written polygon after polygon.
+        let mut writer = Writer::new(self, parts, &rings);
+        for &ring in by_polygon.items() {
+            writer.write(&rings[starts[ring as usize]..starts[ring as usize + 1]]);
+        }
+        let mut ring_numbers = 0u32..;
+        let polygons = RaggedArray::from_lists(
+            by_polygon.iter().map(|list| ring_numbers.by_ref().take(list.len()).collect::<Vec<_>>()),
+        );
+        writer.finish(polygons, has_exterior)
+    }
+
+    /// The walks around the selection, cut where they come to a node again: the halfedges of one ring after those of another, and
+    /// where each begins.
+    fn simple_rings(&self, is_boundary: &[bool]) -> (Vec<u32>, Vec<usize>) {
+        let (mut rings, mut starts) = (Vec::new(), vec![0]);
+        let mut is_done = vec![false; is_boundary.len()];
+        // The place of a node on the walk that is under way.
+        let mut place = vec![NONE; self.chains.nodes.len()];
+        let mut walk: Vec<u32> = Vec::new();
+        for first in 0..is_boundary.len() as u32 {
+            if !is_boundary[first as usize] || is_done[first as usize] {
+                continue;
+            }
+            let mut at = first;
+            loop {
+                let tail = self.tail(at) as usize;
+                if place[tail] != NONE {
+                    self.cut_off(&mut walk, place[tail] as usize, &mut place, &mut rings, &mut starts);
+                }
+                if is_done[at as usize] {
+                    break;
+                }
+                place[tail] = walk.len() as u32;
+                walk.push(at);
+                is_done[at as usize] = true;
+                at = self.orbits.next[at as usize];
+                // The selection is on both sides of what is not on its boundary here.
+                while !is_boundary[at as usize] {
+                    at = self.orbits.next[(at ^ 1) as usize];
+                }
+            }
+        }
+        (rings, starts)
+    }
+
+    /// Moves the end of a walk to the rings.
+    fn cut_off(
+        &self,
+        walk: &mut Vec<u32>,
+        from: usize,
+        place: &mut [u32],
+        rings: &mut Vec<u32>,
+        starts: &mut Vec<usize>,
+    ) {
+        walk[from..].iter().for_each(|&halfedge| place[self.tail(halfedge) as usize] = NONE);
+        rings.extend(walk.drain(from..));
+        starts.push(rings.len());
+    }
+
+    /// The node that a halfedge leaves.
+    fn tail(&self, halfedge: u32) -> u32 {
+        self.edges.ends[halfedge as usize / 2][halfedge as usize % 2]
+    }
+
+    /// Whether a simple ring runs counterclockwise: it does at its lowest point.
+    fn is_counterclockwise(&self, parts: &Parts<'_>, halfedges: &[u32]) -> bool {
+        // The lowest point with the halfedge that it is on, or that leaves it.
+        let mut lowest: Option<(PlanarPoint, usize, Option<u32>)> = None;
+        let mut look = |point: PlanarPoint, at: usize, corner: Option<u32>| {
+            if lowest.as_ref().is_none_or(|(other, ..)| point.compare(other).is_lt()) {
+                lowest = Some((point, at, corner));
+            }
+        };
+        for (at, &halfedge) in halfedges.iter().enumerate() {
+            look(parts.node_point(self.tail(halfedge)), at, None);
+            let corner = self.lowest_corners[halfedge as usize / 2];
+            if corner != NONE {
+                look(parts.event_point(corner), at, Some(corner));
+            }
+        }
+        let Some((_, at, corner)) = lowest else { return false };
+        match corner {
+            Some(corner) => {
+                let turns_left = parts.turn_at(corner, parts.ring_of_edge(halfedges[at] / 2)).is_gt();
+                turns_left == halfedges[at].is_multiple_of(2)
+            }
+            None => {
+                let before = halfedges[if at == 0 { halfedges.len() } else { at } - 1];
+                let [a, b] = parts.departure(before ^ 1);
+                direction_turn([b, a], parts.departure(halfedges[at])).is_gt()
+            }
+        }
+    }
+}
+
+/// Writes rings with positions and sources.
+struct Writer<'a> {
+    overlay: &'a PlanarOverlay,
+    parts: Parts<'a>,
+    /// The vertex at each node that has one already.
+    vertex_of_node: Vec<u32>,
+    /// How many rings run through each node that rings run through.
+    passes: Vec<u8>,
+    positions: Vec<f64>,
+    events: Vec<u32>,
+    pinches: Vec<u32>,
+    rings: Vec<u32>,
+    starts: Vec<u32>,
+    sides: Vec<u32>,
+    other_sides: Vec<[u32; 2]>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(overlay: &'a PlanarOverlay, parts: Parts<'a>, rings: &[u32]) -> Self {
+        let mut passes = vec![0u8; overlay.chains.nodes.len()];
+        for &halfedge in rings {
+            let passes = &mut passes[overlay.tail(halfedge) as usize];
+            *passes = passes.saturating_add(1);
+        }
+        let corner_counts =
+            rings.iter().map(|&halfedge| parts.first_chain(halfedge / 2).corner_count as usize + 1);
+        let corner_count: usize = corner_counts.sum();
+        Self {
+            overlay,
+            parts,
+            vertex_of_node: vec![NONE; overlay.chains.nodes.len()],
+            passes,
+            positions: Vec::with_capacity(2 * corner_count),
+            events: Vec::with_capacity(corner_count),
+            pinches: Vec::new(),
+            rings: Vec::with_capacity(corner_count),
+            starts: vec![0],
+            sides: Vec::with_capacity(corner_count),
+            other_sides: Vec::new(),
+        }
+    }
+
+    fn write(&mut self, halfedges: &[u32]) {
+        let count = halfedges.len();
+        // Begin where an edge of the ring begins. Other sides run along chains without corners only.
+        let has_corners = |i: usize| self.parts.first_chain(halfedges[i] / 2).corner_count > 0;
+        let start =
+            (0..count).find(|&i| self.is_kept(halfedges, i)).or_else(|| (0..count).find(|&i| has_corners(i)));
+        let start = start.unwrap_or(0);
+        for i in (start..count).chain(0..start) {
+            let halfedge = halfedges[i];
+            let chain = self.parts.first_chain(halfedge / 2);
+            let is_along = halfedge.is_multiple_of(2);
+            let departure = chain.sides[usize::from(!is_along)];
+            if self.is_kept(halfedges, i) {
+                self.push_node(self.overlay.tail(halfedge));
+                self.sides.push(departure);
+            }
+            // Where no edge of the ring begins, one goes on, and other sides may run along this part of it only.
+            self.push_other_sides(halfedge);
+            let corners = chain.corners(&self.overlay.rings);
+            let points = &self.overlay.rings.soup.points;
+            let first = self.events.len() as u32;
+            if is_along {
+                for range in corners {
+                    let own = &points[range.start as usize..range.end as usize];
+                    self.positions.extend_from_slice(own.as_flattened());
+                    self.events.extend(range.clone());
+                    self.sides.extend(range);
+                }
+            } else {
+                let ring = chain.ring as usize;
+                for range in corners.into_iter().rev() {
+                    for corner in range.rev() {
+                        self.positions.extend(points[corner as usize]);
+                        self.events.push(corner);
+                        self.sides.push(self.overlay.rings.side_before(corner, ring));
+                    }
+                }
+            }
+            self.rings.extend(first..self.events.len() as u32);
+        }
+        self.starts.push(self.rings.len() as u32);
+    }
+
+    /// Whether a ring has a vertex where one of its halfedges begins.
+    fn is_kept(&self, halfedges: &[u32], i: usize) -> bool {
+        let before = halfedges[if i == 0 { halfedges.len() } else { i } - 1];
+        self.passes[self.overlay.tail(halfedges[i]) as usize] > 1
+            || !self.goes_straight_on(before, halfedges[i])
+    }
+
+    fn push_node(&mut self, node: u32) {
+        let vertex = &mut self.vertex_of_node[node as usize];
+        if *vertex == NONE {
+            *vertex = self.events.len() as u32;
+            let event = self.overlay.chains.nodes[node as usize];
+            self.events.push(event);
+            self.positions.extend(self.parts.event_point(event).rounded());
+            if self.passes[node as usize] > 1 {
+                self.pinches.push(*vertex);
+            }
+        }
+        self.rings.push(*vertex);
+    }
+
+    /// Whether one side of the input runs along both halfedges.
+    fn goes_straight_on(&self, before: u32, halfedge: u32) -> bool {
+        let sides = |h: u32, is_end: bool| {
+            let chains = self.overlay.edges.chains.list(h as usize / 2);
+            chains.iter().map(move |&chain| {
+                let along = self.overlay.edges.halfedge_of_chain[chain as usize] == h;
+                self.overlay.chains.chains[chain as usize].sides[usize::from(is_end == along)]
+            })
+        };
+        sides(before, true).any(|side| sides(halfedge, false).any(|other| other == side))
+    }
+
+    /// The sides along the start of a halfedge go with the last edge, if they do not yet.
+    fn push_other_sides(&mut self, halfedge: u32) {
+        let Some((edge, &first)) = self.sides.iter().enumerate().next_back() else { return };
+        for &chain in self.overlay.edges.chains.list(halfedge as usize / 2) {
+            let along = self.overlay.edges.halfedge_of_chain[chain as usize] == halfedge;
+            let side = self.overlay.chains.chains[chain as usize].sides[usize::from(!along)];
+            if side != first {
+                self.other_sides.push([edge as u32, side]);
+            }
+        }
+    }
+
+    fn finish(mut self, polygons: RaggedArray, has_exterior: bool) -> Result<PlanarPolygons<'a>, Error> {
+        let places = &self.overlay.rings.places;
+        self.sides.iter_mut().for_each(|side| *side = places[*side as usize]);
+        self.other_sides.iter_mut().for_each(|[_, side]| *side = places[*side as usize]);
+        self.other_sides.sort_unstable();
+        self.other_sides.dedup();
+        self.pinches.sort_unstable();
+        Ok(PlanarPolygons {
+            overlay: self.overlay,
+            positions: Positions::from_flat(2, self.positions)?,
+            rings: RaggedArray::from_parts(self.starts, self.rings)?,
+            polygons,
+            has_exterior,
+            sides: self.sides,
+            other_sides: self.other_sides,
+            pinch_vertices: self.pinches,
+            events: self.events,
+        })
+    }
+}

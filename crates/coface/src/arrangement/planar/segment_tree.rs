@@ -1,0 +1,474 @@
+//! Which segments come near each other: a tree of oriented boxes.
+//!
+//! Segments that follow each other on a polyline stay together in runs, runs are put in the order of a Hilbert curve, and a binary
+//! tree stands on that order. Each node has the box along the axes, exactly, and a box along a direction of its own, with a margin
+//! for rounding: so long thin segments that lie side by side are told apart, as spikes of a star are, and nothing depends on the
+//! sizes of the segments being alike. What is near is only a hint; predicates decide.
+
+use crate::geometry::predicates::PlanarLine;
+use rayon::prelude::*;
+
+/// Segments in a leaf.
+const LEAF: usize = 8;
+/// Far above what rounding can do to coordinates between -1 and 1, and to boxes around boxes.
+const MARGIN: f64 = 1.0 / (1u64 << 44) as f64;
+/// Into how many parts a search for pairs is cut, at least, when there is that much to do.
+const PARTS: usize = 1024;
+
+/// The order of a set of segments in space, and boxes on it.
+pub(super) struct SegmentTree {
+    /// Coordinates are multiplied by this power of two before they are multiplied by each other.
+    factor: f64,
+    /// The segment at each place.
+    order: Vec<u32>,
+    /// The ends of the segments, in this order.
+    lines: Vec<PlanarLine>,
+    /// The boxes around [`LEAF`] places each, then around two boxes each, up to one box.
+    levels: Vec<Vec<Bounds>>,
+}
+
+/// A node by its level and its number on it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Node {
+    level: u32,
+    index: u32,
+}
+
+/// A part of the search for pairs: all pairs with one segment below each node.
+#[derive(Clone, Copy)]
+pub(super) struct Part([Node; 2]);
+
+/// Two boxes around the same segments.
+#[derive(Clone, Copy)]
+struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+    oriented: OrientedBox,
+}
+
+/// A rectangle in scaled coordinates: half sides along a unit vector and along the same turned left.
+#[derive(Clone, Copy)]
+struct OrientedBox {
+    center: [f64; 2],
+    axis: [f64; 2],
+    half: [f64; 2],
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+impl OrientedBox {
+    /// The box around what reaches from `low` to `high` along an axis and across it.
+    fn between(axis: [f64; 2], low: [f64; 2], high: [f64; 2]) -> Self {
+        let [along, across] = [0, 1].map(|i| 0.5 * (low[i] + high[i]));
+        Self {
+            center: [along * axis[0] - across * axis[1], along * axis[1] + across * axis[0]],
+            axis,
+            half: [0, 1].map(|i| 0.5 * (high[i] - low[i]) + MARGIN),
+        }
+    }
+
+    /// How far the box reaches from its center along an axis and across it.
+    fn reach(&self, axis: [f64; 2]) -> [f64; 2] {
+        let [cosine, sine] = [dot(self.axis, axis).abs(), cross(self.axis, axis).abs()];
+        [self.half[0] * cosine + self.half[1] * sine, self.half[0] * sine + self.half[1] * cosine]
+    }
+
+    fn area(&self) -> f64 {
+        self.half[0] * self.half[1]
+    }
+
+    fn of_points(axis: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for point in points {
+            let at = [dot(axis, point), cross(axis, point)];
+            for i in 0..2 {
+                low[i] = low[i].min(at[i]);
+                high[i] = high[i].max(at[i]);
+            }
+        }
+        Self::between(axis, low, high)
+    }
+
+    /// The box along an axis around two boxes.
+    fn around(axis: [f64; 2], a: &Self, b: &Self) -> Self {
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for inner in [a, b] {
+            let (at, reach) = ([dot(axis, inner.center), cross(axis, inner.center)], inner.reach(axis));
+            for i in 0..2 {
+                low[i] = low[i].min(at[i] - reach[i]);
+                high[i] = high[i].max(at[i] + reach[i]);
+            }
+        }
+        Self::between(axis, low, high)
+    }
+
+    /// Whether a line along or across the axis of one of two boxes separates them.
+    fn is_apart(&self, other: &Self) -> bool {
+        let between = [other.center[0] - self.center[0], other.center[1] - self.center[1]];
+        [(self, other), (other, self)].into_iter().any(|(a, b)| {
+            let reach = b.reach(a.axis);
+            dot(a.axis, between).abs() > a.half[0] + reach[0]
+                || cross(a.axis, between).abs() > a.half[1] + reach[1]
+        })
+    }
+
+    /// Whether a segment is beyond one side of the box.
+    fn misses(&self, segment: PlanarLine) -> bool {
+        let at = segment.map(|point| {
+            let to = [point[0] - self.center[0], point[1] - self.center[1]];
+            [dot(self.axis, to), cross(self.axis, to)]
+        });
+        (0..2).any(|i| {
+            at[0][i].min(at[1][i]) > self.half[i] + MARGIN || at[0][i].max(at[1][i]) < -self.half[i] - MARGIN
+        })
+    }
+}
+
+impl Bounds {
+    /// The boxes around the segments of a leaf.
+    fn of_leaf(lines: &[PlanarLine], factor: f64) -> Self {
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        // The direction of the longest segment is tried.
+        let (mut longest, mut axis) = (0.0, [1.0, 0.0]);
+        for line in lines {
+            for i in 0..2 {
+                low[i] = low[i].min(line[0][i].min(line[1][i]));
+                high[i] = high[i].max(line[0][i].max(line[1][i]));
+            }
+            let along = [0, 1].map(|i| line[1][i] * factor - line[0][i] * factor);
+            let square = dot(along, along);
+            if square > longest {
+                (longest, axis) = (square, along);
+            }
+        }
+        let upright = OrientedBox::between([1.0, 0.0], low.map(|x| x * factor), high.map(|x| x * factor));
+        let length = longest.sqrt();
+        let mut oriented = upright;
+        // Where the square is far from what is no ordinary number, the axis is a unit vector.
+        if length > 1e-100 {
+            let points = lines.as_flattened().iter().map(|point| point.map(|x| x * factor));
+            let turned = OrientedBox::of_points(axis.map(|x| x / length), points);
+            if turned.area() < upright.area() {
+                oriented = turned;
+            }
+        }
+        Self { low, high, oriented }
+    }
+
+    fn around(a: &Self, b: &Self) -> Self {
+        let low = [0, 1].map(|i| a.low[i].min(b.low[i]));
+        let high = [0, 1].map(|i| a.high[i].max(b.high[i]));
+        let mut oriented = OrientedBox::around([1.0, 0.0], &a.oriented, &b.oriented);
+        for axis in [a.oriented.axis, b.oriented.axis] {
+            let turned = OrientedBox::around(axis, &a.oriented, &b.oriented);
+            if turned.area() < oriented.area() {
+                oriented = turned;
+            }
+        }
+        Self { low, high, oriented }
+    }
+
+    fn is_apart(&self, other: &Self) -> bool {
+        (0..2).any(|i| self.high[i] < other.low[i] || other.high[i] < self.low[i])
+            || self.oriented.is_apart(&other.oriented)
+    }
+
+    fn misses(&self, line: PlanarLine, factor: f64) -> bool {
+        (0..2).any(|i| line[0][i].min(line[1][i]) > self.high[i] || line[0][i].max(line[1][i]) < self.low[i])
+            || self.oriented.misses(line.map(|point| point.map(|x| x * factor)))
+    }
+}
+
+/// The place of a point of the square of side 2^32 on the Hilbert curve.
+fn hilbert(mut x: u32, mut y: u32) -> u64 {
+    let mut place = 0;
+    for level in (0..32).rev() {
+        let [right, up] = [x >> level & 1, y >> level & 1];
+        place = place << 2 | u64::from((3 * right) ^ up);
+        // In the lower half the curve is turned, in the lower right one the other way.
+        let flip = (right & !up & 1).wrapping_neg();
+        (x, y) = (x ^ flip, y ^ flip);
+        let swap = (x ^ y) & (!up & 1).wrapping_neg();
+        (x, y) = (x ^ swap, y ^ swap);
+    }
+    place
+}
+
+impl SegmentTree {
+    /// A tree on `count` segments; `is_joined` tells whether a segment begins where the one before it ends.
+    pub(super) fn new(
+        count: usize,
+        line: impl Fn(usize) -> PlanarLine + Sync,
+        is_joined: impl Fn(usize) -> bool,
+    ) -> Self {
+        let corners = (0..count).into_par_iter().with_min_len(4096).map(|s| {
+            let [p, q] = line(s);
+            [[0, 1].map(|i| p[i].min(q[i])), [0, 1].map(|i| p[i].max(q[i]))]
+        });
+        let nothing = || [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let [low, high] = corners.reduce(nothing, |a, b| {
+            [[0, 1].map(|i| a[0][i].min(b[0][i])), [0, 1].map(|i| a[1][i].max(b[1][i]))]
+        });
+        let largest = low.iter().chain(&high).fold(1e-290, |largest: f64, x| largest.max(x.abs()));
+        // An ordinary number above the largest; its inverse is one too.
+        let factor =
+            if count == 0 { 1.0 } else { 2f64.powi(-(largest.log2().floor() as i32 + 1).clamp(-1020, 1020)) };
+        let mut units: Vec<u32> = Vec::with_capacity(count / LEAF + 1);
+        for s in 0..count {
+            let is_new = units.last().is_none_or(|&first| s - first as usize == LEAF || !is_joined(s));
+            if is_new {
+                units.push(s as u32);
+            }
+        }
+        let end = |unit: usize| units.get(unit + 1).map_or(count, |&next| next as usize);
+        let scale = [0, 1].map(|i| (1u64 << 32) as f64 / (high[i] * factor - low[i] * factor));
+        let mut places: Vec<(u64, u32)> = (0..units.len())
+            .into_par_iter()
+            .with_min_len(512)
+            .map(|unit| {
+                let ([p, _], [_, q]) = (line(units[unit] as usize), line(end(unit) - 1));
+                // A cast sends what is no number to zero, and what is too large to the largest number.
+                let [x, y] = [0, 1].map(|i| {
+                    let middle = 0.5 * (p[i] * factor + q[i] * factor);
+                    ((middle - low[i] * factor) * scale[i]) as u32
+                });
+                (hilbert(x, y), unit as u32)
+            })
+            .collect();
+        places.par_sort_unstable();
+        let mut order = Vec::with_capacity(count);
+        for (_, unit) in places {
+            order.extend(units[unit as usize]..end(unit as usize) as u32);
+        }
+        let lines: Vec<PlanarLine> = order.par_iter().with_min_len(4096).map(|&s| line(s as usize)).collect();
+        let leaves: Vec<Bounds> =
+            lines.par_chunks(LEAF).with_min_len(256).map(|leaf| Bounds::of_leaf(leaf, factor)).collect();
+        let mut levels = vec![leaves];
+        while let Some(below) = levels.last().filter(|below| below.len() > 1) {
+            let above = below.par_chunks(2).with_min_len(256).map(|pair| match pair {
+                [a, b] => Bounds::around(a, b),
+                _ => pair[0],
+            });
+            let above = above.collect();
+            levels.push(above);
+        }
+        Self { factor, order, lines, levels }
+    }
+
+    fn bounds(&self, node: Node) -> &Bounds {
+        &self.levels[node.level as usize][node.index as usize]
+    }
+
+    /// The one or two nodes below a node that is no leaf.
+    fn children(&self, node: Node) -> impl Iterator<Item = Node> + Clone + use<> {
+        let level = node.level - 1;
+        let end = (2 * node.index + 2).min(self.levels[level as usize].len() as u32);
+        (2 * node.index..end).map(move |index| Node { level, index })
+    }
+
+    fn root(&self) -> Option<Node> {
+        (!self.order.is_empty()).then(|| Node { level: self.levels.len() as u32 - 1, index: 0 })
+    }
+
+    /// Calls `found` with the pairs that a pair of nodes falls into; nothing when their boxes are apart. `false` for leaves.
+    fn split(&self, [a, b]: [Node; 2], mut found: impl FnMut([Node; 2])) -> bool {
+        if a == b {
+            if a.level == 0 {
+                return false;
+            }
+            let inner = self.children(a);
+            for (i, c) in inner.clone().enumerate() {
+                inner.clone().skip(i).for_each(|d| found([c, d]));
+            }
+            return true;
+        }
+        if self.bounds(a).is_apart(self.bounds(b)) {
+            return true;
+        }
+        if a.level == 0 && b.level == 0 {
+            return false;
+        }
+        if a.level >= b.level {
+            self.children(a).for_each(|c| found([c, b]));
+        } else {
+            self.children(b).for_each(|c| found([a, c]));
+        }
+        true
+    }
+
+    /// The parts of the search for all pairs of segments that come near each other; they do not depend on the number of threads.
+    pub(super) fn parts(&self) -> Vec<Part> {
+        let mut parts: Vec<[Node; 2]> = self.root().map(|root| [root, root]).into_iter().collect();
+        while parts.len() < PARTS {
+            let mut finer = Vec::with_capacity(3 * parts.len());
+            let mut is_final = true;
+            for &part in &parts {
+                if self.split(part, |inner| finer.push(inner)) {
+                    is_final = false;
+                } else {
+                    finer.push(part);
+                }
+            }
+            parts = finer;
+            if is_final {
+                break;
+            }
+        }
+        parts.into_iter().map(Part).collect()
+    }
+
+    /// Calls `found` with the pairs of segments of one part whose boxes along the axes meet, and their ends; the segment of
+    /// lower number first. In all parts each pair is found once.
+    pub(super) fn search(&self, Part(nodes): Part, mut found: impl FnMut([u32; 2], [PlanarLine; 2])) {
+        let mut stack = vec![nodes];
+        while let Some(pair) = stack.pop() {
+            if !self.split(pair, |inner| stack.push(inner)) {
+                self.meet_leaves(pair, &mut found);
+            }
+        }
+    }
+
+    fn leaf(&self, node: Node) -> std::ops::Range<usize> {
+        let first = node.index as usize * LEAF;
+        first..(first + LEAF).min(self.order.len())
+    }
+
+    fn meet_leaves(&self, [a, b]: [Node; 2], found: &mut impl FnMut([u32; 2], [PlanarLine; 2])) {
+        let mut meet = |i: usize, j: usize| {
+            let (s, t) = (self.lines[i], self.lines[j]);
+            let is_apart = (0..2).any(|axis| {
+                s[0][axis].max(s[1][axis]) < t[0][axis].min(t[1][axis])
+                    || t[0][axis].max(t[1][axis]) < s[0][axis].min(s[1][axis])
+            });
+            if !is_apart {
+                let numbers = [self.order[i], self.order[j]];
+                if numbers[0] < numbers[1] {
+                    found(numbers, [s, t])
+                } else {
+                    found([numbers[1], numbers[0]], [t, s])
+                }
+            }
+        };
+        if a == b {
+            for i in self.leaf(a) {
+                (i + 1..self.leaf(a).end).for_each(|j| meet(i, j));
+            }
+            return;
+        }
+        let near = |leaf: Node, of: Node| {
+            let bounds = self.bounds(of);
+            let (mut places, mut count) = ([0; LEAF], 0);
+            for i in self.leaf(leaf) {
+                if !bounds.misses(self.lines[i], self.factor) {
+                    places[count] = i;
+                    count += 1;
+                }
+            }
+            (places, count)
+        };
+        let (of_a, count_a) = near(a, b);
+        if count_a == 0 {
+            return;
+        }
+        let (of_b, count_b) = near(b, a);
+        for &i in &of_a[..count_a] {
+            of_b[..count_b].iter().for_each(|&j| meet(i, j));
+        }
+    }
+
+    /// Goes down from a point. `visit` gets segments with their ends and gives the height of the highest that it has accepted so
+    /// far; segments that cross the vertical line through the point above that height, below the point, have been visited when
+    /// this ends.
+    pub(super) fn downward(&self, point: [f64; 2], mut visit: impl FnMut(u32, PlanarLine) -> Option<f64>) {
+        let [x, y] = point;
+        let mut highest: Option<f64> = None;
+        let mut stack: Vec<Node> = self.root().into_iter().collect();
+        while let Some(node) = stack.pop() {
+            let bounds = self.bounds(node);
+            let is_below = bounds.low[0] <= x && x <= bounds.high[0] && bounds.low[1] <= y;
+            if !is_below || highest.is_some_and(|height| bounds.high[1] < height) {
+                continue;
+            }
+            if node.level == 0 {
+                for i in self.leaf(node) {
+                    let [p, q] = self.lines[i];
+                    if p[0].min(q[0]) <= x && x <= p[0].max(q[0]) && p[1].min(q[1]) <= y {
+                        highest = visit(self.order[i], self.lines[i]);
+                    }
+                }
+                continue;
+            }
+            let first = stack.len();
+            stack.extend(self.children(node));
+            // The one that reaches higher is looked at first.
+            if stack.len() == first + 2
+                && self.bounds(stack[first]).high[1] > self.bounds(stack[first + 1]).high[1]
+            {
+                stack.swap(first, first + 1);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    fn lines() -> impl Strategy<Value = Vec<PlanarLine>> {
+        let small = (-8i32..9).prop_map(f64::from);
+        let mixed = (-8i32..9, -30i32..30).prop_map(|(m, e)| f64::from(m) * 2f64.powi(e));
+        let huge = (-8i32..9, -1060i32..1000).prop_map(|(m, e)| f64::from(m) * 2f64.powi(e));
+        let line = |x: BoxedStrategy<f64>| prop::array::uniform4(x).prop_map(|[a, b, c, d]| [[a, b], [c, d]]);
+        let of_a_sort = [small.boxed(), mixed.boxed(), huge.boxed()]
+            .map(|sort| prop::collection::vec(line(sort), 0..60).boxed());
+        prop::strategy::Union::new(of_a_sort)
+    }
+
+    proptest! {
+        #[test]
+        fn every_pair_whose_segments_meet_is_found_once(lines in lines()) {
+            use crate::geometry::predicates::orientation;
+            let tree = SegmentTree::new(lines.len(), |s| lines[s], |s| s % 3 != 0);
+            let mut found = Vec::new();
+            for part in tree.parts() {
+                tree.search(part, |pair, ends| {
+                    assert_eq!(ends, pair.map(|s| lines[s as usize]));
+                    found.push(pair);
+                });
+            }
+            let set: BTreeSet<[u32; 2]> = found.iter().copied().collect();
+            prop_assert_eq!(set.len(), found.len());
+            for (i, &[a, b]) in lines.iter().enumerate() {
+                for (j, &[c, d]) in lines.iter().enumerate().skip(i + 1) {
+                    let apart = |a: [f64; 2], b: [f64; 2], c, d| {
+                        let sides = [orientation(a, b, c), orientation(a, b, d)];
+                        sides[0] == sides[1] && sides[0].is_ne()
+                    };
+                    let boxes_apart = (0..2).any(|x| {
+                        a[x].max(b[x]) < c[x].min(d[x]) || c[x].max(d[x]) < a[x].min(b[x])
+                    });
+                    if !boxes_apart && !apart(a, b, c, d) && !apart(c, d, a, b) {
+                        prop_assert!(set.contains(&[i as u32, j as u32]));
+                    }
+                }
+            }
+            // Rays: what is below a point and above the answer so far is visited.
+            for &[p, _] in &lines {
+                let mut visited = BTreeSet::new();
+                tree.downward(p, |segment, _| { visited.insert(segment); None });
+                for (i, &[a, b]) in lines.iter().enumerate() {
+                    let is_over = a[0].min(b[0]) <= p[0] && p[0] <= a[0].max(b[0]) && a[1].min(b[1]) <= p[1];
+                    prop_assert_eq!(visited.contains(&(i as u32)), is_over);
+                }
+            }
+        }
+    }
+}
