@@ -288,7 +288,9 @@ impl<'a> Writer<'a> {
 
     /// The sides along the start of a halfedge go with the last edge, if they do not yet.
     fn push_other_sides(&mut self, halfedge: u32) {
-        let Some((edge, &first)) = self.sides.iter().enumerate().next_back() else { return };
+        // A ring that does not begin with an edge of its own begins on its last one, along one side.
+        let begin = self.starts.last().map_or(0, |&start| start as usize);
+        let Some((edge, &first)) = self.sides.iter().enumerate().skip(begin).next_back() else { return };
         for &chain in self.overlay.edges.chains.list(halfedge as usize / 2) {
             let along = self.overlay.edges.halfedge_of_chain[chain as usize] == halfedge;
             let side = self.overlay.chains.chains[chain as usize].sides[usize::from(!along)];
