@@ -19,12 +19,13 @@ impl Walks {
     /// Each polygon with its own points.
     pub(crate) fn of(polygons: &[Polygon]) -> Self {
         let mut found = Self::default();
-        for polygon in polygons {
-            found.add(
-                polygon.walks.iter().map(|walk| walk.iter().map(|p| p.map(|x| x as f64)).collect()).collect(),
-            );
-        }
+        polygons.iter().for_each(|polygon| found.add_polygon(polygon));
         found
+    }
+
+    pub(crate) fn add_polygon(&mut self, polygon: &Polygon) {
+        let walks = polygon.walks.iter();
+        self.add(walks.map(|walk| walk.iter().map(|corner| corner.map(|x| x as f64)).collect()).collect());
     }
 
     pub(crate) fn add(&mut self, walks: Vec<Vec<[f64; 3]>>) {
@@ -48,12 +49,7 @@ impl Walks {
     /// Adds the image of the cube of side 1 at the origin, fronts outward.
     pub(crate) fn add_cube(&mut self, motion: impl Fn([f64; 3]) -> [f64; 3]) {
         for side in super::soups::cuboid([0; 3], [1; 3], 0) {
-            self.add(
-                side.walks
-                    .iter()
-                    .map(|walk| walk.iter().map(|p| motion(p.map(|x| x as f64))).collect())
-                    .collect(),
-            );
+            self.add(vec![side.walks[0].iter().map(|corner| motion(corner.map(|x| x as f64))).collect()]);
         }
     }
 }

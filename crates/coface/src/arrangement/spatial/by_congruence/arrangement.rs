@@ -147,7 +147,9 @@ impl CongruenceArrangement {
     /// If there is no such face.
     pub fn polygons_of_face(&self, face: FaceId) -> impl ExactSizeIterator<Item = (usize, Sign)> + '_ {
         let list = self.polygons_of_face.list(face.index()).iter();
-        list.map(|&packed| (packed as usize / 2, if packed % 2 == 0 { Sign::Plus } else { Sign::Minus }))
+        list.map(|&packed| {
+            (packed as usize / 2, if packed.is_multiple_of(2) { Sign::Plus } else { Sign::Minus })
+        })
     }
 
     /// The polygons that are nowhere wider than the tolerance, rising. They are not in the arrangement.

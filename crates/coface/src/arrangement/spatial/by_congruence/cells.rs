@@ -73,7 +73,7 @@ impl FlatFaces<'_> {
             let along = unit(minus(head, tail));
             let wing = |side: u32| {
                 let wing = cross(self.normals[side as usize / 2], along);
-                if side % 2 == 0 { wing } else { wing.map(|x| -x) }
+                if side.is_multiple_of(2) { wing } else { wing.map(|x| -x) }
             };
             let Some(&first) = own.first() else { continue };
             let first = wing(first);

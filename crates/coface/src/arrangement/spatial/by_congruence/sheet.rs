@@ -271,7 +271,7 @@ fn inside(arrangement: &PlanarArrangement, is_rim: &[bool], place: impl Fn(usize
     let mut cut = CutSheet::default();
     let mut number_of_vertex: Vec<Option<u32>> = vec![None; arrangement.vertex_count()];
     let mut number_of_edge: Vec<Option<u32>> = vec![None; arrangement.edge_count()];
-    for edge in 0..arrangement.edge_count() {
+    for (edge, number) in number_of_edge.iter_mut().enumerate() {
         if [0, 1].iter().any(|side| is_inside(arrangement.face_of(HalfedgeId::new(2 * edge + side)))) {
             let ends = arrangement.ends(EdgeId::new(edge)).map(|end| {
                 *number_of_vertex[end.index()].get_or_insert_with(|| {
@@ -279,14 +279,14 @@ fn inside(arrangement: &PlanarArrangement, is_rim: &[bool], place: impl Fn(usize
                     cut.vertices.len() as u32 - 1
                 })
             });
-            number_of_edge[edge] = Some(cut.edges.len() as u32);
+            *number = Some(cut.edges.len() as u32);
             cut.edges.push(ends);
         }
     }
     for face in (0..arrangement.face_count()).map(FaceId::new).filter(|&face| is_inside(Some(face))) {
         let halfedges = arrangement.walks(Some(face)).flatten().map(|&halfedge| {
             let edge = number_of_edge[halfedge as usize / 2].expect("sides of inner faces are inside");
-            (edge, if halfedge % 2 == 0 { 1 } else { -1 })
+            (edge, if halfedge.is_multiple_of(2) { 1 } else { -1 })
         });
         let mut sides: Vec<(u32, i32)> = halfedges.collect();
         sides.sort_unstable();
