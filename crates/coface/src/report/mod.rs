@@ -29,6 +29,7 @@ mod producer;
 mod repair;
 mod simplices;
 mod simplicial;
+mod spatial;
 mod surface_model;
 mod triangulation;
 
@@ -47,6 +48,9 @@ pub use problem::{Problem, ProblemKind};
 pub use producer::Producer;
 pub use repair::{RepairRequest, repaired};
 pub use simplices::{model_of_simplices, simplicial_complex};
+pub use spatial::{
+    InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
+};
 pub use surface_model::SurfaceModel;
 pub use triangulation::triangulated;
 

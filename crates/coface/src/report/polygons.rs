@@ -194,7 +194,7 @@ fn at_edges(
     Problem::new(kind, message, cells, faces, "face")
 }
 
-fn witness(mesh: &PolygonMesh, defect: &SurfaceDefect, labels: &Labels) -> Witness {
+pub(super) fn witness(mesh: &PolygonMesh, defect: &SurfaceDefect, labels: &Labels) -> Witness {
     match defect {
         SurfaceDefect::EdgeInManyFaces { edge, .. } => {
             let [a, b] = edge_vertices(mesh, *edge, labels);

@@ -1,0 +1,15 @@
+//! Models arranged in space, and Boolean combinations of them.
+
+mod arranged;
+mod boolean;
+mod inputs;
+mod models;
+mod request;
+mod scene;
+mod scene_arrangement;
+
+pub use boolean::{SolidBoolean, SolidRequest};
+pub use inputs::{InputState, OpenInputs};
+pub use request::SpatialRequest;
+pub use scene::SpatialScene;
+pub use scene_arrangement::SceneArrangement;
