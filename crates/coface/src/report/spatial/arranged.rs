@@ -5,7 +5,7 @@ use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::arrangement::spatial::{SpatialArrangement, SpatialOptions};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
-use crate::{CellId, EdgeId, Error, FaceId, VertexId};
+use crate::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 
 /// The cells that the polygons of a scene cut space into.
 ///
@@ -26,7 +26,15 @@ impl Arranged {
         options.non_planar = request.non_planar;
         options.merge_coplanar = request.merge_coplanar;
         options.max_cells = request.max_cells;
-        let mut arrangement = SpatialArrangement::new(&scene.polygons()?, &options)?;
+        let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
+        // A polygon that is none is named by its number in its own model.
+        let mut arrangement = match arrangement {
+            Err(error) if error.kind() == ErrorKind::InvalidInput => {
+                scene.check(request.non_planar)?;
+                return Err(error);
+            }
+            other => other?,
+        };
         if request.snap {
             arrangement = arrangement.snapped(&options)?;
         }

@@ -15,13 +15,13 @@ const NO_CELL: i64 = -1;
 
 impl SceneArrangement {
     /// All faces as a mesh: each polygon with the data `cell_back` and `cell_front`, the cells on its two sides (-1 for the exterior),
-    /// `input` and `polygon`, the first model that it is from and its number there; and in a group for each cell.
+    /// `input` and `polygon`, the first model that it is from and its number there; with `groups` in a group for each cell.
     ///
     /// Faces with holes or slits are cut into triangles, all faces if `triangles`.
     ///
     /// # Errors
     /// Those of [`Model::check`].
-    pub fn to_mesh(&self, triangles: bool) -> Result<Model, Error> {
+    pub fn to_mesh(&self, triangles: bool, groups: bool) -> Result<Model, Error> {
         let faces: Vec<(CellId, Sign)> =
             (0..self.complex().cell_count(2)).map(|face| (CellId::new(face), Sign::Plus)).collect();
         let mesh = self.mesh_of(&faces, triangles)?;
@@ -32,6 +32,9 @@ impl SceneArrangement {
             self.source_data(&mesh)?.into_iter().chain(cell_data(&mesh, &sides, |cell| i64::from(cell))?)
         {
             model = model.with_data(data)?;
+        }
+        if !groups {
+            return Ok(model);
         }
         let mut members = vec![Vec::new(); self.complex().cell_count(3)];
         for (polygon, (face, _)) in mesh.facets().iter().enumerate() {

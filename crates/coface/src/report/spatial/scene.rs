@@ -1,7 +1,7 @@
 //! Models as polygons in space.
 
 use crate::algebra::{RaggedArray, Sign};
-use crate::arrangement::spatial::SpatialPolygons;
+use crate::arrangement::spatial::{NonPlanar, SpatialPolygons};
 use crate::cellular::CellMesh;
 use crate::chains::ChainComplex;
 use crate::geometry::predicates::Dyadic;
@@ -33,6 +33,8 @@ use std::collections::BTreeMap;
 pub struct SpatialScene {
     names: Vec<String>,
     flat: Vec<f64>,
+    /// The first point of each model.
+    point_starts: Vec<u32>,
     walks: RaggedArray,
     polygon_of_walk: Vec<u32>,
     input_of_polygon: Vec<u32>,
@@ -57,6 +59,7 @@ impl SpatialScene {
         let mut scene = Self {
             names: Vec::new(),
             flat: Vec::new(),
+            point_starts: Vec::new(),
             walks: RaggedArray::new(),
             polygon_of_walk: Vec::new(),
             input_of_polygon: Vec::new(),
@@ -85,6 +88,7 @@ impl SpatialScene {
         }
         let first = u32::try_from(self.flat.len() / 3)
             .map_err(|_| Error::new(ErrorKind::TooLarge, "2^32 or more vertices"))?;
+        self.point_starts.push(first);
         let before = self.is_wall.len();
         let (lines, points, polygons) = (model.lines().len(), model.points().len(), model.polygons().len());
         match model.structure() {
@@ -258,6 +262,32 @@ impl SpatialScene {
         let inputs = self.input_of_polygon.iter().zip(&self.is_wall);
         let inputs = inputs.map(|(&input, &is_wall)| if is_wall { input + count } else { input }).collect();
         SpatialPolygons::new(self.positions()?, walks, polygon_of_walk)?.with_inputs(inputs)
+    }
+
+    /// Verifies that the polygons of each model are polygons, naming file and polygon.
+    ///
+    /// # Errors
+    /// Those of [`SpatialPolygons::check`].
+    pub(super) fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
+        for (input, name) in self.names.iter().enumerate() {
+            let is_own = |polygon: &u32| self.input_of_polygon[*polygon as usize] as usize == input;
+            let walks: Vec<usize> =
+                (0..self.walks.len()).filter(|&walk| is_own(&self.polygon_of_walk[walk])).collect();
+            let Some(&first) = walks.first() else { continue };
+            // Points and polygons of one model are numbered one after the other.
+            let point = self.point_starts[input];
+            let lists = walks
+                .iter()
+                .map(|&walk| self.walks.list(walk).iter().map(|v| v - point).collect::<Vec<u32>>());
+            let start = self.polygon_of_walk[first];
+            let polygons = walks.iter().map(|&walk| self.polygon_of_walk[walk] - start).collect();
+            let end = self.point_starts.get(input + 1).map_or(self.flat.len(), |&next| 3 * next as usize);
+            let positions = Positions::from_flat(3, self.flat[3 * point as usize..end].to_vec())?;
+            SpatialPolygons::new(positions, RaggedArray::from_lists(lists), polygons)?
+                .check(non_planar)
+                .map_err(|error| error.in_file(name.clone()))?;
+        }
+        Ok(())
     }
 
     /// The points of all models, one model after the other.
