@@ -3,6 +3,8 @@
 mod planar;
 mod spatial;
 
+pub(crate) use spatial::{SpaceOptions, check_format, named, rounding, say_remarks};
+
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
@@ -27,6 +29,10 @@ use std::path::{Path, PathBuf};
 /// the rest by one end), "rounding" (whether coordinates are exact, and whether the drawing with rounded ones is the same
 /// complex), "snap_rounds".
 ///
+/// In space also "voids", "components", "dangling_faces", "files" (whether each is closed, how many edges its rim has, around how many
+/// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding". OBJ has a group for each
+/// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
+///
 /// A file contains what its polygons contain. A file of lines alone contains what they enclose an odd number of times, if they are
 /// closed: if an even number of them ends at every point.
 #[derive(Args)]
@@ -36,6 +42,8 @@ pub(crate) struct Arrange {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     cells: CellOptions,
+    #[command(flatten)]
+    space: SpaceOptions,
     /// Leave out edges with one face on both sides: bridges and dangling edges
     #[arg(long)]
     prune: bool,

@@ -1,20 +1,215 @@
 //! `coface arrange` in space.
 
-use super::Arrange;
+use super::{Arrange, CellOptions, Rule};
 use crate::arguments::Common;
 use crate::failure::Failure;
+use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
-use coface::io::{Format, Model};
+use crate::text;
+use clap::{Args, ValueEnum};
+use coface::arrangement::spatial::NonPlanar;
+use coface::io::{self, Format, Model};
+use coface::report::{SceneArrangement, SpatialRequest, SpatialScene};
+use serde_json::{Value, json};
 use std::path::Path;
 
+/// Options of polygons in space.
+#[derive(Args)]
+#[command(next_help_heading = "In space")]
+pub(crate) struct SpaceOptions {
+    /// What becomes of polygons whose points are not exactly in one plane: refused with the deviation, or split into triangles
+    #[arg(long, value_name = "WHAT", default_value = "refuse")]
+    non_planar: Bent,
+    /// Merge faces in exactly one plane that are of the same inputs, be they of different polygons
+    #[arg(long)]
+    merge_coplanar: bool,
+    /// Cut faces into triangles
+    #[arg(long, conflicts_with = "polygons")]
+    triangles: bool,
+    /// Keep faces polygons; those with holes are cut where the format has none [default, but for STL and where all inputs are triangles]
+    #[arg(long)]
+    polygons: bool,
+}
+
+/// What becomes of polygons that are not planar.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Bent {
+    Refuse,
+    Split,
+}
+
+impl SpaceOptions {
+    pub(crate) fn request(&self, cells: &CellOptions) -> SpatialRequest {
+        let mut request = SpatialRequest::default();
+        request.non_planar = match self.non_planar {
+            Bent::Refuse => NonPlanar::Refuse,
+            Bent::Split => NonPlanar::Split,
+        };
+        request.merge_coplanar = self.merge_coplanar;
+        request.snap = cells.snap;
+        request.max_cells = cells.max_cells;
+        request
+    }
+
+    /// Whether faces are cut into triangles.
+    pub(crate) fn triangles(&self, scene: &SpatialScene, output: Option<(&Path, Format)>) -> bool {
+        let is_stl = output.is_some_and(|(_, format)| format == Format::Stl);
+        self.triangles || (!self.polygons && (is_stl || scene.is_triangulated()))
+    }
+}
+
+/// The models with their names as borrowed pairs.
+pub(crate) fn named(models: &[(String, Model)]) -> impl Iterator<Item = (&str, &Model)> {
+    models.iter().map(|(name, model)| (name.as_str(), model))
+}
+
+/// Refuses formats of drawings in the plane.
+pub(crate) fn check_format((path, format): (&Path, Format)) -> Result<(), Failure> {
+    match format {
+        Format::Off
+        | Format::Obj
+        | Format::Ply
+        | Format::Stl
+        | Format::Medit
+        | Format::Msh
+        | Format::Vtk
+        | Format::Json => Ok(()),
+        _ => Err(Failure::new(format!(
+            "{}: that format holds no polygons in space; write .vtk, .ply, .obj, .off, .stl, .mesh, .msh or .json",
+            path.display()
+        ))),
+    }
+}
+
 pub(super) fn run(
-    _verb: &Arrange,
-    _common: &Common,
-    _output: Option<(&Path, Format)>,
-    _models: &[(String, Model)],
-    _progress: Progress,
+    verb: &Arrange,
+    common: &Common,
+    output: Option<(&Path, Format)>,
+    models: &[(String, Model)],
+    progress: Progress,
 ) -> Result<(), Failure> {
-    Err(Failure::new(
-        "the inputs do not lie in the plane z = 0, and arrangements in space are not served yet",
-    ))
+    if verb.prune {
+        return Err(Failure::new(
+            "--prune is for drawings in the plane; faces in space with one cell on both sides are kept",
+        ));
+    }
+    output.map_or(Ok(()), check_format)?;
+    progress.stage("arranging");
+    let scene = SpatialScene::of(named(models), true)?;
+    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells))?;
+    progress.stage("multiplying boundaries");
+    let object = arrangement.to_json(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
+    progress.stage("writing");
+    if let Some((path, format)) = output {
+        let model = match format {
+            Format::Json => arrangement.to_chains()?,
+            _ => {
+                let triangles = verb.space.triangles(arrangement.scene(), output);
+                arrangement.to_mesh(triangles, matches!(format, Format::Obj | Format::Msh | Format::Medit))?
+            }
+        };
+        io::write_path(&model, path, Some(format))?;
+    }
+    if let Some(path) = &verb.provenance {
+        write_json(path, &arrangement.provenance())?;
+    }
+    drop(progress);
+    if !common.quiet {
+        say_remarks(&object);
+    }
+    if common.json {
+        return print_json(&object);
+    }
+    if common.output.is_some() || verb.provenance.is_some() {
+        return Ok(());
+    }
+    print_text(&page(&arrangement, &object))
+}
+
+/// Says what was left out, and that coordinates are rounded.
+pub(crate) fn say_remarks(object: &Value) {
+    for text in object["remarks"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+        remark(text);
+    }
+    for file in object["files"].as_array().into_iter().flatten() {
+        let name = file["file"].as_str().unwrap_or_default();
+        if file["reversed_cells"].as_u64() > Some(0) {
+            remark(&format!(
+                "{name} is inside out, wholly or in part: it winds less than zero times around cells"
+            ));
+        }
+    }
+}
+
+/// The facts that results in space have in common.
+pub(crate) fn rounding(object: &Value) -> (String, String, String) {
+    let count = object["rounding"]["rounded_vertices"].as_u64().unwrap_or(0);
+    let value = match count {
+        0 => "none".to_owned(),
+        _ => text::count(count as usize, "vertex"),
+    };
+    (
+        "rounding".to_owned(),
+        value,
+        "of the coordinates of the arrangement; --snap makes them exact".to_owned(),
+    )
+}
+
+fn page(arrangement: &SceneArrangement, object: &Value) -> String {
+    let mut facts = Vec::new();
+    let mut fact = |label: &str, value: String, gloss: &str| {
+        facts.push((label.to_owned(), value, gloss.to_owned()));
+    };
+    let number = |value: &Value| value.as_u64().unwrap_or(0) as usize;
+    let count = |key: &str| text::grouped(number(&object[key]));
+    let f_vector = &object["f_vector"];
+    for (degree, (name, gloss)) in
+        [("vertices", ""), ("edges", ""), ("faces", ""), ("cells", "bounded ones")].into_iter().enumerate()
+    {
+        fact(name, text::grouped(number(&f_vector[degree])), gloss);
+    }
+    fact("holes", count("holes"), "of faces");
+    fact("voids", count("voids"), "of cells");
+    fact("components", count("components"), "of faces");
+    fact(
+        "Euler char.",
+        object["euler_characteristic"].to_string(),
+        "vertices - edges + faces - bounded cells",
+    );
+    fact("dangling faces", count("dangling_faces"), "those with one cell, or the exterior, on both sides");
+    fact("volume", text::number(arrangement.volumes().iter().sum()), "of all bounded cells");
+    let is_zero = object["products_zero"] == json!(true);
+    fact(
+        "boundaries",
+        if is_zero { "of boundaries are zero" } else { "of boundaries are NOT zero" }.to_owned(),
+        "found by multiplying the matrices",
+    );
+    facts.push(rounding(object));
+    let mut fact = |label: &str, value: String, gloss: &str| {
+        facts.push((label.to_owned(), value, gloss.to_owned()));
+    };
+    let dropped = number(&object["degenerate_polygons"]["count"]);
+    if dropped > 0 {
+        fact("without area", text::count(dropped, "polygon"), "left out");
+    }
+    let split = number(&object["split_polygons"]["count"]);
+    if split > 0 {
+        let deviation = object["split_polygons"]["largest_deviation"].as_f64().unwrap_or(0.0);
+        fact("split", text::count(split, "polygon"), &format!("not planar by up to {deviation:e}"));
+    }
+    for file in object["files"].as_array().into_iter().flatten() {
+        let name = file["file"].as_str().unwrap_or_default().to_owned();
+        let edges = text::count(number(&file["rim_edges"]), "edge");
+        let (value, gloss) = match (file["closed"] == json!(true), file["coherent"] == json!(true)) {
+            (true, true) => ("closed".to_owned(), String::new()),
+            (true, false) => ("closed".to_owned(), format!("polygons disagree in direction across {edges}")),
+            _ => ("open".to_owned(), format!("along {edges}: it contains no cell")),
+        };
+        fact("file", format!("{name}: {value}"), &gloss);
+    }
+    let title = match arrangement.scene().names() {
+        [one] => format!("arrangement of {one}"),
+        many => format!("arrangement of {} models", many.len()),
+    };
+    text::facts(&title, &facts)
 }

@@ -3,13 +3,14 @@
 mod planar;
 mod spatial;
 
-use super::arrange::{CellOptions, check_json, dimension_of, output_format, read_all};
+use super::arrange::{CellOptions, SpaceOptions, check_json, dimension_of, output_format, read_all};
 use crate::arguments::{Arguments, Common};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use clap::{Args, CommandFactory, ValueEnum, error::ErrorKind};
 use coface::arrangement::boolean::BooleanFormula;
 use coface::report::RegionSource;
+use spatial::SolidOptions;
 use std::path::PathBuf;
 
 /// Combine regions of the plane or solids: union, intersection, difference, xor, or any formula.
@@ -22,8 +23,13 @@ use std::path::PathBuf;
 /// rings run counterclockwise, all rings are simple and touch in points only. A polygon that crosses itself is refused unless
 /// --rule says what is inside of it.
 ///
+/// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
+/// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json
+/// a chain complex with solids as cells, or with the cells of the arrangement if walls are kept.
+///
 /// With --json: "measure" (the area or volume), "f_vector", "components", "closed", "manifold" with its witness; in the plane also
-/// "polygons", "holes", "measures", "pinches" (vertices where more than two edges of the boundary meet), "rounding".
+/// "polygons", "holes", "measures", "pinches" (vertices where more than two edges of the boundary meet), "rounding"; in space also
+/// "area", "genus", "solids", "voids", "walls", "pinches" (edges in more than two polygons, and vertices, with coordinates), "files".
 #[derive(Args)]
 pub(crate) struct Boolean {
     /// union, intersection, difference or xor, unless there is a formula; then the inputs
@@ -34,6 +40,10 @@ pub(crate) struct Boolean {
     formula: Option<String>,
     #[command(flatten)]
     cells: CellOptions,
+    #[command(flatten)]
+    space: SpaceOptions,
+    #[command(flatten)]
+    solids: SolidOptions,
     /// What an input of the formula is: a file, or a feature (the polygons of one name, or one polygon without a name)
     #[arg(long, value_name = "WHAT", default_value = "files")]
     inputs: Inputs,
@@ -114,6 +124,11 @@ impl Boolean {
             Arguments::command().error(ErrorKind::MissingRequiredArgument, message).exit();
         }
         Ok((Task::Named(operation), &self.arguments[1..]))
+    }
+
+    /// Whether features are inputs.
+    fn has_features(&self) -> bool {
+        self.inputs == Inputs::Features
     }
 
     /// What makes an input of a formula in the plane.

@@ -22,10 +22,11 @@ pub(super) struct Arranged {
 
 impl Arranged {
     pub(super) fn new(scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
-        let mut options = SpatialOptions::default();
-        options.non_planar = request.non_planar;
-        options.merge_coplanar = request.merge_coplanar;
-        options.max_cells = request.max_cells;
+        let options = SpatialOptions {
+            non_planar: request.non_planar,
+            merge_coplanar: request.merge_coplanar,
+            max_cells: request.max_cells,
+        };
         let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
         // A polygon that is none is named by its number in its own model.
         let mut arrangement = match arrangement {

@@ -28,9 +28,7 @@ impl SceneArrangement {
         let sides = self.sides_of_faces();
         let mut model =
             Model::from_polygons(mesh.positions(self.arranged.drawn_positions())?, mesh.polygons().clone())?;
-        for data in
-            self.source_data(&mesh)?.into_iter().chain(cell_data(&mesh, &sides, |cell| i64::from(cell))?)
-        {
+        for data in self.source_data(&mesh)?.into_iter().chain(cell_data(&mesh, &sides, i64::from)?) {
             model = model.with_data(data)?;
         }
         if !groups {

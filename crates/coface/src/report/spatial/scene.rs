@@ -102,7 +102,7 @@ impl SpatialScene {
             }
             None if model.cells().is_empty() => {
                 for (i, polygon) in model.polygons().iter().enumerate() {
-                    self.push(i, 1, first, [polygon]);
+                    self.push(i, 1, first, &[polygon]);
                 }
             }
             None => {
@@ -135,7 +135,7 @@ impl SpatialScene {
         source: usize,
         multiplicity: i32,
         first: u32,
-        walks: impl IntoIterator<Item = &'b [u32]> + Clone,
+        walks: &(impl IntoIterator<Item = &'b [u32]> + Clone),
     ) {
         let mut moved = Vec::new();
         for _ in 0..multiplicity.unsigned_abs().max(1) {
@@ -170,7 +170,7 @@ impl SpatialScene {
         for (face, multiplicity) in multiplicities.into_iter().enumerate() {
             let has_cells = mesh.cells_of_face(FaceId::new(face)).len() > 0;
             if has_cells && (walls || multiplicity != 0) {
-                self.push(face, multiplicity, first, [mesh.skeleton().face(FaceId::new(face))]);
+                self.push(face, multiplicity, first, &[mesh.skeleton().face(FaceId::new(face))]);
             }
         }
         let sides =
@@ -235,8 +235,8 @@ impl SpatialScene {
             }
         }
         for (face, walks) in walks.iter().enumerate() {
-            if walks.len() > 0 && (walls || multiplicities[face] != 0) {
-                self.push(face, multiplicities[face], first, (0..walks.len()).map(|walk| walks.list(walk)));
+            if !walks.is_empty() && (walls || multiplicities[face] != 0) {
+                self.push(face, multiplicities[face], first, &(0..walks.len()).map(|walk| walks.list(walk)));
             }
         }
         Ok(())
