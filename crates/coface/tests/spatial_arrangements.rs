@@ -362,6 +362,12 @@ fn rounded_results_can_be_read_again() {
     let both = volume_where(&snapped, |inside| inside == [0, 1]);
     assert!((both - 0.355_913_581_828_8).abs() < 1e-10);
     assert_eq!(snapped.polygon_count(), 12);
+    // Points that no polygon runs through are no vertices.
+    let points = [[9.0; 3], [0.0; 3], [1., 0., 0.], [8.0; 3], [0., 1., 0.]];
+    let one = SpatialArrangement::new(&polygons(&points, &[vec![1, 2, 4]]), &SPLIT).unwrap();
+    check(&one);
+    assert_eq!((one.f_vector(), one.positions().len()), ([3, 3, 1, 0], 3));
+    again(&one);
 }
 
 #[test]
@@ -400,7 +406,7 @@ fn soup() -> impl Strategy<Value = SpatialPolygons> {
             })
             .to_vec()
     });
-    prop::collection::vec(prop_oneof![3 => triangle, 1 => bent, 3 => flat], 1..7).prop_map(
+    prop::collection::vec(prop_oneof![3 => triangle, 2 => bent, 3 => flat], 1..9).prop_map(
         |lists: Vec<Vec<Point>>| {
             let mut points = Vec::new();
             let mut numbers = Vec::new();
@@ -439,6 +445,19 @@ proptest! {
             let volumes = arrangement.volumes().unwrap().into_iter().map(|volume| 4.0 * volume).collect();
             let found = sorted(moved.volumes().unwrap());
             prop_assert!(found.iter().zip(sorted(volumes)).all(|(x, y)| (x - y).abs() <= 1e-9 * y));
+        }
+    }
+
+    #[test]
+    fn soups_are_rounded(soup in soup(), merge_coplanar: bool) {
+        let options = SpatialOptions { merge_coplanar, ..SPLIT };
+        let arrangement = SpatialArrangement::new(&soup, &options).unwrap();
+        let snapped = arrangement.snapped(&options).unwrap();
+        check(&snapped);
+        prop_assert!(snapped.is_exactly_rounded());
+        prop_assert!(snapped.f_vector()[3] >= arrangement.f_vector()[3]);
+        if !merge_coplanar && (snapped.round_count() > 0 || snapped.split_polygons().is_empty()) {
+            again(&snapped);
         }
     }
 }

@@ -29,7 +29,7 @@ impl AxisView {
     }
 
     /// The same seen from the other end.
-    pub(super) fn from_behind(self) -> Self {
+    pub(super) fn behind(self) -> Self {
         Self { axis: self.axis, from: self.from.opposite() }
     }
 }

@@ -160,8 +160,18 @@ impl Cutter<'_> {
         let Some(off) = off else {
             let is_edge_on = |axis: usize| self.points.normal_sign(axis, corners).is_eq();
             let axis = axes.into_iter().find(|&axis| !is_edge_on(axis)).unwrap_or(axes[0]);
-            let own = self.triangles(polygon, sides, axis)?.0;
-            return Ok(Outcome::Triangles(own));
+            loop {
+                match self.triangles(sides, axis) {
+                    Ok((own, _)) => return Ok(Outcome::Triangles(own)),
+                    // A hole may touch a side from within.
+                    Err((TriangulationFault::OnSide { vertex, side }, _))
+                        if split_side(sides, side, vertex) => {}
+                    Err((fault, view)) => return Err(self.fault(polygon, fault, view)),
+                }
+                if sides.is_empty() {
+                    return Ok(Outcome::WithoutArea);
+                }
+            }
         };
         let deviation = self.deviation(sides, normal, middle);
         if self.non_planar == NonPlanar::Refuse {
@@ -171,7 +181,8 @@ impl Cutter<'_> {
             ))
             .with_cure("let such polygons be split, or give triangles"));
         }
-        let (own, view) = self.triangles(polygon, sides, axes[0])?;
+        let (own, view) =
+            self.triangles(sides, axes[0]).map_err(|(fault, view)| self.fault(polygon, fault, view))?;
         Ok(Outcome::Split(own, deviation, view))
     }
 
@@ -209,13 +220,12 @@ impl Cutter<'_> {
     /// The triangles of the polygon as seen along an axis, and the picture with the front towards the eye.
     fn triangles(
         &self,
-        polygon: usize,
         sides: &[[u32; 2]],
         axis: usize,
-    ) -> Result<(Vec<[u32; 3]>, AxisView), Error> {
+    ) -> Result<(Vec<[u32; 3]>, AxisView), (TriangulationFault, AxisView)> {
         let mut view = AxisView { axis: axis as u8, from: Sign::Plus };
         if self.is_clockwise(sides, view) {
-            view = view.from_behind();
+            view = view.behind();
         }
         let compare = |a: u32, b: u32| view.compare(self.points, a, b);
         let turn = |a: u32, b: u32, c: u32| view.turn(self.points, [a, b, c]);
@@ -229,7 +239,7 @@ impl Cutter<'_> {
         };
         match found {
             Ok(own) => Ok((own, view)),
-            Err(fault) => Err(self.fault(polygon, fault, view)),
+            Err(fault) => Err((fault, view)),
         }
     }
 
@@ -282,6 +292,21 @@ impl Cutter<'_> {
         let [a, b] = s.map(|vertex| self.point(vertex));
         [0, 1, 2].map(|axis| a[axis] * (1.0 - part) + b[axis] * part)
     }
+}
+
+/// Puts a vertex on a side, in whichever directions that is there. Whether it is there at all.
+fn split_side(sides: &mut Vec<[u32; 2]>, [a, b]: [u32; 2], vertex: u32) -> bool {
+    let count = sides.len();
+    for i in 0..count {
+        let [from, to] = sides[i];
+        if [from, to] == [a, b] || [from, to] == [b, a] {
+            sides[i] = [from, vertex];
+            sides.push([vertex, to]);
+        }
+    }
+    let is_there = sides.len() > count;
+    drop_opposite_sides(sides);
+    is_there
 }
 
 /// Takes pairs of sides in opposite directions away: bridges to holes, and spikes.
@@ -351,7 +376,7 @@ mod tests {
         };
         assert_eq!(
             refused(&SQUARES, &[&[4, 5, 6], &[0, 1, 3, 2]], &[0, 1], NonPlanar::Split),
-            "polygon 1 is not simple at (2, 2, 2): the side of v1 and v3 crosses the side of v0 and v2; cut the \
+            "polygon 1 is not simple at (2, 2, 2): the side of v0 and v2 crosses the side of v3 and v1; cut the \
              polygon where its sides cross"
         );
         assert!(
@@ -371,6 +396,26 @@ mod tests {
         let deviation = split.split[0].0.deviation;
         assert_eq!(split.split[0].0.polygon, 1);
         assert!(deviation > 0.1 && deviation < 0.2, "{deviation}");
+    }
+
+    #[test]
+    fn holes_may_touch_sides_and_spikes_go() {
+        // A triangle that touches two sides of the square from within, and a spike along a third side and beyond.
+        let mut flat = SQUARES.to_vec();
+        flat.extend([2., 0., 2., 2., 2., 0., 2., 4., -3.]);
+        let own = polygons(&flat, &[&[0, 1, 10, 1, 2, 3], &[8, 5, 9]], &[0, 0]);
+        let found = PolygonTriangles::new(&own, NonPlanar::Refuse).unwrap();
+        assert_eq!(found.triangles.len(), 5);
+        let area: f64 = found
+            .triangles
+            .iter()
+            .map(|&[a, b, c]| {
+                let [a, b, c] = [a, b, c].map(|v| own.positions().point(VertexId::from_u32(v)));
+                (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
+            })
+            .sum();
+        // Twice the square, without twice the triangle (0, 2), (3, 1), (2, 0).
+        assert_eq!(area, 32.0 - 4.0);
     }
 
     #[test]

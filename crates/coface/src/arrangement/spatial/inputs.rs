@@ -42,25 +42,27 @@ impl SpatialArrangement {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// A tetrahedron, and another one without its last side:
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::arrangement::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface::geometry::Positions;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let positions = Positions::from_flat(3, vec![0., 0., 0., 6., 0., 0., 0., 6., 0., 0., 0., 6.])?;
+    /// let sides = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+    /// let whole = SpatialPolygons::from_polygons(positions.clone(), RaggedArray::from_lists(sides))?;
+    /// let open = SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(&sides[..3]))?;
+    /// let both = SpatialPolygons::joined(&[whole, open])?;
+    /// let arrangement = SpatialArrangement::new(&both, &SpatialOptions::default())?;
+    /// let open = arrangement.open_inputs()?;
+    /// assert_eq!(open[0].1.message(), "input 1 is not closed: it is open along e1 e5 e2");
+    /// assert_eq!(arrangement.inside(Default::default())?, [vec![0]]);
+    /// # Ok(()) }
+    /// ```
     pub fn open_inputs(&self) -> Result<Vec<(u32, Error)>, Error> {
-        self.open_among(&self.chain_complex()?)
-    }
-
-    fn open_among(&self, complex: &ChainComplex) -> Result<Vec<(u32, Error)>, Error> {
-        let mut open = Vec::new();
-        if let Err(first) = WindingNumbers::new(complex, &self.input_chains()?) {
-            if first.kind() != ErrorKind::NotACycle {
-                return Err(first);
-            }
-            for input in 0..self.input_count() {
-                match WindingNumbers::new(complex, &self.chains_of(|other| other == input)?) {
-                    Err(error) if error.kind() == ErrorKind::NotACycle => open.push((input as u32, error)),
-                    Err(error) => return Err(error),
-                    Ok(_) => {}
-                }
-            }
-        }
-        Ok(open)
+        Ok(self.winding_of_closed(&self.chain_complex()?)?.1)
     }
 
     /// The closed inputs that each cell is inside of, rising. Inputs that are not closed have no inside: [`Self::open_inputs`].
@@ -68,11 +70,30 @@ impl SpatialArrangement {
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
     pub fn inside(&self, rule: InsideRule) -> Result<Vec<Vec<usize>>, Error> {
-        let complex = self.chain_complex()?;
-        let open = self.open_among(&complex)?;
-        let is_closed = |input: usize| !open.iter().any(|(other, _)| *other as usize == input);
-        let numbers = WindingNumbers::new(&complex, &self.chains_of(is_closed)?)?;
+        let numbers = self.winding_of_closed(&self.chain_complex()?)?.0;
         let cells = (0..numbers.cell_count()).map(CellId::new);
         Ok(cells.map(|cell| numbers.inputs_around(cell, rule).collect()).collect())
+    }
+
+    /// The winding numbers of closed inputs, those of others zero, and what is wrong with the others.
+    fn winding_of_closed(
+        &self,
+        complex: &ChainComplex,
+    ) -> Result<(WindingNumbers, Vec<(u32, Error)>), Error> {
+        match WindingNumbers::new(complex, &self.input_chains()?) {
+            Ok(numbers) => return Ok((numbers, Vec::new())),
+            Err(error) if error.kind() != ErrorKind::NotACycle => return Err(error),
+            Err(_) => {}
+        }
+        let mut open = Vec::new();
+        for input in 0..self.input_count() {
+            match WindingNumbers::new(complex, &self.chains_of(|other| other == input)?) {
+                Err(error) if error.kind() == ErrorKind::NotACycle => open.push((input as u32, error)),
+                Err(error) => return Err(error),
+                Ok(_) => {}
+            }
+        }
+        let is_closed = |input: usize| !open.iter().any(|(other, _)| *other as usize == input);
+        Ok((WindingNumbers::new(complex, &self.chains_of(is_closed)?)?, open))
     }
 }

@@ -114,6 +114,9 @@ fn removable_edges(
         .collect();
     loop {
         let mut classes = ParityUnionFind::new(complex.face_count());
+        if !is_removed.iter().any(|&removed| removed) {
+            return (is_removed, classes);
+        }
         for (edge, removed) in is_removed.iter_mut().enumerate() {
             if let (true, Some(([f, g], sign))) = (*removed, pair(edge))
                 && classes.unite(f, g, sign) == ParityUnion::Contradicts
@@ -199,9 +202,10 @@ impl Chains {
                 2 * other + u32::from(complex.edges()[other as usize][0] != end)
             })
         };
-        let mut is_strung = vec![false; edge_count];
-        let mut chains: Vec<([u32; 2], Vec<u32>)> = Vec::new();
+        // Strings of more than one edge, and single edges.
+        let mut strings: Vec<Vec<u32>> = Vec::new();
         let mut singles: Vec<u32> = Vec::new();
+        let mut is_strung = vec![false; edge_count];
         for edge in (0..edge_count).filter(kept) {
             if is_strung[edge] {
                 continue;
@@ -220,60 +224,67 @@ impl Chains {
             }
             let is_loop = next(start).is_some();
             let first = start ^ 1;
-            let mut chain = vec![first];
-            while let Some(side) = next(chain[chain.len() - 1])
+            let mut string = vec![first];
+            while let Some(side) = next(string[string.len() - 1])
                 && side != first
             {
-                chain.push(side);
+                string.push(side);
             }
-            chain.iter().for_each(|&side| is_strung[(side >> 1) as usize] = true);
-            let last = chain[chain.len() - 1];
-            let ends = [complex.side_ends(first)[0], complex.side_ends(last)[1]];
-            if is_loop || ends[0] == ends[1] {
-                singles.extend(chain.iter().map(|side| side & !1));
+            string.iter().for_each(|&side| is_strung[(side >> 1) as usize] = true);
+            let [from, to] = ends_of(complex, &string);
+            if is_loop || from == to {
+                singles.extend(string);
             } else {
-                chains.push((ends, chain));
+                if from > to {
+                    string.reverse();
+                    string.iter_mut().for_each(|side| *side ^= 1);
+                }
+                strings.push(string);
             }
         }
-        // A chain that is not the only one with its ends, or that has those of an edge, falls apart.
-        for (ends, chain) in &mut chains {
-            if ends[0] > ends[1] {
-                ends.reverse();
-                chain.reverse();
-                chain.iter_mut().for_each(|side| *side ^= 1);
-            }
-        }
-        let ordered = |side: u32| {
+        // From the lower to the higher end.
+        let mut chains: Vec<([u32; 2], u32)> = Vec::with_capacity(strings.len() + singles.len());
+        let add_single = |chains: &mut Vec<([u32; 2], u32)>, side: u32| {
             let [a, b] = complex.side_ends(side);
-            if a < b { ([a, b], vec![side]) } else { ([b, a], vec![side ^ 1]) }
+            chains.push(if a < b { ([a, b], side) } else { ([b, a], side ^ 1) });
         };
-        chains.extend(singles.into_iter().map(ordered));
+        singles.into_iter().for_each(|side| add_single(&mut chains, side));
+        // Above all sides: strings by their numbers.
+        let first_string = 2 * edge_count as u32;
+        chains.extend((first_string..).zip(&strings).map(|(number, own)| (ends_of(complex, own), number)));
         chains.sort_unstable();
-        let is_twin: Vec<bool> = (0..chains.len())
-            .map(|i| {
-                let same = |j: usize| chains.get(j).is_some_and(|other| other.0 == chains[i].0);
-                same(i + 1) || i > 0 && same(i - 1)
-            })
-            .collect();
-        if is_twin.iter().any(|&twin| twin) {
-            let (mut whole, mut apart) = (Vec::new(), Vec::new());
-            for (chain, twin) in chains.into_iter().zip(is_twin) {
-                if twin && chain.1.len() > 1 { apart.push(chain.1) } else { whole.push(chain) }
+        // A string that is not the only one with its ends falls apart.
+        let mut apart = Vec::new();
+        for own in chains.chunk_by(|x, y| x.0 == y.0).filter(|own| own.len() > 1) {
+            apart.extend(own.iter().map(|chain| chain.1).filter(|&number| number >= first_string));
+        }
+        if !apart.is_empty() {
+            apart.sort_unstable();
+            chains.retain(|chain| apart.binary_search(&chain.1).is_err());
+            for &number in &apart {
+                let own = &strings[(number - first_string) as usize];
+                own.iter().for_each(|&side| add_single(&mut chains, side));
             }
-            whole.extend(apart.into_iter().flatten().map(ordered));
-            whole.sort_unstable();
-            chains = whole;
+            chains.sort_unstable();
         }
         let mut is_passed = vec![false; complex.vertex_count()];
-        for (_, chain) in &chains {
-            for &side in &chain[1..] {
-                is_passed[complex.side_ends(side)[0] as usize] = true;
-            }
-        }
         let mut edges = RaggedArray::new();
-        chains.iter().for_each(|(_, chain)| edges.push(chain));
+        for &(_, number) in &chains {
+            if number < first_string {
+                edges.push(&[number]);
+                continue;
+            }
+            let own = &strings[(number - first_string) as usize];
+            own[1..].iter().for_each(|&side| is_passed[complex.side_ends(side)[0] as usize] = true);
+            edges.push(own);
+        }
         Self { ends: chains.into_iter().map(|chain| chain.0).collect(), edges, is_passed }
     }
+}
+
+/// Where sides one after the other begin and end.
+fn ends_of(complex: &PolygonalComplex, sides: &[u32]) -> [u32; 2] {
+    [complex.side_ends(sides[0])[0], complex.side_ends(sides[sides.len() - 1])[1]]
 }
 
 impl Merged {

@@ -43,7 +43,7 @@ impl Patches {
         patches.iter().find_map(|&packed| {
             let place = self.folded.binary_search_by_key(&(packed >> 1), |folded| folded.0).ok()?;
             let view = self.folded[place].1;
-            Some(if packed & 1 == 0 { view } else { view.from_behind() })
+            Some(if packed & 1 == 0 { view } else { view.behind() })
         })
     }
 

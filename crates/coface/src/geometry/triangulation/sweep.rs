@@ -37,7 +37,7 @@ use std::cmp::Ordering;
 /// let points = [[0., 0.], [4., 0.], [4., 4.], [0., 4.], [1., 2.], [2., 1.]];
 /// let compare = |a: u32, b: u32| points[a as usize].partial_cmp(&points[b as usize]).expect("numbers");
 /// let turn = |a: u32, b: u32, c: u32| orientation(points[a as usize], points[b as usize], points[c as usize]);
-/// let triangles = triangulate(&[&[0, 1, 2, 3], &[0, 4, 5]], compare, turn)?;
+/// let triangles = triangulate(&[&[0, 1, 2, 3][..], &[0, 4, 5]], compare, turn)?;
 /// assert_eq!(triangles.len(), 5);
 /// assert!(triangles.iter().all(|&[a, b, c]| turn(a, b, c).is_gt()));
 /// # Ok(()) }
@@ -87,7 +87,7 @@ pub fn triangulate<W: AsRef<[u32]>>(
 /// let bow_tie = [[0, 1], [1, 3], [3, 2], [2, 0]];
 /// assert_eq!(
 ///     triangulate_sides(&bow_tie, compare, turn),
-///     Err(TriangulationFault::Crossing([[0, 2], [1, 3]]))
+///     Err(TriangulationFault::Crossing([[0, 2], [3, 1]]))
 /// );
 /// ```
 pub fn triangulate_sides(
@@ -111,11 +111,25 @@ pub fn triangulate_sides(
     }
     let edges = Edges::new(sides, |number| rank[place(number)])?;
     let turn = |[a, b, c]: [u32; 3]| turn(vertices[a as usize], vertices[b as usize], vertices[c as usize]);
-    let mut sweep = Sweep::new(&edges, vertices.len(), turn);
-    for vertex in 0..vertices.len() as u32 {
-        sweep.pass(vertex, &edges).map_err(|fault| fault.renumbered(|order| vertices[order as usize]))?;
+    let run = |fills: bool| {
+        let mut sweep = Sweep::new(&edges, vertices.len(), &turn, fills);
+        for vertex in 0..vertices.len() as u32 {
+            sweep.pass(vertex, &edges)?;
+        }
+        Ok(sweep.triangles)
+    };
+    match run(true) {
+        Ok(triangles) => {
+            Ok(triangles.into_iter().map(|own| own.map(|order| vertices[order as usize])).collect())
+        }
+        Err(mut fault) => {
+            // Sides that cross have the inside on the wrong side somewhere, which may come first.
+            if let (TriangulationFault::WrongWay(_), Err(crossing)) = (fault, run(false)) {
+                fault = crossing;
+            }
+            Err(fault.renumbered(|order| vertices[order as usize]))
+        }
     }
-    Ok(sweep.triangles.into_iter().map(|own| own.map(|order| vertices[order as usize])).collect())
 }
 
 /// The edges that sides run along. Vertices are numbered in lexicographic order.
@@ -206,10 +220,12 @@ struct Sweep<T> {
     /// The edges that begin and end at a vertex, from low to high.
     begin: Vec<u32>,
     end: Vec<u32>,
+    /// Whether triangles are wanted, not only crossings.
+    fills: bool,
 }
 
 impl<T: Fn([u32; 3]) -> Ordering> Sweep<T> {
-    fn new(edges: &Edges, vertex_count: usize, turn: T) -> Self {
+    fn new(edges: &Edges, vertex_count: usize, turn: T, fills: bool) -> Self {
         Self {
             turn,
             status: Status::new(edges.ends.len()),
@@ -218,6 +234,7 @@ impl<T: Fn([u32; 3]) -> Ordering> Sweep<T> {
             triangles: Vec::with_capacity(vertex_count),
             begin: Vec::new(),
             end: Vec::new(),
+            fills,
         }
     }
 
@@ -241,12 +258,13 @@ impl<T: Fn([u32; 3]) -> Ordering> Sweep<T> {
         // From low to high the inside begins and ends with the edges.
         let mut is_inside = edges.is_inside_above(below);
         for &edge in begin.iter().chain([&above]) {
-            if edges.is_inside_below(edge) != is_inside {
+            if self.fills && edges.is_inside_below(edge) != is_inside {
                 return Err(TriangulationFault::WrongWay(vertex));
             }
             is_inside = edges.is_inside_above(edge);
         }
-        let (lower, upper) = self.advance(vertex, edges, &end, below, above);
+        let (lower, upper) =
+            if self.fills { self.advance(vertex, edges, &end, below, above) } else { (None, None) };
         for &edge in &end {
             self.status.remove(edge);
         }
