@@ -257,7 +257,7 @@ impl<'a, 'b> Graph<'a, 'b> {
         let mut fragments: Vec<Vec<u32>> = Vec::new();
         let sides = |orbit: u32| self.orbits[orbit as usize].iter().map(|&halfedge| self.side(halfedge));
         for orbit in 0..self.orbits.len() as u32 {
-            if orbit != outside && !islands.outer.contains(&orbit) {
+            if orbit != outside && !islands.is_outer[orbit as usize] {
                 fragment_of[orbit as usize] = fragments.len() as u32;
                 fragments.push(sides(orbit).collect());
             }
@@ -276,6 +276,8 @@ struct Islands {
     of_vertex: Vec<u32>,
     /// The orbit of each island that sees what is around it, rising.
     outer: Vec<u32>,
+    /// For each orbit whether it is the outer one of an island.
+    is_outer: Vec<bool>,
     /// For each island the orbits, none of them outer, of other components that it lies within.
     around: Vec<Vec<u32>>,
 }
@@ -300,8 +302,9 @@ impl Islands {
                 Ordering::Greater => component - 1,
             })
             .collect();
+        let mut is_outer = vec![false; graph.orbits.len()];
         if count == 0 {
-            return Self { of_vertex, outer: Vec::new(), around: Vec::new() };
+            return Self { of_vertex, outer: Vec::new(), is_outer, around: Vec::new() };
         }
         let [right, up] = graph.view.other_axes();
         let mut lowest = vec![NONE; count];
@@ -325,10 +328,14 @@ impl Islands {
             graph.orbit_of[leaving[last] as usize]
         };
         let outer: Vec<u32> = lowest.iter().map(last).collect();
+        outer.iter().for_each(|&orbit| is_outer[orbit as usize] = true);
         let rays = Rays::new(graph, &of_vertex, count);
-        let around =
-            lowest.par_iter().with_min_len(64).map(|&vertex| rays.around(vertex as usize, &outer)).collect();
-        Self { of_vertex, outer, around }
+        let around = lowest
+            .par_iter()
+            .with_min_len(64)
+            .map(|&vertex| rays.around(vertex as usize, &is_outer))
+            .collect();
+        Self { of_vertex, outer, is_outer, around }
     }
 
     /// The orbit that an island lies directly within.
@@ -375,7 +382,7 @@ impl<'a> Rays<'a> {
     ///
     /// Each part that the ray crosses counts for the orbits on its sides: inside an orbit that runs counterclockwise, it leaves
     /// through one part more that runs to the right than through parts that run to the left.
-    fn around(&self, vertex: usize, outer: &[u32]) -> Vec<u32> {
+    fn around(&self, vertex: usize, is_outer: &[bool]) -> Vec<u32> {
         let graph = self.graph;
         let mut terms: Vec<(u32, i32)> = Vec::new();
         let mut visit = |part: u32| {
@@ -401,7 +408,9 @@ impl<'a> Rays<'a> {
         let inside = if graph.view.front.is_gt() { 1 } else { -1 };
         terms
             .chunk_by(|a, b| a.0 == b.0)
-            .filter(|own| own.iter().map(|term| term.1).sum::<i32>() == inside && !outer.contains(&own[0].0))
+            .filter(|own| {
+                own.iter().map(|term| term.1).sum::<i32>() == inside && !is_outer[own[0].0 as usize]
+            })
             .map(|own| own[0].0)
             .collect()
     }

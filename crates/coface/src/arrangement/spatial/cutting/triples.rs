@@ -6,6 +6,7 @@ use crate::Error;
 use crate::geometry::predicates::SpatialPoint;
 use crate::geometry::{AxisBox, BoxTree, boxes_meet};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// The triples of sheets that meet in a point inside all three, rising.
 ///
@@ -30,19 +31,28 @@ pub(super) fn triples(
         })
         .collect();
     let crossing = Crossing { sheets, cuts, ends: &ends };
-    let mut found: Vec<[u32; 3]> = Vec::new();
+    let mut ranges = Vec::new();
     let mut start = 0;
     for own in cuts.chunk_by(|a, b| a.sheets[0] == b.sheets[0]) {
-        let range = start..start + own.len();
-        start = range.end;
-        crossing.add_within(range, &mut found, &check)?;
+        ranges.push(start..start + own.len());
+        start += own.len();
     }
-    found.sort_unstable();
+    let (crowded, small): (Vec<_>, Vec<_>) = ranges.into_iter().partition(|range| range.len() > CROWDED);
+    let mut found: Vec<[u32; 3]> = Vec::new();
+    for block in small.chunks(1 << 12) {
+        let own: Vec<Vec<[u32; 3]>> = block.par_iter().map(|range| crossing.within(range)).collect();
+        own.iter().for_each(|own| found.extend_from_slice(own));
+        check(found.len())?;
+    }
+    for range in crowded {
+        crossing.add_within_crowded(&range, &mut found, &check)?;
+    }
+    found.par_sort_unstable();
     Ok(found)
 }
 
-/// Cuts with as many others in one sheet are compared with all of them.
-const FEW: usize = 24;
+/// Sheets with more cuts get a tree of them.
+const CROWDED: usize = 32;
 
 struct Crossing<'a> {
     sheets: &'a Sheets,
@@ -51,29 +61,30 @@ struct Crossing<'a> {
 }
 
 impl Crossing<'_> {
-    /// Adds the crossings of the cuts of one sheet.
-    fn add_within(
+    /// The crossings of the cuts of one sheet.
+    fn within(&self, range: &Range<usize>) -> Vec<[u32; 3]> {
+        let mut found = Vec::new();
+        if range.len() > 1 {
+            let boxes: Vec<AxisBox> = range.clone().map(|cut| self.box_of(cut)).collect();
+            for i in 0..range.len() {
+                for j in (0..i).filter(|&j| boxes_meet(&boxes[i], &boxes[j])) {
+                    found.extend(self.triple(range.start + i, range.start + j));
+                }
+            }
+        }
+        found
+    }
+
+    /// Adds the crossings of the many cuts of one sheet.
+    fn add_within_crowded(
         &self,
-        range: std::ops::Range<usize>,
+        range: &Range<usize>,
         found: &mut Vec<[u32; 3]>,
         check: &impl Fn(usize) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        if range.len() < 2 {
-            return Ok(());
-        }
         let boxes: Vec<AxisBox> = range.clone().map(|cut| self.box_of(cut)).collect();
-        let at = |i: u32| range.start + i as usize;
-        if range.len() <= FEW {
-            for i in 0..range.len() as u32 {
-                for j in 0..i {
-                    if boxes_meet(&boxes[i as usize], &boxes[j as usize]) {
-                        found.extend(self.triple(at(i), at(j)));
-                    }
-                }
-            }
-            return check(found.len());
-        }
         let tree = BoxTree::new(&boxes);
+        let at = |i: u32| range.start + i as usize;
         let groups: Vec<usize> = (0..tree.group_count()).collect();
         for block in groups.chunks(1 << 8) {
             let own: Vec<Vec<[u32; 3]>> = block
