@@ -81,6 +81,24 @@ fn place(cut: &CutTriangles, vertex: u32) -> Point {
     cut.positions().point(VertexId::from_u32(vertex)).try_into().unwrap()
 }
 
+/// Decisions about vertices without what is known of planes, lines and orders around edges.
+struct Plain<P>(P);
+
+impl<P: SpatialPredicates> SpatialPredicates for Plain<P> {
+    fn compare(&self, axis: usize, a: u32, b: u32) -> Ordering {
+        self.0.compare(axis, a, b)
+    }
+    fn normal_sign(&self, axis: usize, triangle: [u32; 3]) -> Ordering {
+        self.0.normal_sign(axis, triangle)
+    }
+    fn orientation(&self, points: [u32; 4]) -> Ordering {
+        self.0.orientation(points)
+    }
+    fn range(&self, axis: usize, vertex: u32) -> [f64; 2] {
+        self.0.range(axis, vertex)
+    }
+}
+
 /// Everything that holds for all soups; the cells.
 fn check(soup: &Soup, cut: &CutTriangles) -> SpatialCells {
     let cells = cut.cells().unwrap();
@@ -98,6 +116,10 @@ fn check(soup: &Soup, cut: &CutTriangles) -> SpatialCells {
     let outside: f64 = cells.shells(None).iter().map(|&shell| shells[shell as usize]).sum();
     let total: f64 = volumes.iter().sum();
     assert!((total + outside).abs() <= 1e-9 * total.max(1.0));
+    // What is known without decisions is what decisions about the vertices of faces find.
+    let plain = SpatialCells::with_predicates(cut.complex().clone(), &Plain(cut.predicates())).unwrap();
+    assert_eq!(plain.radial_order(), cells.radial_order());
+    assert_eq!(plain.cell_boundaries().unwrap(), cells.cell_boundaries().unwrap());
     check_fragments(soup, cut);
     check_points(soup, cut);
     cells
@@ -339,6 +361,26 @@ fn scale_does_not_matter() {
     mixed.add_box([-1e-6; 3], [1e-6; 3]);
     mixed.add_box([3e5, 3e5, -1e-6], [3e5 + 1e-6, 3e5 + 1e-6, 1e-6]);
     assert_eq!(mixed.cut().cells().unwrap().cell_count(), 5);
+}
+
+#[test]
+fn threads_do_not_matter() {
+    let mut soup = Soup::default();
+    (0..40).for_each(|i| {
+        let at = |k: i32| f64::from((i * k) % 17) * 0.3;
+        soup.add_box([at(3), at(5), at(7)], [at(3) + 2.0, at(5) + 1.7, at(7) + 1.1]);
+    });
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| soup.cut())
+    };
+    let (one, four) = (with(1), with(4));
+    assert_eq!(one.complex(), four.complex());
+    assert_eq!(one.positions(), four.positions());
+    for face in (0..one.complex().face_count()).map(FaceId::new) {
+        assert_eq!(one.triangles_of_face(face), four.triangles_of_face(face));
+    }
+    assert_eq!(one.cells().unwrap().radial_order(), four.cells().unwrap().radial_order());
 }
 
 fn integers(n: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[Point; 3]>> {

@@ -35,6 +35,12 @@ pub trait SpatialPredicates: Sync {
     fn points_of_line(&self, _edge: u32) -> Option<[u32; 2]> {
         None
     }
+
+    /// Sorts the packed sides of faces at an edge counterclockwise seen from its second end, from the first of them on, if their order
+    /// is known without decisions; whether it is.
+    fn sort_around(&self, _edge: u32, _sides: &mut [u32]) -> bool {
+        false
+    }
 }
 
 /// Points that are given by three coordinates, taken at their exact values.

@@ -177,7 +177,7 @@ impl RadialOrder {
             .map_init(Vec::new, |wings, (edge, list)| {
                 // Two sides have only one order.
                 let is_sorted = list.len() == 2 && predicates.points_of_line(edge as u32).is_some();
-                if list.len() < 2 || is_sorted {
+                if list.len() < 2 || is_sorted || predicates.sort_around(edge as u32, list) {
                     return None;
                 }
                 let view = EdgeView::new(complex, predicates, planes, edge);

@@ -1,7 +1,7 @@
 //! Triangles cut against each other: the conforming complex of their fragments.
 
 use super::fragments::Fragmenting;
-use super::lines::{Lines, OnLines};
+use super::lines::{Lines, OnLines, Support};
 use super::meetings::{Meetings, Place};
 use super::predicates::CutPredicates;
 use super::sheets::Sheets;
@@ -81,8 +81,7 @@ pub struct CutTriangles {
     /// The sheet of each face, or the first of those that overlap there.
     sheet_of_face: Vec<u32>,
     triangles_of_face: RaggedArray,
-    /// Two vertices on the line of each edge, in its direction.
-    supports: Vec<[u32; 2]>,
+    supports: Vec<Support>,
 }
 
 impl CutTriangles {
@@ -119,7 +118,7 @@ impl CutTriangles {
         };
         let lines = Lines::new(&on, &meetings);
         check(vertices.count() + lines.ends.len())?;
-        let supports = lines.supports(&sheets);
+        let supports = lines.supports(&sheets, &meetings);
         let faces = Faces::new(&Fragmenting::new(on, &lines, &meetings), &meetings.overlapping);
         check(vertices.count() + lines.ends.len() + faces.sides.len())?;
         let flat = (0..vertices.count() as u32).flat_map(|vertex| vertices.rounded(&sheets, vertex));
@@ -167,7 +166,13 @@ impl CutTriangles {
 
     /// Exact decisions about the vertices.
     pub fn predicates(&self) -> impl SpatialPredicates + '_ {
-        CutPredicates::new(&self.sheets, &self.vertices, &self.sheet_of_face, &self.supports)
+        CutPredicates {
+            sheets: &self.sheets,
+            vertices: &self.vertices,
+            ends: self.complex.edges(),
+            sheet_of_face: &self.sheet_of_face,
+            supports: &self.supports,
+        }
     }
 
     /// The exact position of a vertex.
@@ -175,7 +180,7 @@ impl CutTriangles {
     /// # Panics
     /// If there is no such vertex.
     pub fn point(&self, vertex: VertexId) -> SpatialPoint {
-        self.vertices.point(&self.sheets, vertex.to_u32())
+        self.vertices.point(&self.sheets, vertex.to_u32()).into_owned()
     }
 
     /// The positions of the vertices: each coordinate is the floating-point number nearest to the exact one.

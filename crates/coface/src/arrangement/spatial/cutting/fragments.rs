@@ -4,7 +4,7 @@ use super::lines::{Chain, Lines, OnLines};
 use super::meetings::Meetings;
 use super::sheets::View;
 use crate::algebra::{RaggedArray, UnionFind};
-use crate::geometry::predicates::{SpatialLine, SpatialPoint, direction_side, direction_turn, normals_turn};
+use crate::geometry::predicates::{SpatialLine, direction_side, direction_turn, normals_turn};
 use crate::geometry::{AxisBox, BoxTree};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -441,7 +441,7 @@ impl<'a> Rays<'a> {
     fn side(&self, part: &Part, vertex: u32) -> Ordering {
         let graph = self.graph;
         let on = &graph.all.on;
-        let point: SpatialPoint = on.vertices.point(on.sheets, vertex);
+        let point = on.vertices.point(on.sheets, vertex);
         match part.support {
             Support::Edge(edge) => {
                 let line: SpatialLine = on.sheets.line(edge);

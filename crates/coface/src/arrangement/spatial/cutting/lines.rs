@@ -1,6 +1,6 @@
 //! Edges and cuts with the vertices along them, and the pieces that these make of them.
 
-use super::meetings::{Meetings, Place};
+use super::meetings::{Cut, Meetings, Place};
 use super::sheets::Sheets;
 use super::vertices::Vertices;
 use crate::algebra::RaggedArray;
@@ -27,6 +27,15 @@ pub(super) struct Lines {
     pieces: RaggedArray,
     /// For each cut how the order of its vertices agrees with the product of the normals of its lower and higher sheet.
     pub(super) senses: Vec<Ordering>,
+}
+
+/// What the direction of an edge of the result is known by.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Support {
+    /// Two corners of sheets on its line, in its direction.
+    Corners([u32; 2]),
+    /// Two sheets whose normals, multiplied in this order, have its direction.
+    Sheets([u32; 2]),
 }
 
 /// An axis that a line rises or falls along.
@@ -276,18 +285,32 @@ impl Lines {
         Chain { vertices: &vertices[first..=last], edges: &edges[first..last] }
     }
 
-    /// Two vertices on the line of each edge of the result, in its direction: corners where it is part of an edge of a sheet.
-    pub(super) fn supports(&self, sheets: &Sheets) -> Vec<[u32; 2]> {
-        let mut supports = self.ends.clone();
+    /// What the direction of each edge of the result is known by.
+    pub(super) fn supports(&self, sheets: &Sheets, meetings: &Meetings) -> Vec<Support> {
+        let mut supports: Vec<Support> = self.ends.iter().map(|&ends| Support::Corners(ends)).collect();
+        // Edges last: where a cut lies on an edge, the edge is simpler.
+        for (cut, own) in meetings.cuts.iter().enumerate() {
+            let Chain { vertices, edges } = self.along_cut(cut);
+            let [f, g] = cut_sheets(own, self.senses[cut].is_gt());
+            for (pair, &piece) in vertices.windows(2).zip(edges) {
+                supports[piece as usize] = Support::Sheets(if pair[0] < pair[1] { [f, g] } else { [g, f] });
+            }
+        }
         for (line, &edge) in self.split_edges.iter().enumerate() {
             let Chain { vertices, edges } = self.along(line);
             let [a, b] = sheets.edges[edge as usize];
             for (pair, &piece) in vertices.windows(2).zip(edges) {
-                supports[piece as usize] = if pair[0] < pair[1] { [a, b] } else { [b, a] };
+                supports[piece as usize] = Support::Corners(if pair[0] < pair[1] { [a, b] } else { [b, a] });
             }
         }
         supports
     }
+}
+
+/// The sheets of a cut in the order in which the product of their normals agrees with its vertices.
+fn cut_sheets(cut: &Cut, agrees: bool) -> [u32; 2] {
+    let [f, g] = cut.sheets;
+    if agrees { [f, g] } else { [g, f] }
 }
 
 /// The positions of two places in the vertices along an edge, rising.

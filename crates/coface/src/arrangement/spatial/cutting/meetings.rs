@@ -74,10 +74,8 @@ impl Meetings {
     /// What `check` says of the number of places found so far.
     pub(super) fn new(sheets: &Sheets, check: impl Fn(usize) -> Result<(), Error>) -> Result<Self, Error> {
         let boxes: Vec<_> = (0..sheets.count()).into_par_iter().map(|sheet| sheets.box_of(sheet)).collect();
-        let filters: Vec<_> = (0..sheets.count() as u32)
-            .into_par_iter()
-            .map(|sheet| PlaneFilter::new(sheets.plane(sheet)))
-            .collect();
+        let filters =
+            (0..sheets.count() as u32).into_par_iter().map(|sheet| Filter::new(sheets, sheet)).collect();
         let tree = BoxTree::new(&boxes);
         let pairs = Pairs { sheets, filters };
         let mut all = Self::default();
@@ -173,16 +171,40 @@ fn crossing(d: u32, e: u32) -> Place {
 
 struct Pairs<'a> {
     sheets: &'a Sheets,
-    filters: Vec<PlaneFilter>,
+    filters: Vec<Filter>,
+}
+
+/// What tells quickly on which side of the plane of a sheet most points are.
+#[derive(Clone, Copy, Debug)]
+enum Filter {
+    /// A plane at right angles to the axis of the view, at this coordinate: all points are told.
+    Level(f64),
+    Slanted(PlaneFilter),
+}
+
+impl Filter {
+    fn new(sheets: &Sheets, sheet: u32) -> Self {
+        let axis = usize::from(sheets.views[sheet as usize].axis);
+        let plane = sheets.plane(sheet);
+        let [a, b, c] = plane.map(|corner| corner[axis]);
+        if a == b && b == c { Self::Level(a) } else { Self::Slanted(PlaneFilter::new(plane)) }
+    }
 }
 
 impl Pairs<'_> {
     fn side(&self, sheet: u32, vertex: u32) -> Ordering {
         let point = self.sheets.point(vertex);
-        self.filters[sheet as usize].side_of(point).unwrap_or_else(|| {
-            let [a, b, c] = self.sheets.plane(sheet);
-            spatial_orientation(a, b, c, point)
-        })
+        match &self.filters[sheet as usize] {
+            Filter::Level(level) => {
+                let view = self.sheets.views[sheet as usize];
+                let order = point[usize::from(view.axis)].partial_cmp(level);
+                view.seen_from_front(order.expect("coordinates are numbers"))
+            }
+            Filter::Slanted(filter) => filter.side_of(point).unwrap_or_else(|| {
+                let [a, b, c] = self.sheets.plane(sheet);
+                spatial_orientation(a, b, c, point)
+            }),
+        }
     }
 
     /// The sides of a sheet that the corners of another are on; `None` if they meet at most in common corners, because all other

@@ -1,36 +1,31 @@
 //! Exact decisions about the vertices of cut triangles.
 
+use super::lines::Support;
 use super::sheets::Sheets;
 use super::vertices::Vertices;
 use crate::arrangement::spatial::SpatialPredicates;
 use crate::geometry::predicates::{
     SpatialPoint, normal_sign, orientation, orientation_of_points, spatial_orientation,
 };
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 /// Decisions that go to given points where all are, and know planes and lines by given points.
 pub(super) struct CutPredicates<'a> {
-    sheets: &'a Sheets,
-    vertices: &'a Vertices,
-    sheet_of_face: &'a [u32],
-    supports: &'a [[u32; 2]],
+    pub(super) sheets: &'a Sheets,
+    pub(super) vertices: &'a Vertices,
+    /// The ends of each edge.
+    pub(super) ends: &'a [[u32; 2]],
+    pub(super) sheet_of_face: &'a [u32],
+    pub(super) supports: &'a [Support],
 }
 
-impl<'a> CutPredicates<'a> {
-    pub(super) fn new(
-        sheets: &'a Sheets,
-        vertices: &'a Vertices,
-        sheet_of_face: &'a [u32],
-        supports: &'a [[u32; 2]],
-    ) -> Self {
-        Self { sheets, vertices, sheet_of_face, supports }
-    }
-
+impl CutPredicates<'_> {
     fn are_given(&self, vertices: &[u32]) -> bool {
         vertices.iter().all(|&vertex| (vertex as usize) < self.vertices.given)
     }
 
-    fn point(&self, vertex: u32) -> SpatialPoint {
+    fn point(&self, vertex: u32) -> Cow<'_, SpatialPoint> {
         self.vertices.point(self.sheets, vertex)
     }
 }
@@ -53,7 +48,7 @@ impl SpatialPredicates for CutPredicates<'_> {
             return orientation(a, b, c);
         }
         let [a, b, c] = triangle.map(|vertex| self.point(vertex));
-        normal_sign(axis, [&a, &b, &c])
+        normal_sign(axis, [a.as_ref(), b.as_ref(), c.as_ref()])
     }
 
     fn orientation(&self, points: [u32; 4]) -> Ordering {
@@ -62,7 +57,7 @@ impl SpatialPredicates for CutPredicates<'_> {
             return spatial_orientation(a, b, c, d);
         }
         let [a, b, c, d] = points.map(|vertex| self.point(vertex));
-        orientation_of_points([&a, &b, &c, &d])
+        orientation_of_points([a.as_ref(), b.as_ref(), c.as_ref(), d.as_ref()])
     }
 
     fn range(&self, axis: usize, vertex: u32) -> [f64; 2] {
@@ -77,6 +72,34 @@ impl SpatialPredicates for CutPredicates<'_> {
     }
 
     fn points_of_line(&self, edge: u32) -> Option<[u32; 2]> {
-        Some(self.supports[edge as usize])
+        Some(match self.supports[edge as usize] {
+            Support::Corners(ends) => ends,
+            Support::Sheets(_) => self.ends[edge as usize],
+        })
+    }
+
+    /// Where two sheets cross, what is on the left of the edge in the first comes before what is on the left in the second, less
+    /// than a half turn on; what is on the right is opposite.
+    fn sort_around(&self, edge: u32, sides: &mut [u32]) -> bool {
+        let Support::Sheets(sheets) = self.supports[edge as usize] else { return false };
+        let place = |side: u32| {
+            let sheet = self.sheet_of_face[(side >> 1) as usize];
+            let own = sheets.iter().position(|&other| other == sheet)?;
+            Some(own + 2 * (side & 1) as usize)
+        };
+        let mut order = [None; 4];
+        for &side in &*sides {
+            match place(side) {
+                Some(place) if order[place].is_none() => order[place] = Some(side),
+                _ => return false,
+            }
+        }
+        let first = sides[0];
+        for (place, side) in sides.iter_mut().zip(order.into_iter().flatten()) {
+            *place = side;
+        }
+        let start = sides.iter().position(|&side| side == first).expect("it is one of them");
+        sides.rotate_left(start);
+        true
     }
 }

@@ -6,6 +6,7 @@ use crate::Error;
 use crate::geometry::predicates::SpatialPoint;
 use crate::geometry::{AxisBox, BoxTree, boxes_meet};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// The triples of sheets that meet in a point inside all three, rising.
@@ -21,16 +22,17 @@ pub(super) fn triples(
     check: impl Fn(usize) -> Result<(), Error>,
 ) -> Result<Vec<[u32; 3]>, Error> {
     let cuts = &meetings.cuts;
-    let ends: Vec<[SpatialPoint; 2]> = cuts
+    // The position of each end among the places; corners are no places.
+    let ends: Vec<[Option<u32>; 2]> = cuts
         .par_iter()
         .map(|cut| {
             cut.ends.map(|end| match end {
-                Place::Corner(vertex) => SpatialPoint::given(sheets.point(vertex)),
-                _ => points[meetings.places.binary_search(&end).expect("the ends of cuts are places")],
+                Place::Corner(_) => None,
+                _ => Some(meetings.places.binary_search(&end).expect("the ends of cuts are places") as u32),
             })
         })
         .collect();
-    let crossing = Crossing { sheets, cuts, ends: &ends };
+    let crossing = Crossing { sheets, cuts, ends: &ends, points };
     let mut ranges = Vec::new();
     let mut start = 0;
     for own in cuts.chunk_by(|a, b| a.sheets[0] == b.sheets[0]) {
@@ -57,7 +59,8 @@ const CROWDED: usize = 32;
 struct Crossing<'a> {
     sheets: &'a Sheets,
     cuts: &'a [Cut],
-    ends: &'a [[SpatialPoint; 2]],
+    ends: &'a [[Option<u32>; 2]],
+    points: &'a [SpatialPoint],
 }
 
 impl Crossing<'_> {
@@ -103,9 +106,16 @@ impl Crossing<'_> {
         Ok(())
     }
 
+    fn end(&self, cut: usize, end: usize) -> Cow<'_, SpatialPoint> {
+        match self.ends[cut][end] {
+            Some(place) => Cow::Borrowed(&self.points[place as usize]),
+            None => Cow::Owned(self.cuts[cut].ends[end].point(self.sheets)),
+        }
+    }
+
     /// The box around the rounded ends of a cut. Rounding is monotone: boxes of cuts that cross meet.
     fn box_of(&self, cut: usize) -> AxisBox {
-        let [a, b] = self.ends[cut].map(|end| end.rounded());
+        let [a, b] = [0, 1].map(|end| self.end(cut, end).rounded());
         [0, 1, 2].map(|axis| [a[axis].min(b[axis]), a[axis].max(b[axis])])
     }
 
@@ -114,9 +124,8 @@ impl Crossing<'_> {
         let [[f, g], [_, h]] = [i, j].map(|cut| self.cuts[cut].sheets);
         let separates = |sheet: u32, cut: usize| {
             let plane = self.sheets.plane(sheet);
-            let [a, b] = &self.ends[cut];
-            let side = a.side_of(plane);
-            side.is_ne() && b.side_of(plane) == side.reverse()
+            let side = self.end(cut, 0).side_of(plane);
+            side.is_ne() && self.end(cut, 1).side_of(plane) == side.reverse()
         };
         (separates(h, i) && separates(g, j)).then(|| [f, g.min(h), g.max(h)])
     }

@@ -4,6 +4,7 @@ use super::meetings::Place;
 use super::sheets::{Sheets, compare_places};
 use crate::geometry::predicates::SpatialPoint;
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// Corners of sheets first, by their own numbers, then new points by rising rounded coordinates.
 #[derive(Clone, Debug)]
@@ -52,8 +53,11 @@ impl Vertices {
         (vertex as usize).checked_sub(self.given).map(|new| &self.points[new])
     }
 
-    pub(super) fn point(&self, sheets: &Sheets, vertex: u32) -> SpatialPoint {
-        self.new_point(vertex).copied().unwrap_or_else(|| SpatialPoint::given(sheets.point(vertex)))
+    pub(super) fn point<'a>(&'a self, sheets: &Sheets, vertex: u32) -> Cow<'a, SpatialPoint> {
+        match self.new_point(vertex) {
+            Some(point) => Cow::Borrowed(point),
+            None => Cow::Owned(SpatialPoint::given(sheets.point(vertex))),
+        }
     }
 
     pub(super) fn rounded(&self, sheets: &Sheets, vertex: u32) -> [f64; 3] {
