@@ -17,6 +17,7 @@
 //! go to the integers at once.
 
 mod arithmetic;
+mod common_line;
 mod double_double;
 mod dyadic;
 mod estimate;

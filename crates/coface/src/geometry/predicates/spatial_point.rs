@@ -261,22 +261,11 @@ impl SpatialPoint {
     /// On which side of a plane the point lies: `Greater` where the plane's triangle is seen to run counterclockwise, `Less` on
     /// the other side, `Equal` in the plane. Exact.
     pub fn side_of(&self, plane: SpatialPlane) -> Ordering {
-        match &self.definition {
-            Definition::Given => {
-                return spatial_orientation(plane[0], plane[1], plane[2], self.rounded);
-            }
-            Definition::LineAndPlane(line, own)
-                if plane == *own || line.iter().all(|end| plane.contains(end)) =>
-            {
-                return Ordering::Equal;
-            }
-            Definition::Planes(own) if own.contains(&plane) => return Ordering::Equal,
-            Definition::Lines(lines, _)
-                if lines.iter().any(|line| line.iter().all(|end| plane.contains(end))) =>
-            {
-                return Ordering::Equal;
-            }
-            _ => {}
+        if let Some(given) = self.as_given() {
+            return spatial_orientation(plane[0], plane[1], plane[2], given);
+        }
+        if self.is_by(&plane) {
+            return Ordering::Equal;
         }
         side_of_plane::<Estimate>(self, plane)
             .certain_sign()
@@ -303,6 +292,34 @@ impl SpatialPoint {
     /// The coordinates if they were given or are floating-point numbers.
     pub(super) fn as_given(&self) -> Option<[f64; 3]> {
         matches!(self.definition, Definition::Given).then_some(self.rounded)
+    }
+
+    /// The planes that define the point.
+    pub(super) fn planes(&self) -> [Option<SpatialPlane>; 3] {
+        match self.definition {
+            Definition::Given | Definition::Lines(..) => [None; 3],
+            Definition::LineAndPlane(_, plane) => [Some(plane), None, None],
+            Definition::Planes(planes) => planes.map(Some),
+        }
+    }
+
+    /// The line that defines the point together with a plane.
+    pub(super) fn line(&self) -> Option<SpatialLine> {
+        match self.definition {
+            Definition::LineAndPlane(line, _) => Some(line),
+            _ => None,
+        }
+    }
+
+    /// Whether a plane is one of those that define the point, or has a line that does between its corners.
+    pub(super) fn is_by(&self, plane: &SpatialPlane) -> bool {
+        let contains = |line: &SpatialLine| line.iter().all(|end| plane.contains(end));
+        match &self.definition {
+            Definition::Given => plane.contains(&self.rounded),
+            Definition::LineAndPlane(line, own) => plane == own || contains(line),
+            Definition::Planes(own) => own.contains(plane),
+            Definition::Lines(lines, _) => lines.iter().any(contains),
+        }
     }
 
     /// The point as a quotient.

@@ -1,6 +1,7 @@
 //! How triangles and tetrahedra of points in space run, whether the points are given or not.
 
 use super::arithmetic::{Arithmetic, cross, cross_coordinate, dot};
+use super::common_line::CommonLine;
 use super::double_double::Approximation;
 use super::estimate::Estimate;
 use super::short_dyadic::ShortDyadic;
@@ -31,9 +32,17 @@ pub fn normal_sign(axis: usize, [a, b, c]: [&SpatialPoint; 3]) -> Ordering {
     normal_coordinate::<Estimate>(axis, [a, b, c])
         .certain_sign()
         .or_else(|| normal_coordinate::<Approximation>(axis, [a, b, c]).certain_sign())
+        .or_else(|| common_normal_sign(axis, [a, b, c]))
         .or_else(|| exact_normal_sign::<ShortDyadic>(axis, [a, b, c]))
         .or_else(|| exact_normal_sign::<Dyadic>(axis, [a, b, c]))
         .expect("exact numbers have a sign")
+}
+
+/// The decision if two of the points are on a line that their definitions share, and the third is given.
+fn common_normal_sign(axis: usize, points: [&SpatialPoint; 3]) -> Option<Ordering> {
+    let last = points.iter().position(|point| point.as_given().is_some())?;
+    let line = CommonLine::new(points[(last + 1) % 3], points[(last + 2) % 3])?;
+    Some(line.normal_sign(axis, points[last].as_given()?))
 }
 
 fn exact_normal_sign<T: Arithmetic>(axis: usize, points: [&SpatialPoint; 3]) -> Option<Ordering> {
@@ -78,9 +87,21 @@ pub fn orientation_of_points(points: [&SpatialPoint; 4]) -> Ordering {
     volume::<Estimate>(points)
         .certain_sign()
         .or_else(|| volume::<Approximation>(points).certain_sign())
+        .or_else(|| common_volume_sign(points))
         .or_else(|| exact_volume_sign::<ShortDyadic>(points))
         .or_else(|| exact_volume_sign::<Dyadic>(points))
         .expect("exact numbers have a sign")
+}
+
+/// The decision if two of the points are on a line that their definitions share, and the others are given.
+fn common_volume_sign(points: [&SpatialPoint; 4]) -> Option<Ordering> {
+    // Even permutations.
+    let orders = [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 2, 0, 3], [1, 3, 2, 0], [2, 3, 0, 1]];
+    orders.into_iter().find_map(|order| {
+        let [a, b, c, d] = order.map(|i| points[i]);
+        let (c, d) = (c.as_given()?, d.as_given()?);
+        Some(CommonLine::new(a, b)?.orientation(c, d))
+    })
 }
 
 fn exact_volume_sign<T: Arithmetic>(points: [&SpatialPoint; 4]) -> Option<Ordering> {

@@ -1,6 +1,7 @@
 //! Decisions about points in space against plain fractions.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on is failing")]
 
+use super::common_line::CommonLine;
 use super::samples::{coordinate, rational};
 use super::*;
 use crate::algebra::Rational;
@@ -187,6 +188,47 @@ proptest! {
             }
             let side = sign(&dot(&n, &vector(&a.1, &d.1)));
             prop_assert_eq!(orientation_of_points([&a.0, &b.0, &c.0, &d.0]), side);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn lines_of_two_planes_decide_as_fractions(corners in points(10)) {
+        let c = |i: usize| corners[i];
+        let (f, g) = ([c(0), c(1), c(2)], [c(3), c(4), c(5)]);
+        let others = [[c(6), c(7), c(8)], [c(0), c(9), c(4)]];
+        // All these points are in f and in g.
+        let mut shared: Vec<SpatialPoint> = Vec::new();
+        for (own, other) in [(f, g), (g, f)] {
+            shared.extend([[0, 1], [1, 2], [2, 0]].iter().filter_map(|ends| SpatialPoint::on_plane(ends.map(|i| own[i]), other)));
+        }
+        shared.extend(others.iter().filter_map(|&h| SpatialPoint::of_planes([f, h, g])));
+        let cross_over = sign(&{ let n = cross(&normal(f), &normal(g)); dot(&n, &n) }).is_gt();
+        for p in &shared {
+            for q in &shared {
+                let Some(line) = CommonLine::new(p, q) else {
+                    // Points that are floating-point numbers forget their planes.
+                    let known = !p.is_exactly_rounded() && !q.is_exactly_rounded();
+                    prop_assert!(!(cross_over && known) || p.compare(q).is_eq());
+                    continue;
+                };
+                let (a, b) = (p.to_rational(), q.to_rational());
+                for pair in [[c(9), c(7)], [c(0), c(8)], [c(1), c(4)]] {
+                    let [x, y] = pair.map(point);
+                    let n = cross(&vector(&a, &b), &vector(&a, &x));
+                    for axis in 0..3 {
+                        prop_assert_eq!(line.normal_sign(axis, pair[0]), sign(&n[axis]));
+                    }
+                    prop_assert_eq!(line.orientation(pair[0], pair[1]), sign(&dot(&n, &vector(&a, &y))));
+                    // The same cyclic order of three of them.
+                    let given = pair.map(SpatialPoint::given);
+                    prop_assert_eq!(orientation_of_points([&given[0], q, &given[1], p]), sign(&dot(&n, &vector(&a, &y))));
+                    prop_assert_eq!(normal_sign(1, [&given[0], p, q]), sign(&n[1]));
+                }
+            }
         }
     }
 }
