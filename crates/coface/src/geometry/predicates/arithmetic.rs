@@ -89,7 +89,9 @@ pub(super) use sign_of;
 
 /// The vector from `a` to `b`.
 pub(super) fn vector<T: Arithmetic>(a: [f64; 3], b: [f64; 3]) -> [T; 3] {
-    [0, 1, 2].map(|axis| T::difference(b[axis], a[axis]))
+    // Written out, as in the following: a map moves long numbers more than once.
+    let along = |axis: usize| T::difference(b[axis], a[axis]);
+    [along(0), along(1), along(2)]
 }
 
 pub(super) fn dot<T: Arithmetic>(a: &[T; 3], b: &[T; 3]) -> T {
@@ -103,7 +105,7 @@ pub(super) fn cross_coordinate<T: Arithmetic>(a: &[T; 3], b: &[T; 3], axis: usiz
 }
 
 pub(super) fn cross<T: Arithmetic>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
-    [0, 1, 2].map(|axis| cross_coordinate(a, b, axis))
+    [cross_coordinate(a, b, 0), cross_coordinate(a, b, 1), cross_coordinate(a, b, 2)]
 }
 
 /// The normal $(b - a) \times (c - a)$ of a plane.

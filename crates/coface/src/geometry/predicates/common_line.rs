@@ -23,8 +23,10 @@ impl CommonLine {
             candidates.as_flattened().iter().flatten().filter(|plane| a.is_by(plane) && b.is_by(plane));
         let f = *shared.next()?;
         let g = *shared.find(|&&plane| plane != f)?;
-        let (axis, direction) = crossing_axis(f, g)?;
-        let order = b.compare_coordinate(a, axis);
+        let (order, direction) = quick_order(a, b, f, g).or_else(|| {
+            let (axis, direction) = crossing_axis(f, g)?;
+            Some((b.compare_coordinate(a, axis), direction))
+        })?;
         Some(Self { planes: [f, g], along: if direction.is_gt() { order } else { order.reverse() } })
     }
 
@@ -59,15 +61,21 @@ fn joint_plane(a: &SpatialPoint, b: &SpatialPoint) -> Option<SpatialPlane> {
     }
 }
 
+/// The order of two points of two planes along an axis, and the sign of the product of the normals along it, if that is quickly
+/// known for some axis.
+fn quick_order(
+    a: &SpatialPoint,
+    b: &SpatialPoint,
+    f: SpatialPlane,
+    g: SpatialPlane,
+) -> Option<(Ordering, Ordering)> {
+    let product = cross(&normal::<Estimate>(f), &normal::<Estimate>(g));
+    (0..3).find_map(|axis| Some((b.known_order(a, axis)?, product[axis].sign()?)))
+}
+
 /// An axis that the line where two planes cross is not at right angles to, and the sign of the product of the normals along
 /// it; `None` for parallel planes.
 fn crossing_axis(f: SpatialPlane, g: SpatialPlane) -> Option<(usize, Ordering)> {
-    let estimate = cross(&normal::<Estimate>(f), &normal::<Estimate>(g));
-    let size = |axis: usize| estimate[axis].value().abs();
-    let axis = (1..3).fold(0, |best, axis| if size(axis) > size(best) { axis } else { best });
-    if let Some(sign) = estimate[axis].sign() {
-        return Some((axis, sign));
-    }
     let exact = cross(&normal::<Dyadic>(f), &normal::<Dyadic>(g));
     (0..3).map(|axis| (axis, exact[axis].sign())).find(|(_, sign)| sign.is_ne())
 }

@@ -81,7 +81,7 @@ impl SpatialPoint {
     /// meet, are nearly parallel.
     pub fn of_planes(planes: [SpatialPlane; 3]) -> Option<Self> {
         let known = [0, 1, 2].map(|axis| planes.iter().find_map(|plane| constant(plane, axis)));
-        Self::found(Definition::Planes(planes), known, &three_planes(planes))
+        Self::found(Definition::Planes(planes), known, &three_planes(&planes))
     }
 
     /// The point where two lines of one plane cross; `None` if they are parallel, one or in no common plane.
@@ -230,12 +230,20 @@ impl SpatialPoint {
     pub fn compare(&self, other: &Self) -> Ordering {
         let mut short = None;
         for axis in 0..3 {
-            let order = self.known_order(other, axis).unwrap_or_else(|| {
-                let [a, b] = short.get_or_insert_with(|| [self, other].map(Self::quotient::<ShortDyadic>));
-                exact_order(a, b, axis)
-                    .or_else(|| exact_order(&self.quotient::<Dyadic>(), &other.quotient(), axis))
-                    .expect("exact numbers have a sign")
-            });
+            let order = match self.known_order(other, axis) {
+                Some(order) => order,
+                // Points that leading digits do not tell apart are equal as a rule.
+                None if short.is_none() && (self.is_in_planes_of(other) || other.is_in_planes_of(self)) => {
+                    return Ordering::Equal;
+                }
+                None => {
+                    let [a, b] =
+                        short.get_or_insert_with(|| [self.quotient::<ShortDyadic>(), other.quotient()]);
+                    exact_order(a, b, axis)
+                        .or_else(|| exact_order(&self.quotient::<Dyadic>(), &other.quotient(), axis))
+                        .expect("exact numbers have a sign")
+                }
+            };
             if order.is_ne() {
                 return order;
             }
@@ -243,8 +251,18 @@ impl SpatialPoint {
         Ordering::Equal
     }
 
+    /// Whether this is the other point, where that is defined by three planes; false if it would take long to tell.
+    fn is_in_planes_of(&self, other: &Self) -> bool {
+        let Definition::Planes(planes) = &other.definition else { return false };
+        let mut short = None;
+        planes.iter().filter(|plane| !self.is_by(plane)).all(|&plane| {
+            let own = short.get_or_insert_with(|| self.quotient::<ShortDyadic>());
+            exact_side(own, plane) == Some(Ordering::Equal)
+        })
+    }
+
     /// The order of one coordinate as far as its leading digits tell: rounding is monotone, so different ones are in order.
-    fn known_order(&self, other: &Self, axis: usize) -> Option<Ordering> {
+    pub(super) fn known_order(&self, other: &Self, axis: usize) -> Option<Ordering> {
         let order = self.rounded[axis].partial_cmp(&other.rounded[axis]).expect("coordinates are numbers");
         if order.is_ne() {
             return Some(order);
@@ -333,7 +351,7 @@ impl Definition {
         match *self {
             Self::Given => Quotient::given(given),
             Self::LineAndPlane(line, plane) => line_and_plane(line, plane),
-            Self::Planes(planes) => three_planes(planes),
+            Self::Planes(ref planes) => three_planes(planes),
             Self::Lines(lines, axis) => two_lines(lines, axis),
         }
     }

@@ -19,27 +19,31 @@ pub(super) fn line_and_plane<T: Arithmetic>(line: SpatialLine, plane: SpatialPla
     let (normal, direction) = (normal::<T>(plane), vector::<T>(line[0], line[1]));
     let along = dot(&normal, &vector(line[0], plane[0]));
     let weight = dot(&normal, &direction);
-    Quotient { base: line[0], offset: direction.map(|d| d.times(&along)), weight }
+    Quotient { base: line[0], offset: scaled(&direction, &along), weight }
+}
+
+fn scaled<T: Arithmetic>(direction: &[T; 3], factor: &T) -> [T; 3] {
+    [direction[0].times(factor), direction[1].times(factor), direction[2].times(factor)]
 }
 
 /// Where three planes meet, by Cramer's rule with a point of the first plane as the origin.
-pub(super) fn three_planes<T: Arithmetic>(planes: [SpatialPlane; 3]) -> Quotient<T> {
+pub(super) fn three_planes<T: Arithmetic>(planes: &[SpatialPlane; 3]) -> Quotient<T> {
     let base = planes[0][0];
-    let [f, g, h] = planes.map(normal::<T>);
+    let (f, g, h) = (normal::<T>(planes[0]), normal::<T>(planes[1]), normal::<T>(planes[2]));
     let height_g = dot(&g, &vector(base, planes[1][0]));
     let height_h = dot(&h, &vector(base, planes[2][0]));
     let (fg, hf) = (cross(&f, &g), cross(&h, &f));
     let weight = dot(&fg, &h);
-    let offset = [0, 1, 2].map(|axis| height_g.times(&hf[axis]).plus(&height_h.times(&fg[axis])));
-    Quotient { base, offset, weight }
+    let coordinate = |axis: usize| height_g.times(&hf[axis]).plus(&height_h.times(&fg[axis]));
+    Quotient { base, offset: [coordinate(0), coordinate(1), coordinate(2)], weight }
 }
 
 /// Where two lines of one plane cross, found as seen along an axis.
 pub(super) fn two_lines<T: Arithmetic>(lines: [SpatialLine; 2], axis: usize) -> Quotient<T> {
-    let [s, t] = lines.map(|line| vector::<T>(line[0], line[1]));
+    let (s, t) = (vector::<T>(lines[0][0], lines[0][1]), vector::<T>(lines[1][0], lines[1][1]));
     let weight = cross_coordinate(&s, &t, axis);
     let along = cross_coordinate(&vector(lines[0][0], lines[1][0]), &t, axis);
-    Quotient { base: lines[0][0], offset: s.map(|d| d.times(&along)), weight }
+    Quotient { base: lines[0][0], offset: scaled(&s, &along), weight }
 }
 
 impl<T: Arithmetic> Quotient<T> {
@@ -61,7 +65,7 @@ impl<T: Arithmetic> Quotient<T> {
 
     /// The vector to another point times both weights.
     pub(super) fn vector_to(&self, other: &Self) -> [T; 3] {
-        [0, 1, 2].map(|axis| other.difference(self, axis))
+        [other.difference(self, 0), other.difference(self, 1), other.difference(self, 2)]
     }
 
     /// How far the point is in front of a plane, times the weight and the length of the normal.
