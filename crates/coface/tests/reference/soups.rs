@@ -119,6 +119,49 @@ pub(crate) fn sheets(seed: u64) -> (Vec<Polygon>, usize) {
     (polygons, count)
 }
 
+/// Triangles and tetrahedra in bad places: many in few planes, all through one point or line, nearly in one plane, small ones
+/// beside large ones; each an input.
+pub(crate) fn crowds(seed: u64) -> (Vec<Polygon>, usize) {
+    const LARGE: i64 = 1 << 16;
+    let mut random = Random::new(seed);
+    let kind = random.below(7);
+    let count = [10, 6, 6, 6, 5, 5, 4][kind as usize];
+    let mut inputs: Vec<Vec<Polygon>> = Vec::new();
+    for input in 0..count {
+        let mut corner = || match kind {
+            0 => point(&mut random, 0, 2),
+            1 => point(&mut random, -LARGE, LARGE),
+            2 => [0; 3].map(|_| [0, 1, 2, LARGE, LARGE + 1, -LARGE][random.below(6) as usize]),
+            // Within one of a plane.
+            4 => {
+                let [x, y, z] = point(&mut random, -1, 1);
+                let [u, v, _] = point(&mut random, -9, 9);
+                [1000 * u + x, 1000 * v + y, 1000 * (u + v) + z]
+            }
+            5 => {
+                let size = [1, 10, 10_000][random.below(3) as usize];
+                point(&mut random, -3, 3).map(|x| x * size)
+            }
+            _ => point(&mut random, -3, 3),
+        };
+        let corners = [corner(), corner(), corner(), corner()];
+        let opposite = |p: [i64; 3]| p.map(|x| -x);
+        let walk = match kind {
+            // Through the origin, where all of them cross.
+            3 => vec![corners[0], corners[1], opposite(corners[0])],
+            // With a side along the third axis.
+            6 => vec![[0, 0, corners[0][2]], [0, 0, corners[0][2] + 2], corners[1]],
+            _ => corners[..3].to_vec(),
+        };
+        inputs.push(match kind {
+            0 | 3 | 6 => vec![Polygon { walks: vec![walk], input }],
+            _ if input % 2 == 0 => tetrahedron(corners, input),
+            _ => vec![Polygon { walks: vec![walk], input }],
+        });
+    }
+    (inputs.concat(), count)
+}
+
 /// Closed inputs, and their number; some are there twice, some inside out.
 pub(crate) fn solids(seed: u64) -> (Vec<Polygon>, usize) {
     let mut random = Random::new(seed);
@@ -135,17 +178,17 @@ pub(crate) fn solids(seed: u64) -> (Vec<Polygon>, usize) {
     (inputs.concat(), count)
 }
 
-/// Closed rings between small integers, which may cross themselves and each other, and the region of each.
+/// Closed rings between integers, mostly small, which may cross themselves and each other, and the region of each.
 pub(crate) fn rings(seed: u64) -> (Vec<Vec<[i64; 2]>>, Vec<u32>) {
     let mut random = Random::new(seed);
     let count = 1 + random.below(4) as usize;
-    let size = [2, 4, 6, 12][random.below(4) as usize];
+    let size = [2, 4, 6, 12, 1 << 20][random.below(5) as usize];
     let ring = |random: &mut Random| -> Vec<[i64; 2]> {
         let shift = [0; 2].map(|_| random.between(0, 6));
         match random.below(3) {
             0 => {
                 let [w, h] = [0; 2].map(|_| random.between(1, size));
-                let mut corners = vec![[0, 0], [w, 0], [w, h], [0, h]];
+                let mut corners = [[0, 0], [w, 0], [w, h], [0, h]];
                 if random.below(3) == 0 {
                     corners.reverse();
                 }

@@ -175,12 +175,12 @@ impl Segment {
 
 /// The segments in which two polygons meet whose planes cross.
 fn common_segments(polygons: [&Polygon; 2], planes: [&Plane; 2]) -> Vec<[Vector; 2]> {
-    let direction = vector(integer_cross(planes[0].normal, planes[1].normal));
+    let direction = cross(&vector(planes[0].normal), &vector(planes[1].normal));
     let mut points: Vec<(Rational, Vector)> = Vec::new();
     for (polygon, plane) in polygons.into_iter().zip([planes[1], planes[0]]) {
         for [p, q] in polygon.sides() {
             let [a, b] = [p, q].map(|corner| integer_dot(plane.normal, corner) - plane.offset);
-            if a == 0 || a * b < 0 {
+            if a == 0 || a.signum() * b.signum() < 0 {
                 let t = quotient(&number(a), &number(if a == 0 { 1 } else { a - b }));
                 let point = moved(&vector(p), &t, &minus(&vector(q), &vector(p)));
                 points.push((dot(&direction, &point), point));
@@ -225,12 +225,11 @@ pub(crate) fn faces(polygons: &[Polygon]) -> Faces {
         let Some((plane, _)) = plane_of[i] else { continue };
         polygon.sides().for_each(|side| insert(side.map(vector)));
         for (j, other) in polygons[..i].iter().enumerate() {
-            if let Some((beside, _)) = plane_of[j].filter(|&(beside, _)| beside != plane) {
-                if integer_cross(planes[plane].normal, planes[beside].normal) != [0; 3] {
-                    common_segments([polygon, other], [&planes[plane], &planes[beside]])
-                        .into_iter()
-                        .for_each(&mut insert);
-                }
+            // In another plane that is not parallel.
+            let crossing = plane_of[j].filter(|&(beside, _)| planes[beside].normal != planes[plane].normal);
+            if let Some((beside, _)) = crossing {
+                let common = common_segments([polygon, other], [&planes[plane], &planes[beside]]);
+                common.into_iter().for_each(&mut insert);
             }
         }
     }
