@@ -10,10 +10,9 @@ use super::vertices::Vertices;
 use crate::algebra::{RaggedArray, SparseMatrix};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
-use crate::geometry::predicates::{PlanarPoint, direction_turn};
+use crate::geometry::predicates::PlanarPoint;
 use crate::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
 use rayon::prelude::*;
-use std::cmp::Ordering;
 
 /// Where a vertex of an arrangement comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -174,11 +173,9 @@ impl PlanarArrangement {
     ) -> Result<Self, Error> {
         let Edges { ends, segments: segments_of_edge, of_segment: edges_of_segment } = edges;
         let line = |edge: u32| rising_line(soup.line(segments_of_edge.list(edge as usize)[0]));
-        // Upper ends lie in the half plane to the right and straight up, lower ones opposite: the halves do not mix.
-        let orbits = Orbits::new(vertices.len(), &ends, |a, b| {
-            (a % 2)
-                .cmp(&(b % 2))
-                .then_with(|| if a == b { Ordering::Equal } else { direction_turn(line(b / 2), line(a / 2)) })
+        let orbits = Orbits::new(vertices.len(), &ends, |halfedge| {
+            let [low, high] = line(halfedge / 2);
+            if halfedge.is_multiple_of(2) { [low, high] } else { [high, low] }
         });
         let halfedge_below = |&vertex: &u32| {
             let ray = Ray { from: vertices[vertex as usize] };

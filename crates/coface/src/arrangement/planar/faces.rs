@@ -1,8 +1,8 @@
 //! Halfedges in order around their vertices, and the orbits that they make around faces.
 
 use crate::algebra::{RaggedArray, UnionFind};
+use crate::geometry::predicates::{PlanarLine, direction_turn};
 use rayon::prelude::*;
-use std::cmp::Ordering;
 
 /// No face, no orbit, no edge.
 pub(super) const NONE: u32 = u32::MAX;
@@ -26,13 +26,13 @@ pub(super) struct Orbits {
 }
 
 impl Orbits {
-    /// The orbits of edges; `order` is that of halfedges that leave one vertex, counterclockwise from straight down (exclusive).
+    /// The orbits of edges; `departure` is a line along which a halfedge leaves its vertex, in the direction of leaving.
     ///
     /// The orbits outside take vertices to be in lexicographic order and edges to be straight.
     pub(super) fn new(
         vertex_count: usize,
         ends: &[[u32; 2]],
-        order: impl Fn(u32, u32) -> Ordering + Sync,
+        departure: impl Fn(u32) -> PlanarLine + Sync,
     ) -> Self {
         let tails = ends.iter().flat_map(|&ends| ends);
         let mut rotation = RaggedArray::grouped(vertex_count, tails);
@@ -44,7 +44,16 @@ impl Orbits {
             lists.push(list);
             rest = after;
         }
-        lists.into_par_iter().with_min_len(256).for_each(|list| list.sort_unstable_by(|&a, &b| order(a, b)));
+        lists.into_par_iter().with_min_len(256).for_each_init(Vec::new, |leaving, list| {
+            leaving.clear();
+            leaving.extend(list.iter().map(|&halfedge| (departure(halfedge), halfedge)));
+            leaving.sort_unstable_by(|(s, a), (t, b)| {
+                // First those to the right and straight up.
+                let is_back = |line: &PlanarLine| line[0] > line[1];
+                is_back(s).cmp(&is_back(t)).then_with(|| direction_turn(*t, *s)).then(a.cmp(b))
+            });
+            list.iter_mut().zip(leaving).for_each(|(halfedge, (_, sorted))| *halfedge = *sorted);
+        });
         let mut next = vec![0; 2 * ends.len()];
         for leaving in rotation.iter() {
             // Arriving opposite to a halfedge, a face on the left goes on clockwise.
@@ -80,12 +89,24 @@ impl Orbits {
                 lowest_vertices.push(vertex as u32);
             }
         }
+        let mut found = Self {
+            rotation,
+            next,
+            orbits,
+            orbit_of,
+            component_of,
+            lowest_vertices,
+            outer_orbits: Vec::new(),
+        };
+        found.outer_orbits =
+            found.lowest_vertices.iter().map(|&vertex| found.orbit_outside(vertex)).collect();
+        found
+    }
+
+    /// The orbit outside of a component whose lowest vertex this is; none for a vertex on its own.
+    pub(super) fn orbit_outside(&self, vertex: u32) -> u32 {
         // All edges of the lowest vertex go right or straight up: left of the last one is the outside.
-        let outer_orbits = lowest_vertices
-            .iter()
-            .map(|&vertex| rotation.list(vertex as usize).last().map_or(NONE, |&h| orbit_of[h as usize]))
-            .collect();
-        Self { rotation, next, orbits, orbit_of, component_of, lowest_vertices, outer_orbits }
+        self.rotation.list(vertex as usize).last().map_or(NONE, |&h| self.orbit_of[h as usize])
     }
 }
 

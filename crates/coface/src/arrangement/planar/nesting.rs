@@ -5,7 +5,7 @@
 
 use super::faces::NONE;
 use super::segment_tree::SegmentTree;
-use crate::geometry::predicates::{PlanarLine, PlanarPoint, direction_turn};
+use crate::geometry::predicates::{PlanarLine, PlanarPoint, direction_turn, orientation};
 use std::cmp::Ordering;
 
 /// The ray down from a point.
@@ -21,18 +21,25 @@ impl Ray {
         accept: impl Fn(u32) -> Option<T>,
     ) -> Option<T> {
         let from = &self.from;
+        let [x, y] = from.rounded();
+        let is_exact = from.residues().iter().all(|side| side.is_some_and(Ordering::is_eq));
         let mut best: Option<(PlanarLine, T)> = None;
-        tree.downward(from.rounded(), |segment, line| {
+        let mut bound = None;
+        tree.downward([x, y], |segment, line| {
             let line = rising_line(line);
             // Rounding is monotone: what the rounded x is beyond, the exact one is beyond or at.
-            let x = from.rounded()[0];
             // Also false for vertical ones: the ray passes on their left.
             let is_across = line[0][0] < line[1][0]
                 && line[0][0] <= x
                 && x <= line[1][0]
+                && bound.is_none_or(|bound| heights(line, x)[1] >= bound)
                 && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_gt()
                 && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_le();
-            if is_across && from.side_of(line).is_gt() {
+            let is_below = || {
+                let side = if is_exact { orientation(line[0], line[1], [x, y]) } else { from.side_of(line) };
+                side.is_gt()
+            };
+            if is_across && is_below() {
                 let higher = best.is_none_or(|(other, _)| match from.compare_heights(line, other) {
                     // Both come to one point from the left: the one that falls more is above there.
                     Ordering::Equal => direction_turn(line, other).is_gt(),
@@ -40,9 +47,10 @@ impl Ray {
                 });
                 if higher && let Some(found) = accept(segment) {
                     best = Some((line, found));
+                    bound = Some(heights(line, x)[0]);
                 }
             }
-            best.map(|(line, _)| lower_bound(line, x))
+            bound
         });
         best.map(|(_, found)| found)
     }
@@ -73,8 +81,8 @@ pub(super) fn rising_line([a, b]: PlanarLine) -> PlanarLine {
     if (a[0], a[1]) < (b[0], b[1]) { [a, b] } else { [b, a] }
 }
 
-/// A number below the height of a line at a place that is known up to rounding.
-fn lower_bound(line: PlanarLine, x: f64) -> f64 {
+/// A number below and one above the height of a line at a place that is known up to rounding.
+fn heights(line: PlanarLine, x: f64) -> [f64; 2] {
     let [[x0, y0], [x1, y1]] = line;
     let slack = x.abs() * f64::EPSILON;
     let at = |x: f64| {
@@ -82,8 +90,14 @@ fn lower_bound(line: PlanarLine, x: f64) -> f64 {
         // Both terms are in the range, whatever the coordinates are.
         y0 * (1.0 - part) + y1 * part
     };
-    let height = at(x - slack).min(at(x + slack)).max(y0.min(y1));
-    // Not a number where the line is all but vertical: then only its lower end is certain.
-    let height = if height.is_nan() { y0.min(y1) } else { height };
-    height - 8.0 * f64::EPSILON * y0.abs().max(y1.abs())
+    let ends = [at(x - slack), at(x + slack)];
+    let [low, high] = [y0.min(y1), y0.max(y1)];
+    // Not a number where the line is all but vertical: then only its ends are certain.
+    let [below, above] = if ends.iter().any(|height| height.is_nan()) {
+        [low, high]
+    } else {
+        [ends[0].min(ends[1]).max(low), ends[0].max(ends[1]).min(high)]
+    };
+    let margin = 8.0 * f64::EPSILON * low.abs().max(high.abs());
+    [below - margin, above + margin]
 }

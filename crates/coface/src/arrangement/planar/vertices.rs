@@ -51,26 +51,33 @@ impl Vertices {
         });
         let mut vertices =
             Self { events: Vec::with_capacity(places.len()), vertex_of_event: vec![0; places.len()] };
-        let is_exact = |class: &Vec<u32>| point(class[0]).residues()[0].is_some_and(|side| side.is_eq());
+        let is_exact = |event: u32| point(event).residues()[0].is_some_and(|side| side.is_eq());
+        let mut classes: Vec<Vec<u32>> = Vec::new();
         for column in places.chunk_by(|a, b| a.rounded[0] == b.rounded[0]) {
             if let [place] = column {
                 vertices.push(&[place.event]);
                 continue;
             }
-            let mut classes: Vec<Vec<u32>> = Vec::new();
-            for same in column.chunk_by(|a, b| a.rounded[1] == b.rounded[1]) {
-                split_into_classes(same, &point, &mut classes);
-            }
             // Rounded to one x, in the order of the rounded y; that is the true order where x is exact.
-            if classes.len() > 1 && !classes.iter().all(is_exact) {
-                let mut exact: Vec<(PlanarPoint, HomogeneousPoint, Vec<u32>)> = classes
+            let all_exact = column.iter().all(|place| is_exact(place.event));
+            for same in column.chunk_by(|a, b| a.rounded[1] == b.rounded[1]) {
+                match same {
+                    [place] if all_exact => vertices.push(&[place.event]),
+                    _ => split_into_classes(same, &point, &mut classes),
+                }
+                if all_exact {
+                    classes.drain(..).for_each(|class| vertices.push(&class));
+                }
+            }
+            if classes.len() > 1 {
+                let mut exact: Vec<(PlanarPoint, HomogeneousPoint, Vec<u32>)> = std::mem::take(&mut classes)
                     .into_par_iter()
                     .map(|class| (point(class[0]), point(class[0]).to_homogeneous(), class))
                     .collect();
                 exact.par_sort_by(|(_, a, _), (_, b, _)| a.compare(b));
                 classes = exact.into_iter().map(|(_, _, class)| class).collect();
             }
-            classes.iter().for_each(|class| vertices.push(class));
+            classes.drain(..).for_each(|class| vertices.push(&class));
         }
         vertices
     }

@@ -128,9 +128,11 @@ impl Chain {
 
 /// All nodes and chains.
 pub(super) struct Chains {
-    /// What is at each node: a corner, or after the corners a crossing. Those that are not alone on their ring come first, in
-    /// lexicographic order.
+    /// What is at each node: a corner, or after the corners a crossing. Nodes are in the order in which rings come to them, so that
+    /// near nodes have near numbers.
     pub(super) nodes: Vec<u32>,
+    /// The place of each node in the lexicographic order of nodes; those that are alone on their ring come last.
+    pub(super) ranks: Vec<u32>,
     /// By side and rank.
     pub(super) breaks: Vec<Break>,
     /// From each break to the next on its ring.
@@ -225,7 +227,21 @@ impl Chains {
             }
             starts.push(chains.len() as u32);
         }
-        Self { nodes, breaks, chains, starts, meeting_count }
+        let mut number_of = vec![u32::MAX; nodes.len()];
+        let mut ranks = Vec::with_capacity(nodes.len());
+        for at in &mut breaks {
+            let number = &mut number_of[at.node as usize];
+            if *number == u32::MAX {
+                *number = ranks.len() as u32;
+                ranks.push(at.node);
+            }
+            at.node = *number;
+        }
+        chains.par_iter_mut().for_each(|chain: &mut Chain| {
+            chain.nodes = chain.nodes.map(|node| number_of[node as usize]);
+        });
+        let nodes = ranks.iter().map(|&rank| nodes[rank as usize]).collect();
+        Self { nodes, ranks, breaks, chains, starts, meeting_count }
     }
 }
 

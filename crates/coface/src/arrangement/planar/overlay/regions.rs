@@ -11,7 +11,7 @@ use super::chains::{Chain, ChainEdges, Chains, Rings};
 use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::{BooleanFormula, InsideRule};
 use crate::geometry::Positions;
-use crate::geometry::predicates::{PlanarLine, PlanarPoint, direction_turn, orientation};
+use crate::geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -93,7 +93,7 @@ impl PlanarOverlay {
         let crossings = meetings.crossings;
         let edges = ChainEdges::new(&chains.chains);
         let parts = Parts { rings: &rings, crossings: &crossings, chains: &chains, edges: &edges };
-        let mut orbits = Orbits::new(chains.nodes.len(), &edges.ends, |a, b| parts.order(a, b));
+        let mut orbits = Orbits::new(chains.nodes.len(), &edges.ends, |halfedge| parts.departure(halfedge));
         let lowest_corners: Vec<u32> = (0..edges.ends.len() as u32)
             .into_par_iter()
             .map(|edge| parts.first_chain(edge).lowest_corner(&rings).unwrap_or(NONE))
@@ -263,17 +263,6 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The order of halfedges that leave one node, counterclockwise from straight down (exclusive).
-    fn order(&self, a: u32, b: u32) -> Ordering {
-        if a == b {
-            return Ordering::Equal;
-        }
-        let [s, t] = [a, b].map(|halfedge| self.departure(halfedge));
-        // First those to the right and straight up.
-        let is_back = |line: PlanarLine| line[0] > line[1];
-        is_back(s).cmp(&is_back(t)).then_with(|| direction_turn(t, s))
-    }
-
     /// How an edge turns at a corner within it: `Greater` for counterclockwise.
     pub(super) fn turn_at(&self, corner: u32, ring: usize) -> Ordering {
         let [a, b] = self.rings.soup.line(self.rings.side_before(corner, ring));
@@ -286,8 +275,15 @@ impl<'a> Parts<'a> {
 
     /// The lowest point of each component; the orbits outside are put right where that is no node.
     fn lowest_points(&self, orbits: &mut Orbits, lowest_corners: &[u32]) -> Vec<PlanarPoint> {
-        let mut lowest: Vec<PlanarPoint> =
-            orbits.lowest_vertices.iter().map(|&node| self.node_point(node)).collect();
+        let mut lowest_nodes = orbits.lowest_vertices.clone();
+        for (node, &component) in (0..).zip(&orbits.component_of) {
+            let lowest = &mut lowest_nodes[component as usize];
+            if self.chains.ranks[node as usize] < self.chains.ranks[*lowest as usize] {
+                *lowest = node;
+            }
+        }
+        orbits.outer_orbits = lowest_nodes.iter().map(|&node| orbits.orbit_outside(node)).collect();
+        let mut lowest: Vec<PlanarPoint> = lowest_nodes.iter().map(|&node| self.node_point(node)).collect();
         for (edge, &corner) in (0..).zip(lowest_corners).filter(|(_, corner)| **corner != NONE) {
             let component = orbits.component_of[self.edges.ends[edge as usize][0] as usize] as usize;
             let point = PlanarPoint::given(self.rings.soup.points[corner as usize]);

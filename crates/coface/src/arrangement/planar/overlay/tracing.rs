@@ -139,21 +139,17 @@ impl PlanarOverlay {
 
     /// Whether a simple ring runs counterclockwise: it does at its lowest point.
     fn is_counterclockwise(&self, parts: &Parts<'_>, halfedges: &[u32]) -> bool {
-        // The lowest point with the halfedge that it is on, or that leaves it.
-        let mut lowest: Option<(PlanarPoint, usize, Option<u32>)> = None;
-        let mut look = |point: PlanarPoint, at: usize, corner: Option<u32>| {
-            if lowest.as_ref().is_none_or(|(other, ..)| point.compare(other).is_lt()) {
-                lowest = Some((point, at, corner));
-            }
-        };
-        for (at, &halfedge) in halfedges.iter().enumerate() {
-            look(parts.node_point(self.tail(halfedge)), at, None);
+        let rank = |at: &usize| self.chains.ranks[self.tail(halfedges[*at]) as usize];
+        let Some(at_node) = (0..halfedges.len()).min_by_key(rank) else { return false };
+        let point = |corner: u32| self.rings.soup.points[corner as usize];
+        let corners = halfedges.iter().enumerate().filter_map(|(at, &halfedge)| {
             let corner = self.lowest_corners[halfedge as usize / 2];
-            if corner != NONE {
-                look(parts.event_point(corner), at, Some(corner));
-            }
-        }
-        let Some((_, at, corner)) = lowest else { return false };
+            (corner != NONE).then_some((at, corner))
+        });
+        let lowest = corners.reduce(|a, b| if point(b.1) < point(a.1) { b } else { a });
+        let node = parts.node_point(self.tail(halfedges[at_node]));
+        let lowest = lowest.filter(|&(_, corner)| PlanarPoint::given(point(corner)).compare(&node).is_lt());
+        let (at, corner) = lowest.map_or((at_node, None), |(at, corner)| (at, Some(corner)));
         match corner {
             Some(corner) => {
                 let turns_left = parts.turn_at(corner, parts.ring_of_edge(halfedges[at] / 2)).is_gt();
