@@ -76,6 +76,8 @@ pub(crate) const ALL: &[Task] = &[
     operators::GRID,
     planar::SEGMENTS,
     planar::LONG_SEGMENTS,
+    planar::INTERSECTION,
+    planar::UNION,
     info::TASK,
 ];
 

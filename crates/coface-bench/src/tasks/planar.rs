@@ -3,7 +3,7 @@
 use super::{Clock, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::arrangement::planar::PlanarArrangement;
+use coface::arrangement::planar::{PlanarArrangement, PlanarOverlay};
 use coface::geometry::Positions;
 use std::path::Path;
 
@@ -22,6 +22,39 @@ pub(super) const LONG_SEGMENTS: Task = Task {
     inputs: &["long_200", "long_400", "long_800"],
     work: Work::Inside(arranged),
 };
+
+pub(super) const INTERSECTION: Task = Task {
+    name: "overlay-intersection",
+    about: "the polygons that two regions in the plane have in common, from their rings",
+    extension: "raw3",
+    inputs: OVERLAYS,
+    work: Work::Inside(|path, clock| overlaid(path, clock, |windings| windings.len() == 2)),
+};
+
+pub(super) const UNION: Task = Task {
+    name: "overlay-union",
+    about: "the polygons that two regions in the plane cover together, from their rings",
+    extension: "raw3",
+    inputs: OVERLAYS,
+    work: Work::Inside(|path, clock| overlaid(path, clock, |windings| !windings.is_empty())),
+};
+
+const OVERLAYS: &[&str] =
+    &["coast_100000", "coast_1000000", "squares_100000", "squares_1000000", "star_10000", "star_100000"];
+
+fn overlaid(path: &Path, clock: &mut Clock, condition: fn(&[(u32, i32)]) -> bool) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let regions: Vec<u32> =
+        mesh.lists.iter().map(|ring| mesh.coordinates[3 * ring[0] as usize + 2] as u32).collect();
+    let mut overlay = None;
+    let [vertices, _, polygons, rings] = clock.time(mesh.vertex_count, || {
+        let overlay = overlay.insert(PlanarOverlay::new(&positions, &mesh.lists, &regions)?);
+        let found = overlay.select(condition)?;
+        let [vertices, edges, polygons] = found.f_vector();
+        Ok::<_, Error>([vertices, edges, polygons, found.rings().len()])
+    })?;
+    Ok(format!("polygons {polygons} rings {rings} vertices {vertices}"))
+}
 
 /// The points of a drawing, its lists, and the third coordinate of each list's first point.
 fn drawing(path: &Path) -> Result<(Positions, Mesh), Error> {

@@ -37,10 +37,16 @@ impl Rings {
         for (number, ring) in rings.iter().enumerate() {
             let place = rings.start(number);
             let first = found.points.len();
-            for (i, &point) in ring.iter().enumerate() {
+            let has_length = |i: usize| {
                 let next = ring[if i + 1 == ring.len() { 0 } else { i + 1 }];
-                if coordinates[point as usize] != coordinates[next as usize] {
-                    found.points.push(point);
+                coordinates[ring[i] as usize] != coordinates[next as usize]
+            };
+            if (0..ring.len()).all(has_length) {
+                found.points.extend_from_slice(ring);
+                found.places.extend(place as u32..(place + ring.len()) as u32);
+            } else {
+                for i in (0..ring.len()).filter(|&i| has_length(i)) {
+                    found.points.push(ring[i]);
                     found.places.push((place + i) as u32);
                 }
             }

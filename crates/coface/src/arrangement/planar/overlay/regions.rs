@@ -101,16 +101,20 @@ impl PlanarOverlay {
         let lowest = parts.lowest_points(&mut orbits, &lowest_corners);
         let mut rising: Vec<usize> = (0..lowest.len()).collect();
         rising.par_sort_by(|&a, &b| lowest[a].compare(&lowest[b]));
-        let mut below = vec![None; lowest.len()];
-        // There is nothing to the left of the lowest point of all.
-        let found: Vec<Option<u32>> = rising
-            .par_iter()
-            .skip(1)
-            .map(|&component| parts.halfedge_below(&tree, lowest[component]))
-            .collect();
-        for (&component, found) in rising.iter().skip(1).zip(found) {
-            below[component] = found;
-        }
+        // There is nothing to the left of the lowest point of all. Near components are asked one after the other.
+        let first = rising.first().copied();
+        let below: Vec<Option<u32>> =
+            (0..lowest.len())
+                .into_par_iter()
+                .with_min_len(16)
+                .map(|component| {
+                    if first == Some(component) {
+                        None
+                    } else {
+                        parts.halfedge_below(&tree, lowest[component])
+                    }
+                })
+                .collect();
         drop(tree);
         let faces = Faces::new(&orbits, &below, rising.into_iter());
         let regions: Vec<u32> = rings.numbers.iter().map(|&ring| regions[ring as usize]).collect();
