@@ -34,11 +34,25 @@ fn main() {
         regions[number(3 * vertices[0] + 2) as usize].push(points.collect::<Vec<_>>());
     }
     let rule = if arguments[1] == "union" { OverlayRule::Union } else { OverlayRule::Intersect };
-    let begin = Instant::now();
-    let shapes = Overlay::with_contours(&regions[0], &regions[1]).overlay(rule, FillRule::NonZero);
-    let seconds = begin.elapsed().as_secs_f64();
+    let (begin, begin_cpu) = (Instant::now(), processor_seconds());
+    let shapes = Overlay::from_subj_and_clip(&regions[0], &regions[1]).overlay(rule, FillRule::NonZero);
+    let (seconds, cpu_seconds) = (begin.elapsed().as_secs_f64(), processor_seconds() - begin_cpu);
     let rings: usize = shapes.iter().map(|shape| shape.len()).sum();
     let vertices: usize = shapes.iter().flatten().map(|ring| ring.len()).sum();
     let result = format!("polygons {} rings {rings} vertices {vertices}", shapes.len());
-    println!("{}", serde_json::json!({ "seconds": seconds, "size": vertex_count, "result": result }));
+    let line = serde_json::json!({
+        "seconds": seconds, "cpu_seconds": cpu_seconds, "size": vertex_count, "result": result
+    });
+    println!("{line}");
+}
+
+/// The processor time of all threads.
+fn processor_seconds() -> f64 {
+    let threads = std::fs::read_dir("/proc/self/task").expect("threads are listed");
+    let nanoseconds = threads.map(|thread| {
+        let path = thread.expect("a thread is listed").path().join("schedstat");
+        let text = std::fs::read_to_string(path).expect("a thread tells its time");
+        text.split_whitespace().next().and_then(|word| word.parse::<u64>().ok()).unwrap_or(0)
+    });
+    nanoseconds.sum::<u64>() as f64 * 1e-9
 }

@@ -388,12 +388,11 @@ impl SegmentTree {
     pub(super) fn downward(&self, point: [f64; 2], mut visit: impl FnMut(u32, PlanarLine) -> Option<f64>) {
         let [x, y] = point;
         let mut highest: Option<f64> = None;
-        let mut stack: Vec<Node> = self.root().into_iter().collect();
-        while let Some(node) = stack.pop() {
-            let bounds = self.bounds(node);
-            let is_below = bounds.low[0] <= x && x <= bounds.high[0] && bounds.low[1] <= y;
-            if !is_below || highest.is_some_and(|height| bounds.high[1] < height) {
-                continue;
+        // Nodes by how high they reach below the point, the highest last.
+        let mut waiting: Vec<(f64, Node)> = self.root().map(|root| (y, root)).into_iter().collect();
+        while let Some((reached, node)) = waiting.pop() {
+            if highest.is_some_and(|height| reached < height) {
+                return;
             }
             if node.level == 0 {
                 for i in self.leaf(node) {
@@ -404,13 +403,13 @@ impl SegmentTree {
                 }
                 continue;
             }
-            let first = stack.len();
-            stack.extend(self.children(node));
-            // The one that reaches higher is looked at first.
-            if stack.len() == first + 2
-                && self.bounds(stack[first]).high[1] > self.bounds(stack[first + 1]).high[1]
-            {
-                stack.swap(first, first + 1);
+            for inner in self.children(node) {
+                let bounds = self.bounds(inner);
+                if bounds.low[0] <= x && x <= bounds.high[0] && bounds.low[1] <= y {
+                    let reach = bounds.high[1].min(y);
+                    let place = waiting.iter().rposition(|&(other, _)| other <= reach).map_or(0, |at| at + 1);
+                    waiting.insert(place, (reach, inner));
+                }
             }
         }
     }
