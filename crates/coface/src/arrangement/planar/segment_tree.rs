@@ -349,9 +349,9 @@ impl SegmentTree {
             if !is_apart {
                 let numbers = [self.order[i], self.order[j]];
                 if numbers[0] < numbers[1] {
-                    found(numbers, [s, t])
+                    found(numbers, [s, t]);
                 } else {
-                    found([numbers[1], numbers[0]], [t, s])
+                    found([numbers[1], numbers[0]], [t, s]);
                 }
             }
         };

@@ -43,8 +43,6 @@ use std::cmp::Ordering;
 /// ```
 pub struct PlanarOverlay {
     pub(super) rings: Rings,
-    /// The region of each ring that has sides.
-    regions: Vec<u32>,
     region_count: usize,
     pub(super) crossings: Vec<Crossing>,
     pub(super) chains: Chains,
@@ -133,18 +131,7 @@ impl PlanarOverlay {
         let cell_count = chains.nodes.len() + edges.ends.len() + 2 * corner_count + faces.orbits.len();
         options.check(cell_count, "in all")?;
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
-        Ok(Self {
-            rings,
-            regions,
-            region_count,
-            crossings,
-            chains,
-            edges,
-            orbits,
-            faces,
-            windings,
-            lowest_corners,
-        })
+        Ok(Self { rings, region_count, crossings, chains, edges, orbits, faces, windings, lowest_corners })
     }
 
     /// One more than the highest region that a ring with sides belongs to.
