@@ -42,6 +42,9 @@ pub(super) struct PolygonTriangles {
     pub(super) split: Vec<(SplitPolygon, AxisView)>,
 }
 
+/// What is found in a picture, and the picture.
+type Seen<T> = (T, AxisView);
+
 enum Outcome {
     WithoutArea,
     Triangles(Vec<[u32; 3]>),
@@ -222,7 +225,7 @@ impl Cutter<'_> {
         &self,
         sides: &[[u32; 2]],
         axis: usize,
-    ) -> Result<(Vec<[u32; 3]>, AxisView), (TriangulationFault, AxisView)> {
+    ) -> Result<Seen<Vec<[u32; 3]>>, Seen<TriangulationFault>> {
         let mut view = AxisView { axis: axis as u8, from: Sign::Plus };
         if self.is_clockwise(sides, view) {
             view = view.behind();
