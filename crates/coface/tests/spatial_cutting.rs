@@ -418,7 +418,7 @@ fn check_soup(triangles: &[[Point; 3]]) {
         let [a, b, c] = triangles[(i * 7 + 3) % count];
         [[b, c, a], [c, b, a], [a, b, c]][i % 3]
     });
-    if count % 7 != 0 {
+    if !count.is_multiple_of(7) {
         let permuted = Soup::of(permuted);
         let again = permuted.cut();
         assert_eq!(again.complex().f_vector(), cut.complex().f_vector());
