@@ -1,6 +1,7 @@
 //! Boolean combinations of models in space: cubes with known volumes, volume meshes, open and inside-out surfaces, files with
 //! published results.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(clippy::print_stderr, reason = "a test that is skipped says so")]
 
 use coface::algebra::RaggedArray;
 use coface::arrangement::boolean::{BooleanFormula, InsideRule};

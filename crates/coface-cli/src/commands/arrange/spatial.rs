@@ -148,11 +148,7 @@ pub(crate) fn rounding(object: &Value) -> (String, String, String) {
         0 => "none".to_owned(),
         _ => text::count(count as usize, "vertex"),
     };
-    (
-        "rounding".to_owned(),
-        value,
-        "of the coordinates of the arrangement; --snap makes them exact".to_owned(),
-    )
+    ("rounding".to_owned(), value, "of coordinates; --snap makes them exact".to_owned())
 }
 
 fn page(arrangement: &SceneArrangement, object: &Value) -> String {

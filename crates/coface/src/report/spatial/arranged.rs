@@ -143,10 +143,9 @@ impl Arranged {
         self.arrangement.void_count()
     }
 
-    /// The number of vertices whose coordinates were rounded.
-    pub(super) fn rounded_vertex_count(&self) -> usize {
-        let vertices = (0..self.complex.cell_count(0)).map(VertexId::new);
-        vertices.filter(|&vertex| !self.arrangement.point(vertex).is_exactly_rounded()).count()
+    /// Whether a coordinate of this vertex was rounded.
+    pub(super) fn is_rounded(&self, vertex: CellId) -> bool {
+        !self.arrangement.point(VertexId::from_u32(vertex.to_u32())).is_exactly_rounded()
     }
 
     /// How many times coordinates were rounded and everything arranged again.

@@ -269,7 +269,7 @@ impl<'a> SolidBoolean<'a> {
                 InsideRule::Odd => "odd",
             },
             "files": self.files_to_json(),
-            "rounding": self.arrangement.rounding_to_json(),
+            "rounding": self.arrangement.rounding_to_json(self.closure()[0].iter().copied()),
             "remarks": self.arrangement.scene().remarks(),
         }))
     }
@@ -279,11 +279,16 @@ impl<'a> SolidBoolean<'a> {
         if self.request.triangles {
             return self.mesh.f_vector();
         }
+        let [vertices, edges, faces] = self.closure().map(|cells| cells.len());
+        [vertices + self.copies[0], edges + self.copies[1], faces]
+    }
+
+    /// The vertices, edges and faces of the arrangement that are part of the surface.
+    fn closure(&self) -> [Vec<CellId>; 3] {
         let complex = self.arrangement.complex();
         let faces: Vec<CellId> = self.boundary.facets().iter().map(|facet| facet.0).collect();
         let edges = facets_of(complex, 2, &faces);
-        let vertices = facets_of(complex, 1, &edges);
-        [vertices.len() + self.copies[0], edges.len() + self.copies[1], faces.len()]
+        [facets_of(complex, 1, &edges), edges, faces]
     }
 
     /// The number of faces that are no polygon of a mesh, since they have holes or slits, and were cut into triangles.

@@ -411,10 +411,10 @@ fn volume_sign<'a, I: Iterator<Item = (Sign, &'a [u32])>>(
                 let point = point(vertex).map(Dyadic::from);
                 [0, 1, 2].map(|axis| &point[axis] - &apex[axis])
             });
-            for i in 0..3 {
+            for (i, x) in a.iter().enumerate() {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
                 let minor = &(&b[j] * &c[k]) - &(&b[k] * &c[j]);
-                let term = &a[i] * &minor;
+                let term = x * &minor;
                 exact = match sign {
                     Sign::Plus => &exact + &term,
                     Sign::Minus => &exact - &term,

@@ -167,7 +167,7 @@ impl SceneArrangement {
                 "listed": dropped.iter().take(MOST_LISTED).map(place).collect::<Vec<_>>(),
             },
             "split_polygons": {"count": split, "largest_deviation": deviation},
-            "rounding": self.rounding_to_json(),
+            "rounding": self.rounding_to_json((0..complex.cell_count(0)).map(CellId::new)),
             "remarks": self.scene.remarks(),
         }))
     }
@@ -204,8 +204,9 @@ impl SceneArrangement {
         self.scene.names().iter().enumerate().map(file).collect()
     }
 
-    pub(super) fn rounding_to_json(&self) -> Value {
-        let rounded = self.arranged.rounded_vertex_count();
+    /// How many of these vertices have rounded coordinates.
+    pub(super) fn rounding_to_json(&self, vertices: impl Iterator<Item = CellId>) -> Value {
+        let rounded = vertices.filter(|&vertex| self.arranged.is_rounded(vertex)).count();
         json!({"exact": rounded == 0, "rounded_vertices": rounded, "rounds": self.arranged.round_count()})
     }
 }
