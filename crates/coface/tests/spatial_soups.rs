@@ -3,6 +3,7 @@
 
 mod reference;
 
+use coface::algebra::Rational;
 use coface::arrangement::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons, gift_wrap};
 use coface::{CellId, FaceId, VertexId};
 use rayon::prelude::*;
@@ -69,16 +70,26 @@ fn fault(polygons: &[Polygon], input_count: usize) -> Option<String> {
     if sources != expected.sources_of_faces() {
         return Some(format!("faces of {sources:?}, not of {:?}", expected.sources_of_faces()));
     }
-    // Vertices are the same points, rounded.
-    let mut places: Vec<[f64; 3]> = found.positions().as_flat().as_chunks::<3>().0.to_vec();
-    places.sort_by(|p, q| p.partial_cmp(q).unwrap());
-    let is_near = |(p, q): (&[f64; 3], &reference::Vector)| {
-        (0..3).all(|i| (p[i] - q[i].to_f64()).abs() <= 1e-15 * q[i].to_f64().abs())
-    };
-    let mut exact_places: Vec<_> =
-        (0..found.f_vector()[0]).map(|vertex| found.point(VertexId::new(vertex)).to_rational()).collect();
-    exact_places.sort();
-    if exact_places != expected.faces.vertices || !places.iter().zip(&expected.faces.vertices).all(is_near) {
+    // Vertices are the same points, each rounded to the nearest number.
+    let places = found.positions().as_flat().as_chunks::<3>().0;
+    let points = (0..places.len()).map(|vertex| found.point(VertexId::new(vertex)).to_rational());
+    let mut points: Vec<reference::Vector> = points.collect();
+    for (place, point) in places.iter().zip(&points) {
+        for (&x, exact) in place.iter().zip(point) {
+            let distance = |x: f64| {
+                let off = exact - &reference::exactly(x);
+                if off < Rational::ZERO { -&off } else { off }
+            };
+            if distance(x).is_zero() {
+                continue;
+            }
+            if [x.next_down(), x.next_up()].iter().any(|&other| distance(other) < distance(x)) {
+                return Some(format!("{exact} rounded to {x}"));
+            }
+        }
+    }
+    points.sort();
+    if points != expected.faces.vertices {
         return Some("other vertices".to_owned());
     }
     let voids: usize = expected.cells.iter().map(|cell| cell.void_count).sum();

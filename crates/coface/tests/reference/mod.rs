@@ -18,6 +18,23 @@ pub(crate) fn number(x: i64) -> Rational {
     Rational::from(x)
 }
 
+/// The value of a floating-point number.
+pub(crate) fn exactly(x: f64) -> Rational {
+    let bits = x.to_bits();
+    let (biased, fraction) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
+    let (mantissa, exponent) =
+        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
+    let mut power = Rational::ONE;
+    let mut left = exponent.unsigned_abs();
+    while left > 0 {
+        let step = left.min(60);
+        power = &power * &number(1 << step);
+        left -= step;
+    }
+    let value = if exponent < 0 { quotient(&number(mantissa), &power) } else { &number(mantissa) * &power };
+    if x < 0.0 { -&value } else { value }
+}
+
 pub(crate) fn vector(p: [i64; 3]) -> Vector {
     p.map(number)
 }
