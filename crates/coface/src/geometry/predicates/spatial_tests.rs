@@ -149,15 +149,15 @@ proptest! {
         let planes = [0, 2, 5].map(|i| [corners[i], corners[i + 1], corners[(i + 3) % 9]]);
         for (p, plain) in &defined {
             prop_assert_eq!(&p.to_rational(), plain);
-            for axis in 0..3 {
+            for (axis, coordinate) in plain.iter().enumerate() {
                 let rounded = p.rounded()[axis];
                 let [low, high] = p.range(axis);
                 prop_assert!((low == high || low.next_up() == high) && (rounded == low || rounded == high));
                 if low.is_finite() && high.is_finite() {
-                    prop_assert!(rational(low) <= plain[axis] && plain[axis] <= rational(high));
-                    prop_assert_eq!(low == high, rational(rounded) == plain[axis]);
+                    prop_assert!(rational(low) <= *coordinate && *coordinate <= rational(high));
+                    prop_assert_eq!(low == high, rational(rounded) == *coordinate);
                     // The nearest of the two, a tie to the even one.
-                    let to_low = (&plain[axis] - &rational(low)).cmp(&(&rational(high) - &plain[axis]));
+                    let to_low = (coordinate - &rational(low)).cmp(&(&rational(high) - coordinate));
                     let nearest = if to_low.is_lt() || to_low.is_eq() && low.to_bits() % 2 == 0 { low } else { high };
                     prop_assert_eq!(rounded, nearest);
                 }
@@ -183,8 +183,8 @@ proptest! {
         for pick in picks.chunks(4) {
             let [a, b, c, d] = [0, 1, 2, 3].map(|i| &defined[pick[i] % defined.len()]);
             let n = cross(&vector(&a.1, &b.1), &vector(&a.1, &c.1));
-            for axis in 0..3 {
-                prop_assert_eq!(normal_sign(axis, [&a.0, &b.0, &c.0]), sign(&n[axis]));
+            for (axis, coordinate) in n.iter().enumerate() {
+                prop_assert_eq!(normal_sign(axis, [&a.0, &b.0, &c.0]), sign(coordinate));
             }
             let side = sign(&dot(&n, &vector(&a.1, &d.1)));
             prop_assert_eq!(orientation_of_points([&a.0, &b.0, &c.0, &d.0]), side);
@@ -219,8 +219,8 @@ proptest! {
                 for pair in [[c(9), c(7)], [c(0), c(8)], [c(1), c(4)]] {
                     let [x, y] = pair.map(point);
                     let n = cross(&vector(&a, &b), &vector(&a, &x));
-                    for axis in 0..3 {
-                        prop_assert_eq!(line.normal_sign(axis, pair[0]), sign(&n[axis]));
+                    for (axis, coordinate) in n.iter().enumerate() {
+                        prop_assert_eq!(line.normal_sign(axis, pair[0]), sign(coordinate));
                     }
                     prop_assert_eq!(line.orientation(pair[0], pair[1]), sign(&dot(&n, &vector(&a, &y))));
                     // The same cyclic order of three of them.
