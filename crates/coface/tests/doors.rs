@@ -49,6 +49,10 @@ const SAMPLES: [(Format, &str); 12] = [
          [[[0,0],[1,0],[0,1],[0,0]]]}}\n",
     ),
     (Format::Wkt, "POLYGON ((0 0, 1 0, 0 1, 0 0))\nPOINT (5 6)\n"),
+    (
+        Format::Svg,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\">\n<path d=\"M0 0 h1 v1 z\"/>\n<line x1=\"5\" y2=\"6\"/>\n</svg>\n",
+    ),
 ];
 
 fn sample(format: Format) -> &'static str {
@@ -176,6 +180,10 @@ const FAULTS: [(Format, &str, &str, &str); 63] = [
     (Format::Wkt, ", 0 0))", "))", "ends at (0, 1)"),
     (Format::Wkt, "0 1,", "0 nan,", "nan"),
     (Format::Wkt, "POINT", "PINT", "\"PINT\""),
+    (Format::Svg, "h1", "c1 1 2 2 3 3", "has a curve"),
+    (Format::Svg, "h1", "h1e999", "number is missing"),
+    (Format::Svg, "\"5\"", "\"5cm\"", "no length"),
+    (Format::Svg, "</svg>", "", "root"),
 ];
 
 #[test]
@@ -468,7 +476,7 @@ fn every_format_converts_to_every_other_that_can_hold_it() {
             assert_eq!(back.format(), Some(format));
             assert_sound(&back, &context);
             // Drawings have rings for polygons, and vertices where lines have ends.
-            let draws = matches!(format, Format::Lines | Format::GeoJson | Format::Wkt);
+            let draws = matches!(format, Format::Lines | Format::GeoJson | Format::Wkt | Format::Svg);
             if format != Format::Json && format != Format::Stl && !draws {
                 assert_eq!(back.vertex_count(), model.vertex_count(), "{context}");
                 assert_eq!(back.polygons().len(), model.polygons().len(), "{context}");

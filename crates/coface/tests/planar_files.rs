@@ -99,6 +99,18 @@ fn maps_are_what_the_manifest_says() {
 }
 
 #[test]
+fn a_drawing_in_svg_is_what_the_manifest_says() {
+    let Some(data) = data_folder("a_drawing_in_svg_is_what_the_manifest_says") else { return };
+    let model = io::read_path(data.join("planar/polygon.svg"), None).unwrap();
+    assert_eq!((model.format(), model.vertex_count()), (Some(Format::Svg), 12));
+    let (sum, union) = areas(&model);
+    assert!((sum - 11398.38366).abs() < 1e-6 && (sum - union).abs() < 1e-9, "{sum} {union}");
+    let mut out = Vec::new();
+    io::write(&model, &mut out, Format::Svg).unwrap();
+    assert_eq!(io::read_unknown(&out[..]).unwrap(), model);
+}
+
+#[test]
 fn names_of_countries_are_groups() {
     let Some(data) = data_folder("names_of_countries_are_groups") else { return };
     let model = io::read_path(data.join("planar/ITA.geo.json"), None).unwrap();

@@ -5,8 +5,10 @@ use super::boolean::RegionBoolean;
 use super::outline::Outline;
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
+use crate::geometry::predicates::orientation;
+use crate::geometry::triangulation::triangulate;
 use crate::io::{self, CellData, Format, GroupKind, Model, geojson};
-use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use crate::{EdgeId, Error, FaceId, VertexId};
 use serde_json::{Map, Value, json};
 use std::io::Write;
 
@@ -141,21 +143,38 @@ fn write_drawing(
     io::write(&model, out, format)
 }
 
-/// Polygons of a mesh, and loose edges.
+/// Polygons of a mesh, and loose edges. Polygons with holes are cut into triangles.
 fn mesh(outline: &Outline, positions: Positions, loose: &[[u32; 2]]) -> Result<Model, Error> {
-    let mut polygons = RaggedArray::new();
-    let mut numbers = Vec::new();
+    let place = |vertex: u32| {
+        let point = positions.point(VertexId::from_u32(vertex));
+        [point[0], point[1]]
+    };
+    let compare = |a: u32, b: u32| {
+        let [[ax, ay], [bx, by]] = [a, b].map(place);
+        // Zeros of both signs are equal.
+        (ax + 0.0).total_cmp(&(bx + 0.0)).then((ay + 0.0).total_cmp(&(by + 0.0)))
+    };
+    let turn = |a: u32, b: u32, c: u32| orientation(place(a), place(b), place(c));
+    let (mut polygons, mut numbers) = (RaggedArray::new(), Vec::new());
     for polygon in 0..outline.polygon_count() {
-        let mut rings = outline.rings_of(polygon);
-        if let (Some(ring), None) = (rings.next(), rings.next()) {
+        let rings: Vec<&[u32]> = outline.rings_of(polygon).collect();
+        if let [ring] = rings[..] {
             polygons.push(ring);
             numbers.push(polygon as i64);
             continue;
         }
-        return Err(Error::new(ErrorKind::UnsupportedFormat, format!("polygon {polygon} has holes"))
-            .with_cure("write GeoJSON, WKT or SVG, which hold polygons with holes"));
+        let triangles = triangulate(&rings, compare, turn).map_err(|fault| {
+            Error::invalid(format!(
+                "with rounded coordinates polygon {polygon} cannot be cut into triangles: {fault}"
+            ))
+            .with_cure("use --snap, or write GeoJSON, WKT or SVG, which hold polygons with holes")
+        })?;
+        for triangle in &triangles {
+            polygons.push(triangle);
+            numbers.push(polygon as i64);
+        }
     }
     let lines = RaggedArray::from_lists(loose);
-    let model = Model::from_polygons(positions, polygons)?.with_lines(lines)?;
+    let model = Model::from_polygons(positions.clone(), polygons)?.with_lines(lines)?;
     model.with_data(CellData::integers("face", GroupKind::Polygons, 1, numbers)?)
 }
