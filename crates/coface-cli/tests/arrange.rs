@@ -56,13 +56,13 @@ fn areas(value: &Value) -> Vec<f64> {
 #[test]
 fn the_facts_of_the_plane_hold() {
     let pentagon = [[0., 0.], [4., 0.], [4., 1.], [2., 4.], [0., 4.]];
-    let nested: Vec<&[[f64; 2]]> = vec![&pentagon];
-    assert_eq!(areas(&arranged(&segments(&nested), &[])), [13.0]);
+    assert_eq!(areas(&arranged(&segments(&[&pentagon]), &[])), [13.0]);
     let (big, middle, small) = (square(0., 0., 4.), square(1., 1., 2.), square(1.5, 1.5, 0.5));
     let corner: &[[f64; 2]] = &[[0., 0.], [1., 2.], [2., 1.]];
     let wide: &[[f64; 2]] = &[[0., 0.], [2., 0.], [2., 1.], [0., 1.]];
     let beside: &[[f64; 2]] = &[[1., 0.], [3., 0.], [3., 1.], [1., 1.]];
-    let cases: [(&[&[[f64; 2]]], [u64; 3], &[f64], u64); 7] = [
+    type Case<'a> = (&'a [&'a [[f64; 2]]], [u64; 3], &'a [f64], u64);
+    let cases: [Case<'_>; 7] = [
         (&[&big, &middle, &small], [12, 12, 3], &[12.0, 3.75, 0.25], 2),
         (&[&square(0., 0., 1.), &square(1., 1., 1.)], [7, 8, 2], &[1.0, 1.0], 0),
         (&[wide, beside], [8, 10, 3], &[1.0, 1.0, 1.0], 0),

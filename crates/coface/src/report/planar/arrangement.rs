@@ -5,8 +5,8 @@ use super::drawing::PlanarDrawing;
 use super::sides::Sides;
 use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::InsideRule;
-use crate::arrangement::planar::{PlanarArrangement, RoundingCertificate, VertexSource};
-use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use crate::arrangement::planar::{PlanarArrangement, PlanarOptions, RoundingCertificate, VertexSource};
+use crate::{EdgeId, Error, FaceId, VertexId};
 use serde_json::{Value, json};
 
 /// How drawings are arranged.
@@ -57,14 +57,14 @@ impl DrawingArrangement {
     /// Arranges a drawing.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] if there are more cells than allowed; those of [`PlanarArrangement::new`] and
-    /// [`PlanarArrangement::snapped`].
+    /// Those of [`PlanarArrangement::with_options`] and [`PlanarArrangement::snapped`].
     ///
     /// # Complexity
     /// That of the arrangement, and linear in the segments along all edges.
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
-        let mut arrangement = PlanarArrangement::new(&drawing.positions, &drawing.segments)?;
-        check_size(&arrangement, request.max_cells)?;
+        let options = PlanarOptions { max_cells: request.max_cells };
+        let mut arrangement =
+            PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
         let sources = |arrangement: &PlanarArrangement| -> Vec<VertexSource> {
             (0..arrangement.vertex_count()).map(|vertex| arrangement.source(VertexId::new(vertex))).collect()
         };
@@ -167,7 +167,7 @@ impl DrawingArrangement {
     /// Whether the product of the two boundary matrices is zero, found by multiplying them.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] if a matrix does not fit in 32 bits.
+    /// [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) if a matrix does not fit in 32 bits.
     pub fn products_are_zero(&self) -> Result<bool, Error> {
         let complex = self.arrangement.chain_complex()?;
         match (complex.boundary_matrix(1), complex.boundary_matrix(2)) {
@@ -243,16 +243,4 @@ fn rounding_to_json(certificate: &RoundingCertificate, is_exact: bool) -> Value 
         "turned_vertices": certificate.turned_vertices.len(),
         "moved_components": certificate.moved_components.len(),
     })
-}
-
-fn check_size(arrangement: &PlanarArrangement, most: Option<usize>) -> Result<(), Error> {
-    let count: usize = arrangement.f_vector().iter().sum();
-    match most {
-        Some(most) if count > most => Err(Error::new(
-            ErrorKind::TooLarge,
-            format!("the arrangement has {count} cells, more than the {most} that are allowed"),
-        )
-        .with_cure("allow more, or arrange the drawing in parts")),
-        _ => Ok(()),
-    }
 }

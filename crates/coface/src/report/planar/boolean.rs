@@ -66,7 +66,7 @@ impl RegionBoolean {
     /// Combines the regions of a drawing, which are the inputs of the formula in their order.
     ///
     /// # Errors
-    /// [`ErrorKind::NotACycle`] naming where lines end that should bound a region; [`ErrorKind::InvalidInput`] naming the crossing
+    /// [`ErrorKind::NotACycle`](crate::ErrorKind::NotACycle) naming where lines end that should bound a region; [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming the crossing
     /// of a ring with itself, an input of the formula that is not there, or a formula that holds outside of all regions;
     /// those of [`DrawingArrangement::new`].
     ///

@@ -22,7 +22,7 @@ impl DrawingArrangement {
     /// * Others: faces as polygons; a face with holes or corners that touch is cut into triangles.
     ///
     /// # Errors
-    /// [`ErrorKind::UnsupportedFormat`] if the format cannot hold it; [`ErrorKind::Io`] from the output.
+    /// [`ErrorKind::UnsupportedFormat`](crate::ErrorKind::UnsupportedFormat) if the format cannot hold it; [`ErrorKind::Io`](crate::ErrorKind::Io) from the output.
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
         let arrangement = &self.arrangement;
         let positions = arrangement.positions().clone();
@@ -74,7 +74,7 @@ impl RegionBoolean {
     /// * Others: polygons; one with holes is cut into triangles.
     ///
     /// # Errors
-    /// [`ErrorKind::UnsupportedFormat`] if the format cannot hold it; [`ErrorKind::Io`] from the output.
+    /// [`ErrorKind::UnsupportedFormat`](crate::ErrorKind::UnsupportedFormat) if the format cannot hold it; [`ErrorKind::Io`](crate::ErrorKind::Io) from the output.
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
         let positions = self.positions.clone();
         if format == Format::Lines {
