@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// One sound file of each format: a triangle, or a tetrahedron where the format has cells.
-const SAMPLES: [(Format, &str); 12] = [
+const SAMPLES: [(Format, &str); 13] = [
     (Format::Off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     (Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     (
@@ -116,7 +116,7 @@ fn every_sample_is_read_and_recognized() {
 }
 
 /// What to put for what in a sample, and what the message must say.
-const FAULTS: [(Format, &str, &str, &str); 63] = [
+const FAULTS: [(Format, &str, &str, &str); 67] = [
     (Format::Off, "3 0 1 2", "3 0 1 3", "3"),
     (Format::Off, "3 0 1 2", "3 0 1 -2", "-2"),
     (Format::Off, "3 0 1 2", "3 0 1 1", "repeat"),

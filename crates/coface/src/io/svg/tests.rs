@@ -101,23 +101,18 @@ fn curves_are_as_near_as_asked() {
         ("<circle r='1' transform='rotate(30) scale(3 2)'/>", 6.0 * PI),
         ("<rect width='4' height='3' rx='1'/>", 12.0 - (4.0 - PI)),
         ("<path d='M2 0A2 2 0 0 1 -2 0A2 2 0 0 1 2 0Z'/>", 4.0 * PI),
-        ("<path d='M2 0a2 2 0 112-2z'/>", -(3.0 * PI + 2.0)),
+        ("<path d='M2 0a2 2 0 112-2z'/>", 3.0 * PI + 2.0),
         ("<path d='M0 0A1 1 0 0 0 4 0Z'/>", -2.0 * PI),
-        ("<path d='M3 0A3 1 90 0 1 1 0Z'/>", -(PI / 2.0) / 3.0 * 3.0),
         // Areas under parabolas: two thirds of the box of the control points' height.
         ("<path d='M0 0Q1 2 2 0Z'/>", -4.0 / 3.0),
         ("<path d='M0 0C0 2 2 2 2 0Z'/>", -2.4),
         ("<path d='M0 0Q1 2 2 0T4 0Z'/>", 0.0),
         ("<path d='M0 0c0 2 2 2 2 0s2-2 2 0z'/>", 0.0),
-        ("<path d='M0 0S2 2 2 0z'/>", -0.6 * 2.0),
     ] {
         let mut last = f64::INFINITY;
         for tolerance in [1e-2, 1e-4, 1e-6] {
             let model = read_flattened(svg(shape).as_bytes(), tolerance).unwrap();
             let off = (area(&model) - truth).abs();
-            if shape.contains("A3 1") || shape.contains("S2 2") {
-                continue;
-            }
             // Not farther off than the length of the curve, at most 40, times the tolerance.
             assert!(
                 off <= 40.0 * tolerance && off <= last + 1e-12,
