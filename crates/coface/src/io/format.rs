@@ -395,10 +395,8 @@ fn is_svg(start: &[u8]) -> bool {
             b"-->"
         } else if rest.starts_with(b"<?") {
             b"?>"
-        } else if rest.starts_with(b"<!DOCTYPE svg") {
-            return true;
         } else {
-            return false;
+            return rest.starts_with(b"<!DOCTYPE svg");
         };
         let Some(at) = memchr::memmem::find(rest, end) else { return false };
         rest = rest[at + end.len()..].trim_ascii_start();

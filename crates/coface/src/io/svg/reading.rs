@@ -200,7 +200,7 @@ impl Reader {
         }
         if !pen.subpaths.is_empty() {
             self.drawing.set_name(node.attribute("id").map(str::to_owned));
-            self.subpaths(pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
+            self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
             self.drawing.set_name(None);
         }
         for child in node.children().filter(Node::is_element) {
@@ -210,7 +210,7 @@ impl Reader {
     }
 
     /// The closed subpaths are rings of one polygon, the others lines.
-    fn subpaths(&mut self, subpaths: Vec<Subpath>, rule: FillRule, node: Node<'_, '_>) -> Result<(), Error> {
+    fn subpaths(&mut self, subpaths: &[Subpath], rule: FillRule, node: Node<'_, '_>) -> Result<(), Error> {
         let name = || format!("a part of <{}> in line {}", node.tag_name().name(), line_of(node));
         // A path that comes back to its first point is closed, whether it says so or not; a polyline is a line.
         let is_path = node.tag_name().name() == "path";

@@ -60,7 +60,7 @@ impl DrawingArrangement {
             };
             return write_drawing(&outline, positions, &loose, out, format, &properties);
         }
-        let model = mesh(&outline, positions, &loose)?;
+        let model = mesh(&outline, &positions, &loose)?;
         io::write(&model, out, format)
     }
 }
@@ -90,7 +90,7 @@ impl RegionBoolean {
             };
             return write_drawing(&self.outline, positions, &[], out, format, &properties);
         }
-        io::write(&mesh(&self.outline, positions, &[])?, out, format)
+        io::write(&mesh(&self.outline, &positions, &[])?, out, format)
     }
 }
 
@@ -144,7 +144,7 @@ fn write_drawing(
 }
 
 /// Polygons of a mesh, and loose edges. Polygons with holes are cut into triangles.
-fn mesh(outline: &Outline, positions: Positions, loose: &[[u32; 2]]) -> Result<Model, Error> {
+fn mesh(outline: &Outline, positions: &Positions, loose: &[[u32; 2]]) -> Result<Model, Error> {
     let place = |vertex: u32| {
         let point = positions.point(VertexId::from_u32(vertex));
         [point[0], point[1]]
