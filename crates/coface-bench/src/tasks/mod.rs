@@ -16,6 +16,7 @@ mod persistence;
 mod planar;
 mod reading;
 mod simplicial;
+mod solids;
 mod surfaces;
 
 use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
@@ -78,6 +79,8 @@ pub(crate) const ALL: &[Task] = &[
     planar::LONG_SEGMENTS,
     planar::INTERSECTION,
     planar::UNION,
+    solids::INTERSECTION,
+    solids::UNION,
     info::TASK,
 ];
 
