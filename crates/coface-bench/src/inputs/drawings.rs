@@ -49,7 +49,7 @@ pub(super) fn coastlines(count: usize) -> Mesh {
         };
         (0..count).map(move |i| polar(2.0 * PI * i as f64 / count as f64, radius(i))).collect::<Vec<_>>()
     };
-    rings([vec![ring(7)], vec![ring(8)]])
+    rings(&[vec![ring(7)], vec![ring(8)]])
 }
 
 /// Two polygons of `count` vertices each with random radii between a half and 1; the second is turned by half a step.
@@ -59,7 +59,7 @@ pub(super) fn stars(count: usize) -> Mesh {
         let corner = |i: usize| polar(2.0 * PI * (i as f64 + turn) / count as f64, 0.5 + 0.5 * noise.next());
         (0..count).map(corner).collect::<Vec<_>>()
     };
-    rings([vec![ring(7, 0.0)], vec![ring(8, 0.5)]])
+    rings(&[vec![ring(7, 0.0)], vec![ring(8, 0.5)]])
 }
 
 /// A grid of about `count / 4` squares that cover 0.49 of a square of side 1.4, and the same turned by half a radian.
@@ -77,7 +77,7 @@ pub(super) fn squares(count: usize) -> Mesh {
         };
         (0..side * side).map(square).collect::<Vec<_>>()
     };
-    rings([grid(0.0), grid(0.5)])
+    rings(&[grid(0.0), grid(0.5)])
 }
 
 fn polar(angle: f64, radius: f64) -> [f64; 2] {
@@ -86,7 +86,7 @@ fn polar(angle: f64, radius: f64) -> [f64; 2] {
 }
 
 /// The rings of two regions on the grid of multiples of 2^-27, as integers.
-fn rings(regions: [Vec<Vec<[f64; 2]>>; 2]) -> Mesh {
+fn rings(regions: &[Vec<Vec<[f64; 2]>>; 2]) -> Mesh {
     let scale = f64::from(1u32 << 27);
     let (mut coordinates, mut lists) = (Vec::new(), RaggedArray::new());
     for (ring, region) in

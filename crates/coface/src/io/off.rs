@@ -200,10 +200,12 @@ fn header(keyword: Keyword, dimension: u64, vertices: u64, faces: u64) -> Result
         (false, four) => 3 + u64::from(four),
     };
     if dimension == 0 || dimension > 1 << 16 {
-        return Err(Error::invalid(format!("the dimension is {dimension}; it must be from 1 to 65536")));
+        return Err(Error::invalid(format!("the dimension is {dimension}; it must be from 1 to 65536"))
+            .with_cure("write the number of coordinates that a vertex has"));
     }
     if vertices > u64::from(u32::MAX) {
-        return Err(Error::new(ErrorKind::TooLarge, format!("{vertices} vertices; the limit is 2^32 - 1")));
+        return Err(Error::new(ErrorKind::TooLarge, format!("{vertices} vertices; the limit is 2^32 - 1"))
+            .with_cure("write the number of vertices that are there, or divide the model"));
     }
     let (dimension, attributes) = keyword.widths(dimension as usize);
     Ok(Header { dimension, attributes, vertices, faces })

@@ -48,7 +48,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         return Err(Error::new(
             ErrorKind::TooLarge,
             format!("{vertex_count} vertices; the limit is 2^32 - 1"),
-        ));
+        )
+        .with_cure("write the number of vertices that are there, or divide the model"));
     }
     let mut model = Model { vertex_count: vertex_count as usize, ..Model::default() };
     let mut found = Elements::default();
