@@ -33,7 +33,7 @@ pub struct BooleanRequest {
 /// none of the result.
 ///
 /// # Examples
-/// Two rectangles side by side, and a square around the middle of what they share.
+/// Two rectangles side by side, and a square around the middle of what they share. Corners of both stay, though sides go straight on.
 /// ```
 /// use coface::arrangement::boolean::BooleanFormula;
 /// use coface::io::{self, Format};

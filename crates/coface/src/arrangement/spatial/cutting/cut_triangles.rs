@@ -68,7 +68,7 @@ pub enum SpatialVertexSource {
 /// let positions = Positions::from_flat(3, points)?;
 /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &CutOptions::default())?;
 /// // New are (1, 1, 0), and (2, 2, 0) on the edge of the first triangle.
-/// assert_eq!(cut.complex().f_vector(), [8, 10, 3]);
+/// assert_eq!(cut.complex().f_vector(), [8, 9, 2]);
 /// assert_eq!(cut.positions().point(coface::VertexId::new(7)), [2.0, 2.0, 0.0]);
 /// # Ok(()) }
 /// ```
