@@ -45,7 +45,7 @@ pub struct BooleanRequest {
 /// let drawing = PlanarDrawing::new([("a", &a), ("b", &b), ("c", &c)], RegionSource::Models)?;
 /// let formula = BooleanFormula::parse("(a | b) - c", &[])?;
 /// let result = RegionBoolean::new(drawing, &formula, &BooleanRequest::default())?;
-/// assert_eq!((result.f_vector(), result.hole_count(), result.area()), ([8, 8, 1], 1, 3.5));
+/// assert_eq!((result.f_vector(), result.hole_count(), result.area()), ([10, 10, 1], 1, 3.5));
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
