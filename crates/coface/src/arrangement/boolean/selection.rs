@@ -181,41 +181,53 @@ fn pinches(complex: &ChainComplex, degree: usize, facets: &[(CellId, Sign)]) -> 
     let Some(ridges) = degree.checked_sub(1).and_then(|below| complex.boundary_matrix(below)) else {
         return (Vec::new(), Vec::new());
     };
-    // Pairs of a ridge and the position of a facet.
-    let mut at_ridge: Vec<(u32, u32)> = (0..)
-        .zip(facets)
-        .flat_map(|(i, (facet, _))| ridges.column(facet.index()).rows().iter().map(move |&ridge| (ridge, i)))
+    let mut around = RaggedArray::new();
+    facets.iter().for_each(|(facet, _)| around.push(ridges.column(facet.index()).rows()));
+    // The positions of the facets at each ridge.
+    let at_ridge = around.transposed(ridges.row_count());
+    let pinched: Vec<CellId> = (0..)
+        .zip(at_ridge.iter())
+        .filter(|(_, facets)| facets.len() > 2)
+        .map(|(ridge, _)| CellId::from_u32(ridge))
         .collect();
-    at_ridge.sort_unstable();
-    let groups = || at_ridge.chunk_by(|x, y| x.0 == y.0);
-    let pinched: Vec<CellId> =
-        groups().filter(|group| group.len() > 2).map(|group| CellId::from_u32(group[0].0)).collect();
     if degree == 2 {
         return (pinched.clone(), pinched);
     }
     let (3, Some(ends)) = (degree, complex.boundary_matrix(1)) else { return (pinched, Vec::new()) };
-    // Corners are pairs of a vertex and a facet; those on both sides of an edge are in one fan.
-    let mut corners: Vec<(u32, u32)> = at_ridge
-        .iter()
-        .flat_map(|&(edge, i)| ends.column(edge as usize).rows().iter().map(move |&vertex| (vertex, i)))
-        .collect();
-    corners.sort_unstable();
-    corners.dedup();
-    let mut fans = UnionFind::new(corners.len());
-    let corner =
-        |vertex: u32, i: u32| corners.binary_search(&(vertex, i)).expect("sides have corners") as u32;
-    for group in groups() {
-        for &vertex in ends.column(group[0].0 as usize).rows() {
-            let first = corner(vertex, group[0].1);
-            for &(_, i) in &group[1..] {
-                fans.unite(first, corner(vertex, i));
-            }
+    // Corners of facets are numbered through; those on both sides of an edge are in one fan.
+    let mut corners = RaggedArray::new();
+    let mut list = Vec::new();
+    for edges in around.iter() {
+        list.clear();
+        list.extend(edges.iter().flat_map(|&edge| ends.column(edge as usize).rows()));
+        list.sort_unstable();
+        list.dedup();
+        corners.push(&list);
+    }
+    let corner = |facet: u32, vertex: u32| {
+        let place = corners.list(facet as usize).binary_search(&vertex).expect("sides have corners");
+        (corners.start(facet as usize) + place) as u32
+    };
+    let mut fans = UnionFind::new(corners.item_count());
+    for (edge, facets) in at_ridge.iter().enumerate() {
+        let Some((&first, others)) = facets.split_first() else { continue };
+        for &vertex in ends.column(edge).rows() {
+            others.iter().for_each(|&other| {
+                fans.unite(corner(first, vertex), corner(other, vertex));
+            });
         }
     }
-    let classes = RaggedArray::grouped(complex.cell_count(0), corners.iter().map(|&(vertex, _)| vertex));
-    let split = classes.iter().enumerate().filter(|(_, own)| {
-        own.first().is_some_and(|&first| own[1..].iter().any(|&other| !fans.same(first, other)))
-    });
-    let vertices = split.map(|(vertex, _)| CellId::new(vertex)).collect();
-    (pinched, vertices)
+    const NONE: u32 = u32::MAX;
+    let mut first = vec![NONE; complex.cell_count(0)];
+    let mut is_split = vec![false; first.len()];
+    for (corner, &vertex) in (0..).zip(corners.items()) {
+        let known = &mut first[vertex as usize];
+        if *known == NONE {
+            *known = corner;
+        } else if !fans.same(*known, corner) {
+            is_split[vertex as usize] = true;
+        }
+    }
+    let split = is_split.iter().enumerate().filter(|(_, is_split)| **is_split);
+    (pinched, split.map(|(vertex, _)| CellId::new(vertex)).collect())
 }
