@@ -2,13 +2,15 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
-use coface::algebra::{Rational, UnionFind};
+mod reference;
+
+use coface::algebra::Rational;
 use coface::arrangement::planar::{PlanarArrangement, VertexSource};
 use coface::geometry::Positions;
 use coface::geometry::predicates::orientation;
 use coface::{EdgeId, FaceId, HalfedgeId, VertexId};
 use proptest::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use reference::{Point, drawing, exactly, number, quotient};
 
 type Segment = [f64; 4];
 
@@ -82,89 +84,12 @@ fn check(arrangement: &PlanarArrangement) {
 
 /// Everything with fractions and sets: vertices, edges, areas of bounded faces (rising) with their numbers of holes.
 fn brute_force(segments: &[Segment]) -> (usize, usize, Vec<(Rational, usize)>) {
-    type Point = [Rational; 2];
-    let number = |x: f64| Rational::from(x as i64);
-    let minus = |p: &Point, q: &Point| [&p[0] - &q[0], &p[1] - &q[1]];
-    let cross = |p: &Point, q: &Point| &(&p[0] * &q[1]) - &(&p[1] * &q[0]);
-    let ends: Vec<[Point; 2]> =
-        segments.iter().map(|&[a, b, c, d]| [[number(a), number(b)], [number(c), number(d)]]).collect();
-    let mut points: BTreeSet<Point> = ends.iter().flatten().cloned().collect();
-    for (i, [a, b]) in ends.iter().enumerate() {
-        for [c, d] in &ends[..i] {
-            let (s, t) = (minus(b, a), minus(d, c));
-            let Some(inverse) = cross(&s, &t).inverse() else { continue };
-            let along = [&t, &s].map(|direction| &cross(&minus(c, a), direction) * &inverse);
-            if along.iter().all(|x| *x >= Rational::ZERO && *x <= Rational::ONE) {
-                points.insert([0, 1].map(|axis| &a[axis] + &(&along[0] * &s[axis])));
-            }
-        }
-    }
-    let points: Vec<Point> = points.into_iter().collect();
-    let mut edges: BTreeSet<[usize; 2]> = BTreeSet::new();
-    for [a, b] in &ends {
-        let (low, high) = (a.min(b), a.max(b));
-        let on = |p: &Point| p >= low && p <= high && cross(&minus(b, a), &minus(p, a)).is_zero();
-        let along: Vec<usize> = (0..points.len()).filter(|&i| on(&points[i])).collect();
-        edges.extend(along.windows(2).map(|w| [w[0], w[1]]));
-    }
-    // Neighbors counterclockwise: by half planes, then by turning.
-    let mut around: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let mut components = UnionFind::new(points.len());
-    for &[a, b] in &edges {
-        around.entry(a).or_default().push(b);
-        around.entry(b).or_default().push(a);
-        components.unite(a as u32, b as u32);
-    }
-    for (&from, neighbors) in &mut around {
-        neighbors.sort_by(|&p, &q| {
-            let [u, v] = [p, q].map(|to| minus(&points[to], &points[from]));
-            let half = |d: &Point| (&d[1], &d[0]) < (&Rational::ZERO, &Rational::ZERO);
-            half(&u).cmp(&half(&v)).then_with(|| Rational::ZERO.cmp(&cross(&u, &v)))
-        });
-    }
-    let mut seen: BTreeSet<[usize; 2]> = BTreeSet::new();
-    let (mut outer, mut inner) = (Vec::new(), Vec::new());
-    for start in edges.iter().flat_map(|&[a, b]| [[a, b], [b, a]]) {
-        let (mut at, mut walk, mut doubled) = (start, Vec::new(), Rational::ZERO);
-        while seen.insert(at) {
-            walk.push(at[0]);
-            doubled += &cross(&points[at[0]], &points[at[1]]);
-            let neighbors = &around[&at[1]];
-            let place = neighbors.iter().position(|&to| to == at[0]).unwrap();
-            at = [at[1], neighbors[(place + neighbors.len() - 1) % neighbors.len()]];
-        }
-        if !walk.is_empty() {
-            if doubled > Rational::ZERO { &mut inner } else { &mut outer }.push((walk, doubled));
-        }
-    }
-    // A walk around the outside of a component is a hole of the smallest face around it.
-    let contains = |walk: &[usize], p: &Point| {
-        let mut winding = 0;
-        for i in 0..walk.len() {
-            let [a, b] = [walk[i], walk[(i + 1) % walk.len()]].map(|v| &points[v]);
-            let side = cross(&minus(b, a), &minus(p, a));
-            if a[1] <= p[1] && b[1] > p[1] && side > Rational::ZERO {
-                winding += 1;
-            } else if a[1] > p[1] && b[1] <= p[1] && side < Rational::ZERO {
-                winding -= 1;
-            }
-        }
-        winding != 0
-    };
-    let mut faces: Vec<(Rational, Rational, usize)> =
-        inner.iter().map(|(_, area)| (area.clone(), area.clone(), 0)).collect();
-    for (walk, area) in &outer {
-        let around = (0..inner.len()).filter(|&i| {
-            !components.same(inner[i].0[0] as u32, walk[0] as u32) && contains(&inner[i].0, &points[walk[0]])
-        });
-        if let Some(face) = around.min_by(|&i, &j| inner[i].1.cmp(&inner[j].1)) {
-            faces[face].0 += area;
-            faces[face].2 += 1;
-        }
-    }
-    let half = Rational::from(2).inverse().unwrap();
+    let segments: Vec<[Point; 2]> =
+        segments.iter().map(|&[a, b, c, d]| [[exactly(a), exactly(b)], [exactly(c), exactly(d)]]).collect();
+    let (points, edges) = drawing::cut(&segments);
+    let faces = drawing::bounded_faces(&points, &edges);
     let mut faces: Vec<(Rational, usize)> =
-        faces.into_iter().map(|(area, _, holes)| (&area * &half, holes)).collect();
+        faces.iter().map(|face| (quotient(&face.doubled, &number(2)), face.walks.len() - 1)).collect();
     faces.sort();
     (points.len(), edges.len(), faces)
 }
