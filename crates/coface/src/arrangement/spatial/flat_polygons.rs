@@ -182,7 +182,7 @@ impl Cutter<'_> {
                 "polygon {polygon} is not planar: v{off} is not in the plane of v{p}, v{q} and v{r}; points are up to \
                  {deviation:e} away from a plane"
             ))
-            .with_cure("let such polygons be split, or give triangles"));
+            .with_cure("let such polygons be split (--non-planar split), or give triangles"));
         }
         let (own, view) =
             self.triangles(sides, axes[0]).map_err(|(fault, view)| self.fault(polygon, fault, view))?;

@@ -266,7 +266,7 @@ impl<'a> SolidBoolean<'a> {
             "rule": match self.request.rule {
                 InsideRule::Nonzero => "nonzero",
                 InsideRule::Positive => "positive",
-                InsideRule::Odd => "odd",
+                InsideRule::Odd => "evenodd",
             },
             "files": self.files_to_json(),
             "rounding": self.arrangement.rounding_to_json(self.closure()[0].iter().copied()),

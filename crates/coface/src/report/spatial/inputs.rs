@@ -212,7 +212,7 @@ fn refusal(name: &str, rim: &InputRim, arranged: &Arranged) -> Error {
     let (fault, cure) = if rim.is_even() {
         (
             format!("polygons do not agree in direction across {count}; a walk along {edges}: {walk}"),
-            "turn polygons so that all agree (coface convert --orient), or count by parity (--rule odd)",
+            "turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)",
         )
     } else {
         (
