@@ -534,6 +534,7 @@ mod tests {
             (b"# figure eight\ncPcbbbiht\n", Format::Isosig),
             (b"# a drawing\n0,0, 1.5,-2e3\n", Format::Lines),
             (b"0 0 1 1\n", Format::Lines),
+            (b"0,0,1,nan\n", Format::Lines),
             (b" { \"type\" : \"Feature\",", Format::GeoJson),
             (b"{\"crs\":{\"type\":\"name\"},\"type\":\"Point\"", Format::GeoJson),
             (b"[[[0, 1], [1, 2]]]", Format::GeoJson),

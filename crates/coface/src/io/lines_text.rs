@@ -79,9 +79,10 @@ fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line[..end].split(|&byte| matches!(byte, b',' | b';') || is_blank(byte)).filter(|word| !word.is_empty())
 }
 
-/// Whether a line, with no comment in it, is a segment.
+/// Whether a line, with no comment in it, is a segment. Numbers that are not finite count here: reading says where they are.
 pub(super) fn is_segment(line: &[u8]) -> bool {
-    matches!(segment(line), Ok(Some(_)))
+    let is_number = |word| std::str::from_utf8(word).is_ok_and(|text| text.parse::<f64>().is_ok());
+    words(line).count() == 4 && words(line).all(is_number)
 }
 
 /// Writes the segments of all lines and the sides of all polygons, then the points, and the vertices that nothing uses,
