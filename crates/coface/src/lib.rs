@@ -27,6 +27,7 @@ pub mod report;
 pub mod simplicial;
 pub mod surface;
 pub mod topology;
+pub mod yin;
 
 pub use error::{Error, ErrorKind};
 pub use ids::{CellId, EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};

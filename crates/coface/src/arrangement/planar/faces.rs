@@ -5,34 +5,55 @@ use crate::geometry::predicates::{PlanarLine, direction_turn};
 use rayon::prelude::*;
 
 /// No face, no orbit, no edge.
-pub(super) const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
 
 /// How edges go around vertices and faces. Halfedge 2e goes along edge e from its lower to its upper end, 2e + 1 back.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Orbits {
+pub(crate) struct Orbits {
     /// The halfedges that leave each vertex, counterclockwise from straight down (exclusive).
-    pub(super) rotation: RaggedArray,
+    pub(crate) rotation: RaggedArray,
     /// The halfedge after each around the face on its left.
-    pub(super) next: Vec<u32>,
+    pub(crate) next: Vec<u32>,
     /// The halfedges around each face side, each list from its lowest; by rising first halfedges.
-    pub(super) orbits: RaggedArray,
-    pub(super) orbit_of: Vec<u32>,
+    pub(crate) orbits: RaggedArray,
+    pub(crate) orbit_of: Vec<u32>,
     /// The connected component of each vertex, by rising lowest vertices.
-    pub(super) component_of: Vec<u32>,
+    pub(crate) component_of: Vec<u32>,
     /// The lowest vertex of each component.
-    pub(super) lowest_vertices: Vec<u32>,
+    pub(crate) lowest_vertices: Vec<u32>,
     /// The orbit of each component that sees the outside; none for a vertex on its own.
-    pub(super) outer_orbits: Vec<u32>,
+    pub(crate) outer_orbits: Vec<u32>,
 }
 
 impl Orbits {
-    /// The orbits of edges; `departure` is a line along which a halfedge leaves its vertex, in the direction of leaving.
+    /// The orbits of straight edges; `departure` is a line along which a halfedge leaves its vertex, in the direction of leaving.
     ///
     /// The orbits outside take vertices to be in lexicographic order and edges to be straight.
-    pub(super) fn new(
+    pub(crate) fn new(
         vertex_count: usize,
         ends: &[[u32; 2]],
         departure: impl Fn(u32) -> PlanarLine + Sync,
+    ) -> Self {
+        Self::in_order(vertex_count, ends, |list, leaving: &mut Vec<(PlanarLine, u32)>| {
+            leaving.clear();
+            leaving.extend(list.iter().map(|&halfedge| (departure(halfedge), halfedge)));
+            leaving.sort_unstable_by(|(s, a), (t, b)| {
+                // First those to the right and straight up.
+                let is_back = |line: &PlanarLine| line[0] > line[1];
+                is_back(s).cmp(&is_back(t)).then_with(|| direction_turn(*t, *s)).then(a.cmp(b))
+            });
+            list.iter_mut().zip(leaving).for_each(|(halfedge, (_, sorted))| *halfedge = *sorted);
+        })
+    }
+
+    /// The orbits of edges of any shape; `order` puts the halfedges that leave one vertex counterclockwise from straight down
+    /// (exclusive). It may keep what it needs in its second argument.
+    ///
+    /// The orbits outside are right for vertices in lexicographic order that are the lowest points of their edges.
+    pub(crate) fn in_order<Scratch: Default + Send>(
+        vertex_count: usize,
+        ends: &[[u32; 2]],
+        order: impl Fn(&mut [u32], &mut Scratch) + Sync,
     ) -> Self {
         let tails = ends.iter().flat_map(|&ends| ends);
         let mut rotation = RaggedArray::grouped(vertex_count, tails);
@@ -44,16 +65,10 @@ impl Orbits {
             lists.push(list);
             rest = after;
         }
-        lists.into_par_iter().with_min_len(256).for_each_init(Vec::new, |leaving, list| {
-            leaving.clear();
-            leaving.extend(list.iter().map(|&halfedge| (departure(halfedge), halfedge)));
-            leaving.sort_unstable_by(|(s, a), (t, b)| {
-                // First those to the right and straight up.
-                let is_back = |line: &PlanarLine| line[0] > line[1];
-                is_back(s).cmp(&is_back(t)).then_with(|| direction_turn(*t, *s)).then(a.cmp(b))
-            });
-            list.iter_mut().zip(leaving).for_each(|(halfedge, (_, sorted))| *halfedge = *sorted);
-        });
+        lists
+            .into_par_iter()
+            .with_min_len(256)
+            .for_each_init(Scratch::default, |scratch, list| order(list, scratch));
         let mut next = vec![0; 2 * ends.len()];
         for leaving in rotation.iter() {
             // Arriving opposite to a halfedge, a face on the left goes on clockwise.
@@ -104,7 +119,7 @@ impl Orbits {
     }
 
     /// The orbit outside of a component whose lowest vertex this is; none for a vertex on its own.
-    pub(super) fn orbit_outside(&self, vertex: u32) -> u32 {
+    pub(crate) fn orbit_outside(&self, vertex: u32) -> u32 {
         // All edges of the lowest vertex go right or straight up: left of the last one is the outside.
         self.rotation.list(vertex as usize).last().map_or(NONE, |&h| self.orbit_of[h as usize])
     }
@@ -112,21 +127,21 @@ impl Orbits {
 
 /// Which orbits bound which face.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Faces {
+pub(crate) struct Faces {
     /// The face on the side of each orbit; none for the unbounded one.
-    pub(super) of_orbit: Vec<u32>,
+    pub(crate) of_orbit: Vec<u32>,
     /// The orbits around each face: the outer one first, then those around its holes.
-    pub(super) orbits: RaggedArray,
+    pub(crate) orbits: RaggedArray,
     /// The orbits that bound the unbounded face.
-    pub(super) unbounded_orbits: Vec<u32>,
+    pub(crate) unbounded_orbits: Vec<u32>,
     /// The face around each component; none for the unbounded one.
-    pub(super) around_component: Vec<u32>,
+    pub(crate) around_component: Vec<u32>,
 }
 
 impl Faces {
     /// The faces, given the halfedge directly below each component that has one, with the face on its left, and the components by
     /// rising lowest points.
-    pub(super) fn new(
+    pub(crate) fn new(
         orbits: &Orbits,
         below: &[Option<u32>],
         components: impl Iterator<Item = usize>,

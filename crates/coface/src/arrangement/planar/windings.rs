@@ -5,7 +5,7 @@ use crate::{Error, ErrorKind};
 
 /// For each face the regions with a winding number that is not zero, rising.
 #[derive(Clone, Debug)]
-pub(super) struct Windings {
+pub(crate) struct Windings {
     numbers: Vec<(u32, i32)>,
     /// Where the list of each face begins and ends.
     ranges: Vec<[u32; 2]>,
@@ -17,7 +17,7 @@ impl Windings {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 numbers.
-    pub(super) fn new(
+    pub(crate) fn new(
         orbits: &Orbits,
         faces: &Faces,
         step: impl Fn(u32, &mut Vec<(u32, i32)>),
@@ -52,7 +52,7 @@ impl Windings {
     }
 
     /// The numbers around a face; none around the unbounded one.
-    pub(super) fn of_face(&self, face: u32) -> &[(u32, i32)] {
+    pub(crate) fn of_face(&self, face: u32) -> &[(u32, i32)] {
         match self.ranges.get(face as usize) {
             Some(&[start, end]) => &self.numbers[start as usize..end as usize],
             None => &[],

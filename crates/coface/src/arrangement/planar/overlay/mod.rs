@@ -12,6 +12,7 @@
 mod chains;
 mod polygons;
 mod regions;
+mod ring_cells;
 mod tracing;
 
 pub use polygons::PlanarPolygons;

@@ -7,7 +7,8 @@ use super::super::segment_tree::SegmentTree;
 use super::super::windings::Windings;
 use super::super::{PlanarOptions, VertexSource};
 use super::PlanarPolygons;
-use super::chains::{Chain, ChainEdges, Chains, Rings};
+use super::chains::{Chain, Chains, Rings};
+use super::ring_cells::{ChainEdges, RingCells};
 use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::{BooleanFormula, InsideRule};
 use crate::geometry::Positions;
@@ -45,10 +46,7 @@ pub struct PlanarOverlay {
     region_count: usize,
     pub(super) crossings: Vec<Crossing>,
     pub(super) chains: Chains,
-    pub(super) edges: ChainEdges,
-    pub(super) orbits: Orbits,
-    pub(super) faces: Faces,
-    pub(super) windings: Windings,
+    pub(super) cells: RingCells,
     /// The lexicographically lowest corner of each edge between its ends.
     pub(super) lowest_corners: Vec<u32>,
 }
@@ -130,7 +128,8 @@ impl PlanarOverlay {
         let cell_count = chains.nodes.len() + edges.ends.len() + 2 * corner_count + faces.orbits.len();
         options.check(cell_count, "in all")?;
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
-        Ok(Self { rings, region_count, crossings, chains, edges, orbits, faces, windings, lowest_corners })
+        let cells = RingCells { edges, orbits, faces, windings };
+        Ok(Self { rings, region_count, crossings, chains, cells, lowest_corners })
     }
 
     /// One more than the highest region that a ring with sides belongs to.
@@ -140,7 +139,7 @@ impl PlanarOverlay {
 
     /// The number of bounded faces that the rings cut the plane into.
     pub fn face_count(&self) -> usize {
-        self.faces.orbits.len()
+        self.cells.faces.orbits.len()
     }
 
     /// The places where rings meet each other or themselves.
@@ -166,7 +165,12 @@ impl PlanarOverlay {
     }
 
     pub(super) fn parts(&self) -> Parts<'_> {
-        Parts { rings: &self.rings, crossings: &self.crossings, chains: &self.chains, edges: &self.edges }
+        Parts {
+            rings: &self.rings,
+            crossings: &self.crossings,
+            chains: &self.chains,
+            edges: &self.cells.edges,
+        }
     }
 
     /// Where a node or corner comes from; a crossing names places of sides in the lists of all rings together.

@@ -1,9 +1,10 @@
 //! The rings around selected faces.
 
 use super::regions::Parts;
+use super::ring_cells::TracedRings;
 use super::{PlanarOverlay, PlanarPolygons};
 use crate::Error;
-use crate::algebra::{RaggedArray, UnionFind};
+use crate::algebra::RaggedArray;
 use crate::arrangement::planar::faces::NONE;
 use crate::geometry::Positions;
 use crate::geometry::predicates::{PlanarPoint, direction_turn};
@@ -21,61 +22,14 @@ impl PlanarOverlay {
     /// # Complexity
     /// Linear in the nodes, edges and faces, and in what comes out.
     pub fn select(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<PlanarPolygons<'_>, Error> {
-        let face_count = self.faces.orbits.len() as u32;
-        let mut is_inside: Vec<bool> =
-            (0..face_count).map(|face| condition(self.windings.of_face(face))).collect();
-        // The unbounded face comes last.
-        is_inside.push(condition(&[]));
-        let face = |halfedge: u32| {
-            self.faces.of_orbit[self.orbits.orbit_of[halfedge as usize] as usize].min(face_count)
-        };
-        let is_boundary: Vec<bool> = (0..self.orbits.next.len() as u32)
-            .map(|h| is_inside[face(h) as usize] && !is_inside[face(h ^ 1) as usize])
-            .collect();
-        let mut polygons = UnionFind::new(is_inside.len());
-        for edge in 0..self.edges.ends.len() as u32 {
-            let [left, right] = [face(2 * edge), face(2 * edge + 1)];
-            if left != right && is_inside[left as usize] && is_inside[right as usize] {
-                polygons.unite(left, right);
-            }
-        }
-        let (rings, starts) = self.simple_rings(&is_boundary);
+        let is_inside = self.cells.faces_where(condition);
         let parts = self.parts();
-        let has_exterior = is_inside[face_count as usize];
-        let exterior = polygons.find(face_count);
-        // Polygons by their first rings; what reaches to infinity is the last, and has no ring around it.
-        let mut number_of = vec![NONE; is_inside.len()];
-        let (mut polygon_of_ring, mut outer_rings) = (Vec::with_capacity(starts.len()), Vec::new());
-        for (ring, range) in starts.windows(2).enumerate() {
-            let halfedges = &rings[range[0]..range[1]];
-            let class = polygons.find(face(halfedges[0]));
-            let number = &mut number_of[class as usize];
-            if *number == NONE && !(has_exterior && class == exterior) {
-                *number = outer_rings.len() as u32;
-                outer_rings.push(NONE);
-            }
-            polygon_of_ring.push(*number);
-            if *number != NONE && self.is_counterclockwise(&parts, halfedges) {
-                outer_rings[*number as usize] = ring as u32;
-            }
-        }
-        let polygon_count = outer_rings.len();
-        for number in polygon_of_ring.iter_mut().filter(|number| **number == NONE) {
-            *number = polygon_count as u32;
-        }
-        let list_count = polygon_count + usize::from(has_exterior);
-        let mut by_polygon = RaggedArray::grouped(list_count, polygon_of_ring.iter().copied());
-        let list_starts: Vec<usize> = (0..=polygon_count).map(|polygon| by_polygon.start(polygon)).collect();
-        for (polygon, &outer) in outer_rings.iter().enumerate() {
-            let list = &mut by_polygon.items_mut()[list_starts[polygon]..list_starts[polygon + 1]];
-            if let Some(at) = list.iter().position(|&ring| ring == outer) {
-                list[..=at].rotate_right(1);
-            }
-        }
+        let traced = self.cells.trace(&is_inside, |halfedges| self.is_counterclockwise(&parts, halfedges));
+        let TracedRings { halfedges, starts, by_polygon, has_exterior } = traced;
         // Rings are written polygon after polygon.
-        let mut writer = Writer::new(self, parts, &rings);
+        let mut writer = Writer::new(self, parts, &halfedges);
         for &ring in by_polygon.items() {
-            writer.write(&rings[starts[ring as usize]..starts[ring as usize + 1]]);
+            writer.write(&halfedges[starts[ring as usize]..starts[ring as usize + 1]]);
         }
         let mut ring_numbers = 0u32..;
         let polygons = RaggedArray::from_lists(
@@ -84,62 +38,9 @@ impl PlanarOverlay {
         writer.finish(polygons, has_exterior)
     }
 
-    /// The walks around the selection, cut where they come to a node again: the halfedges of one ring after those of another, and
-    /// where each begins.
-    fn simple_rings(&self, is_boundary: &[bool]) -> (Vec<u32>, Vec<usize>) {
-        let (mut rings, mut starts) = (Vec::new(), vec![0]);
-        let mut is_done = vec![false; is_boundary.len()];
-        // The place of a node on the walk that is under way.
-        let mut place = vec![NONE; self.chains.nodes.len()];
-        let mut walk: Vec<u32> = Vec::new();
-        for first in 0..is_boundary.len() as u32 {
-            if !is_boundary[first as usize] || is_done[first as usize] {
-                continue;
-            }
-            let mut at = first;
-            loop {
-                let tail = self.tail(at) as usize;
-                if place[tail] != NONE {
-                    self.cut_off(&mut walk, place[tail] as usize, &mut place, &mut rings, &mut starts);
-                }
-                if is_done[at as usize] {
-                    break;
-                }
-                place[tail] = walk.len() as u32;
-                walk.push(at);
-                is_done[at as usize] = true;
-                at = self.orbits.next[at as usize];
-                // The selection is on both sides of what is not on its boundary here.
-                while !is_boundary[at as usize] {
-                    at = self.orbits.next[(at ^ 1) as usize];
-                }
-            }
-        }
-        (rings, starts)
-    }
-
-    /// Moves the end of a walk to the rings.
-    fn cut_off(
-        &self,
-        walk: &mut Vec<u32>,
-        from: usize,
-        place: &mut [u32],
-        rings: &mut Vec<u32>,
-        starts: &mut Vec<usize>,
-    ) {
-        walk[from..].iter().for_each(|&halfedge| place[self.tail(halfedge) as usize] = NONE);
-        rings.extend(walk.drain(from..));
-        starts.push(rings.len());
-    }
-
-    /// The node that a halfedge leaves.
-    fn tail(&self, halfedge: u32) -> u32 {
-        self.edges.ends[halfedge as usize / 2][halfedge as usize % 2]
-    }
-
     /// Whether a simple ring runs counterclockwise: it does at its lowest point.
     fn is_counterclockwise(&self, parts: &Parts<'_>, halfedges: &[u32]) -> bool {
-        let rank = |at: &usize| self.chains.ranks[self.tail(halfedges[*at]) as usize];
+        let rank = |at: &usize| self.chains.ranks[self.cells.tail(halfedges[*at]) as usize];
         let Some(at_node) = (0..halfedges.len()).min_by_key(rank) else { return false };
         let point = |corner: u32| self.rings.soup.points[corner as usize];
         let corners = halfedges.iter().enumerate().filter_map(|(at, &halfedge)| {
@@ -147,7 +48,7 @@ impl PlanarOverlay {
             (corner != NONE).then_some((at, corner))
         });
         let lowest = corners.reduce(|a, b| if point(b.1) < point(a.1) { b } else { a });
-        let node = parts.node_point(self.tail(halfedges[at_node]));
+        let node = parts.node_point(self.cells.tail(halfedges[at_node]));
         let lowest = lowest.filter(|&(_, corner)| PlanarPoint::given(point(corner)).compare(&node).is_lt());
         let (at, corner) = lowest.map_or((at_node, None), |(at, corner)| (at, Some(corner)));
         match corner {
@@ -185,7 +86,7 @@ impl<'a> Writer<'a> {
     fn new(overlay: &'a PlanarOverlay, parts: Parts<'a>, rings: &[u32]) -> Self {
         let mut passes = vec![0u8; overlay.chains.nodes.len()];
         for &halfedge in rings {
-            let passes = &mut passes[overlay.tail(halfedge) as usize];
+            let passes = &mut passes[overlay.cells.tail(halfedge) as usize];
             *passes = passes.saturating_add(1);
         }
         let corner_counts =
@@ -219,7 +120,7 @@ impl<'a> Writer<'a> {
             let is_along = halfedge.is_multiple_of(2);
             let departure = chain.sides[usize::from(!is_along)];
             if self.is_kept(halfedges, i) {
-                self.push_node(self.overlay.tail(halfedge));
+                self.push_node(self.overlay.cells.tail(halfedge));
                 self.sides.push(departure);
             }
             // Where no edge of the ring begins, one goes on, and other sides may run along this part of it only.
@@ -252,7 +153,7 @@ impl<'a> Writer<'a> {
     /// Whether a ring has a vertex where one of its halfedges begins.
     fn is_kept(&self, halfedges: &[u32], i: usize) -> bool {
         let before = halfedges[if i == 0 { halfedges.len() } else { i } - 1];
-        self.passes[self.overlay.tail(halfedges[i]) as usize] > 1
+        self.passes[self.overlay.cells.tail(halfedges[i]) as usize] > 1
             || !self.goes_straight_on(before, halfedges[i])
     }
 
@@ -273,9 +174,9 @@ impl<'a> Writer<'a> {
     /// Whether one side of the input runs along both halfedges.
     fn goes_straight_on(&self, before: u32, halfedge: u32) -> bool {
         let sides = |h: u32, is_end: bool| {
-            let chains = self.overlay.edges.chains.list(h as usize / 2);
+            let chains = self.overlay.cells.edges.chains.list(h as usize / 2);
             chains.iter().map(move |&chain| {
-                let along = self.overlay.edges.halfedge_of_chain[chain as usize] == h;
+                let along = self.overlay.cells.edges.halfedge_of_chain[chain as usize] == h;
                 self.overlay.chains.chains[chain as usize].sides[usize::from(is_end == along)]
             })
         };
@@ -287,8 +188,8 @@ impl<'a> Writer<'a> {
         // A ring that does not begin with an edge of its own begins on its last one, along one side.
         let begin = self.starts.last().map_or(0, |&start| start as usize);
         let Some((edge, &first)) = self.sides.iter().enumerate().skip(begin).next_back() else { return };
-        for &chain in self.overlay.edges.chains.list(halfedge as usize / 2) {
-            let along = self.overlay.edges.halfedge_of_chain[chain as usize] == halfedge;
+        for &chain in self.overlay.cells.edges.chains.list(halfedge as usize / 2) {
+            let along = self.overlay.cells.edges.halfedge_of_chain[chain as usize] == halfedge;
             let side = self.overlay.chains.chains[chain as usize].sides[usize::from(!along)];
             if side != first {
                 self.other_sides.push([edge as u32, side]);

@@ -1,0 +1,22 @@
+//! Yin sets: regular open sets of the plane with bounded boundary, as closed curves with kinks, and their Boolean algebra.
+//!
+//! # Words and conventions
+//! * A [`Curve`] is a chain of polynomial pieces of one [`Order`] between **knots**; order 2 is a polyline, order 4 a cubic spline.
+//! * A **Jordan curve** is closed and simple. The **set** is on the left of its boundary: a **positive** curve runs counterclockwise
+//!   around the set, a **negative** one clockwise around a hole.
+//! * Curves are **almost disjoint** when they touch in finitely many points and neither cross nor share an arc. An **atom** is a
+//!   connected set bounded by such curves. A [`YinSet`] is bounded by the unique almost disjoint curves of its atoms.
+//! * The **Hasse forest** of a set tells which curve lies directly in which; positive and negative curves alternate by depth.
+//! * **Meet** is the intersection, **join** the interior of the closed union, **complement** the exterior: so all laws of a Boolean
+//!   algebra hold.
+//! * A **kink** is a knot at which the boundary need not be smooth. Between kinks the boundary is one spline.
+
+mod boolean;
+mod curve;
+mod kinks;
+mod set;
+
+pub use boolean::{Combination, PieceSource};
+pub use curve::{Curve, Order};
+pub use kinks::{Kinks, KnotIndex};
+pub use set::{HasseForest, YinSet};

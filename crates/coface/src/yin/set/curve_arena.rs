@@ -1,0 +1,66 @@
+//! Many closed curves of one order, one after the other in flat arrays.
+
+use crate::yin::{Curve, Order};
+
+/// Closed curves of one order.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::yin) struct CurveArena {
+    order: Order,
+    /// The control points of each curve, its first one again at its end.
+    controls: Vec<[f64; 2]>,
+    /// The knots of each curve, one more than it has pieces.
+    knots: Vec<f64>,
+    /// The first piece of each curve in all, and their number.
+    starts: Vec<u32>,
+}
+
+impl CurveArena {
+    pub(in crate::yin) fn new(order: Order) -> Self {
+        Self { order, controls: Vec::new(), knots: Vec::new(), starts: vec![0] }
+    }
+
+    pub(in crate::yin) fn order(&self) -> Order {
+        self.order
+    }
+
+    /// The number of curves.
+    pub(in crate::yin) fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The number of pieces of all curves.
+    pub(in crate::yin) fn piece_count(&self) -> usize {
+        self.starts[self.len()] as usize
+    }
+
+    /// The place of the first piece of a curve among those of all; the number of all after the last curve.
+    pub(in crate::yin) fn first_piece(&self, curve: usize) -> usize {
+        self.starts[curve] as usize
+    }
+
+    /// The curve and the piece in it at a place among the pieces of all.
+    pub(in crate::yin) fn curve_of_piece(&self, piece: usize) -> (usize, usize) {
+        let curve = self.starts.partition_point(|&start| start as usize <= piece) - 1;
+        (curve, piece - self.starts[curve] as usize)
+    }
+
+    pub(in crate::yin) fn curve(&self, curve: usize) -> Curve<'_> {
+        let [first, end] = [self.first_piece(curve), self.first_piece(curve + 1)];
+        let degree = self.order.degree();
+        // Each curve has one control point and one knot more than its pieces take.
+        let controls = &self.controls[first * degree + curve..=end * degree + curve];
+        Curve::borrowed(self.order, controls, &self.knots[first + curve..=end + curve])
+    }
+
+    pub(in crate::yin) fn iter(&self) -> impl ExactSizeIterator<Item = Curve<'_>> {
+        (0..self.len()).map(|curve| self.curve(curve))
+    }
+
+    /// Adds a closed curve of this order.
+    pub(in crate::yin) fn push(&mut self, curve: &Curve<'_>) {
+        debug_assert!(curve.order() == self.order && curve.is_closed());
+        self.controls.extend_from_slice(curve.controls());
+        self.knots.extend_from_slice(curve.knots());
+        self.starts.push((self.piece_count() + curve.piece_count()) as u32);
+    }
+}
