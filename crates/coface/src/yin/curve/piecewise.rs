@@ -1,6 +1,7 @@
 //! Piecewise polynomial curves in the plane.
 
-use super::Order;
+use super::bernstein::Piece;
+use super::{Order, bernstein};
 use crate::{Error, ErrorKind};
 use std::borrow::Cow;
 
@@ -122,6 +123,42 @@ impl<'a> Curve<'a> {
         self.controls.first() == self.controls.last()
     }
 
+    /// The same curve with polynomials of a higher order; straight pieces stay straight.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] when the order is below that of the curve.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::yin::{Curve, Order};
+    /// let line = Curve::polyline(&[[0.0, 0.0], [3.0, 6.0]])?;
+    /// assert_eq!(line.raised(Order::CUBIC)?.piece(0), [[0.0, 0.0], [1.0, 2.0], [2.0, 4.0], [3.0, 6.0]]);
+    /// # Ok::<(), coface::Error>(())
+    /// ```
+    pub fn raised(&self, order: Order) -> Result<Curve<'static>, Error> {
+        if order < self.order {
+            return Err(Error::invalid(format!(
+                "a curve of order {} has no lower order {order}",
+                self.order
+            ))
+            .with_cure("fit the points of its knots anew"));
+        }
+        if order == self.order {
+            return Ok(self.clone().into_owned());
+        }
+        Ok(self.with_pieces(order, |piece| bernstein::raised(self.piece(piece), order.value())))
+    }
+
+    /// A curve with the same knots, the pieces of which are given; each begins where the one before it ends.
+    pub(in crate::yin) fn with_pieces(&self, order: Order, piece: impl Fn(usize) -> Piece) -> Curve<'static> {
+        let mut controls = Vec::with_capacity(self.piece_count() * order.degree() + 1);
+        for at in 0..self.piece_count() {
+            controls.extend_from_slice(&piece(at)[..order.degree()]);
+        }
+        controls.extend(piece(self.piece_count() - 1).last());
+        Curve { order, controls: controls.into(), knots: self.knots.clone().into_owned().into() }
+    }
+
     /// The same curve with its own storage.
     pub fn into_owned(self) -> Curve<'static> {
         Curve {
@@ -138,8 +175,16 @@ pub(in crate::yin) fn chord_lengths(points: &[[f64; 2]]) -> Vec<f64> {
     let mut found = Vec::with_capacity(points.len());
     found.extend(points.first().map(|_| 0.0));
     found.extend(points.windows(2).map(|pair| {
-        length += (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        length += distance(pair[0], pair[1]);
         length
     }));
     found
+}
+
+/// The distance of two points.
+pub(in crate::yin) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let [x, y] = [b[0] - a[0], b[1] - a[1]];
+    let square = x * x + y * y;
+    // The square root alone is quicker, where squares are ordinary numbers.
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { x.hypot(y) }
 }
