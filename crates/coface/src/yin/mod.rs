@@ -14,6 +14,7 @@
 mod boolean;
 mod curve;
 mod kinks;
+mod meetings;
 mod set;
 
 pub use boolean::{Combination, PieceSource};

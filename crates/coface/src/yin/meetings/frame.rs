@@ -1,0 +1,68 @@
+//! Coordinates in which everything has size one.
+
+use crate::Error;
+
+/// The largest exponent that a scale may have, so that it and its inverse are ordinary numbers.
+const LARGEST_EXPONENT: i32 = 1000;
+
+/// A translation and a scaling by a power of two that bring everything into the square between -1/2 and 1/2 (a little more where
+/// the center is rounded).
+///
+/// Scaling is exact, and the translation of a number makes an error of at most 2^-53 of its result: so a change of scale by powers of
+/// two changes nothing, and neither does a translation that does not round.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::yin) struct Frame {
+    /// The center, scaled.
+    center: [f64; 2],
+    factor: f64,
+    /// The resolution in coordinates of the frame.
+    pub(in crate::yin) resolution: f64,
+}
+
+impl Frame {
+    /// What the resolution is to the largest extent.
+    pub(in crate::yin) const RELATIVE_RESOLUTION: f64 = 1.0 / (1u64 << 40) as f64;
+
+    /// The frame of points.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming a point that is not finite.
+    pub(in crate::yin) fn of_points<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Result<Self, Error> {
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for (at, point) in points.enumerate() {
+            if !point.iter().all(|x| x.is_finite()) {
+                return Err(Error::invalid(format!("control point {at} is not finite")));
+            }
+            for axis in 0..2 {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        if low[0] > high[0] {
+            [low, high] = [[0.0; 2]; 2];
+        }
+        let half = [0, 1].map(|axis| high[axis] / 2.0 - low[axis] / 2.0);
+        let largest = half[0].max(half[1]);
+        // The least power of two that is at least the extent.
+        let exponent = if largest > 0.0 { largest.log2().ceil() as i32 + 1 } else { 0 };
+        let factor = 2f64.powi(-exponent.clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT));
+        let center = [0, 1].map(|axis| low[axis] * factor / 2.0 + high[axis] * factor / 2.0);
+        let extent = if largest > 0.0 { 2.0 * largest * factor } else { 1.0 };
+        Ok(Self { center, factor, resolution: extent * Self::RELATIVE_RESOLUTION })
+    }
+
+    /// A point in this frame.
+    pub(in crate::yin) fn to_local(&self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| point[axis] * self.factor - self.center[axis])
+    }
+
+    /// A point of this frame in coordinates of the input.
+    pub(in crate::yin) fn to_world(&self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (point[axis] + self.center[axis]) / self.factor)
+    }
+
+    /// The resolution in the unit of the input.
+    pub(in crate::yin) fn world_resolution(&self) -> f64 {
+        self.resolution / self.factor
+    }
+}

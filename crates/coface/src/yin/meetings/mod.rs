@@ -1,0 +1,34 @@
+//! Where the pieces of curves meet, with guarantees.
+//!
+//! # Words and conventions
+//! * All coordinates are taken in a [`Frame`]: moved and scaled by a power of two so that everything is in a box of side one. The
+//!   **resolution** is 2^-40 times the largest extent of that box. What is farther apart than the resolution is told apart for
+//!   certain: by hulls of control points that are separated, and by roots whose existence and uniqueness are proven. What is not is
+//!   one point, or one arc, and says that it is not certified.
+//! * A **part** of a piece is monotone in both coordinates. A piece that is a segment is one part, and segments meet each other
+//!   exactly.
+//! * A **meeting** is a common point of two pieces, or of a piece with itself at two parameters. An **overlap** is an arc that two
+//!   pieces have in common. The point that two neighbors share is neither.
+//! * Pieces of several arenas are numbered one after the other.
+//!
+//! # References
+//! T. W. Sederberg and T. Nishita, *Curve intersection using Bezier clipping*, Computer-Aided Design 22 (1990); R. Krawczyk,
+//! *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969).
+
+mod contacts;
+mod frame;
+mod overlaps;
+mod part_tree;
+mod parts;
+mod piece_pair;
+mod polynomial;
+mod roots;
+mod search;
+mod segments;
+#[cfg(test)]
+mod tests;
+
+pub(in crate::yin) use frame::Frame;
+pub(in crate::yin) use parts::Pieces;
+pub(in crate::yin) use polynomial::Polynomial;
+pub(in crate::yin) use search::{Meeting, Meetings, Overlap};

@@ -1,0 +1,151 @@
+//! Arcs that two pieces have in common.
+
+use super::polynomial::{dot, is_near, minus, size};
+use super::{Overlap, Pieces, Polynomial};
+
+/// How many times the resolution the ends of an overlap are apart at least.
+const LEAST_LENGTH: f64 = 16.0;
+
+/// The overlaps of two pieces, of which one at least is no segment.
+///
+/// Equal control points, in the same or the opposite order, are one arc for certain. Else ends of one that are within the resolution
+/// of the other are the ends of a common arc when at more places between them than two different algebraic curves of these degrees
+/// can share, the product of the degrees, the pieces are within the resolution of each other.
+pub(super) fn overlaps_of(pieces: &Pieces, pair: [u32; 2]) -> Vec<Overlap> {
+    let [p, q] = pair.map(|piece| piece as usize);
+    let [a, b] = [pieces.polynomial(p), pieces.polynomial(q)];
+    if a.controls() == b.controls() {
+        return vec![Overlap { pieces: pair, ranges: [[0.0, 1.0], [0.0, 1.0]], is_certified: true }];
+    }
+    if a.controls().iter().eq(b.controls().iter().rev()) {
+        return vec![Overlap { pieces: pair, ranges: [[0.0, 1.0], [1.0, 0.0]], is_certified: true }];
+    }
+    let tolerance = pieces.frame.resolution;
+    let [of_a, of_b] = [a.bounds(), b.bounds()];
+    let is_in = |[low, high]: [[f64; 2]; 2], point: [f64; 2]| {
+        (0..2).all(|k| low[k] - tolerance <= point[k] && point[k] <= high[k] + tolerance)
+    };
+    let ends = [a.first(), a.last()].map(|end| is_in(of_b, end));
+    let other_ends = [b.first(), b.last()].map(|end| is_in(of_a, end));
+    if ends.into_iter().chain(other_ends).filter(|near| *near).count() < 2 {
+        return Vec::new();
+    }
+    let mut common: Vec<[f64; 2]> = Vec::new();
+    let mut add = |at: [f64; 2]| {
+        let point = a.at(at[0]);
+        let is_new = common.iter().all(|known| {
+            !is_near(a.at(known[0]), point, LEAST_LENGTH * tolerance)
+                || !is_near(b.at(known[1]), b.at(at[1]), LEAST_LENGTH * tolerance)
+                || (known[0] - at[0]).abs() > 0.5
+                || (known[1] - at[1]).abs() > 0.5
+        });
+        if is_new {
+            common.push(at);
+        }
+    };
+    let mut near = Vec::new();
+    for (i, end) in [a.first(), a.last()].into_iter().enumerate().filter(|(i, _)| ends[*i]) {
+        near_parameters(&b, end, tolerance, &mut near);
+        near.iter().for_each(|&s| add([i as f64, s]));
+    }
+    for (j, end) in [b.first(), b.last()].into_iter().enumerate().filter(|(j, _)| other_ends[*j]) {
+        near_parameters(&a, end, tolerance, &mut near);
+        near.iter().for_each(|&t| add([t, j as f64]));
+    }
+    if common.len() < 2 {
+        return Vec::new();
+    }
+    common.sort_by(|x, y| x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1])));
+    let mut found: Vec<Overlap> = Vec::new();
+    for ends in common.windows(2) {
+        let ranges = [[ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]]];
+        if !is_common(&a, &b, ranges, tolerance) {
+            continue;
+        }
+        if let Some(before) = found.last_mut().filter(|before| {
+            let ends = [before.ranges[0][1], before.ranges[1][1]];
+            let is_same_way = (before.ranges[1][1] > before.ranges[1][0]) == (ranges[1][1] > ranges[1][0]);
+            ends == [ranges[0][0], ranges[1][0]] && is_same_way
+        }) {
+            [before.ranges[0][1], before.ranges[1][1]] = [ranges[0][1], ranges[1][1]];
+        } else {
+            found.push(Overlap { pieces: pair, ranges, is_certified: false });
+        }
+    }
+    found
+}
+
+/// Whether pieces stay within the resolution of each other between parameters.
+fn is_common(a: &Polynomial, b: &Polynomial, [of_a, of_b]: [[f64; 2]; 2], tolerance: f64) -> bool {
+    if of_a[0] == of_a[1] || of_b[0] == of_b[1] {
+        return false;
+    }
+    let count = a.degree() * b.degree() + 1;
+    let [low, high] = [of_b[0].min(of_b[1]), of_b[0].max(of_b[1])];
+    (1..=count).all(|i| {
+        let part = i as f64 / (count + 1) as f64;
+        let point = a.at(of_a[0] + part * (of_a[1] - of_a[0]));
+        let guess = of_b[0] + part * (of_b[1] - of_b[0]);
+        let s = foot(b, point, guess).clamp(low, high);
+        is_near(b.at(s), point, tolerance)
+    })
+}
+
+/// The parameter of the nearest point of a piece, from a guess: the root of $(B(s) - P) \cdot B'(s)$.
+pub(super) fn foot(piece: &Polynomial, point: [f64; 2], guess: f64) -> f64 {
+    let mut s = guess;
+    for _ in 0..8 {
+        let [at, d, e] = piece.jet(s);
+        let to = minus(at, point);
+        let slope = dot(d, d) + dot(to, e);
+        // Where the distance is not convex the plain step of Gauss and Newton is taken.
+        let slope = if slope > 0.25 * dot(d, d) { slope } else { dot(d, d) };
+        if slope == 0.0 {
+            break;
+        }
+        let next = (s - dot(to, d) / slope).clamp(-0.25, 1.25);
+        let is_done = (next - s).abs() <= 4.0 * f64::EPSILON;
+        s = next;
+        if is_done {
+            break;
+        }
+    }
+    s
+}
+
+/// The parameters at which a piece comes within a distance of a point: one for each run of them, 0 or 1 where the run has an end.
+pub(super) fn near_parameters(piece: &Polynomial, point: [f64; 2], tolerance: f64, found: &mut Vec<f64>) {
+    found.clear();
+    if is_near(piece.first(), point, tolerance) {
+        found.push(0.0);
+    }
+    if is_near(piece.last(), point, tolerance) {
+        found.push(1.0);
+    }
+    let mut stack = vec![(*piece, [0.0, 1.0])];
+    while let Some((own, [low, high])) = stack.pop() {
+        let [least, most] = own.bounds();
+        if (0..2).any(|k| point[k] < least[k] - tolerance || point[k] > most[k] + tolerance) {
+            continue;
+        }
+        let middle = 0.5 * (low + high);
+        let is_straight = own.largest_second_derivative() <= 0.25 * size(own.chord());
+        if is_straight || high - low < 1e-9 {
+            let s = foot(piece, point, middle).clamp(low, high);
+            if is_near(piece.at(s), point, tolerance) {
+                // The same place as a known one unless the way between them leads away.
+                let is_known = found.iter().any(|&known| {
+                    let way = piece.part([known.min(s), known.max(s)]).bounds();
+                    (0..2).all(|k| way[1][k] - way[0][k] <= 8.0 * tolerance)
+                });
+                if !is_known {
+                    found.push(s);
+                }
+            }
+            continue;
+        }
+        let [before, after] = own.split(0.5);
+        stack.push((after, [middle, high]));
+        stack.push((before, [low, middle]));
+    }
+}

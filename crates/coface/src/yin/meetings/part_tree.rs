@@ -1,0 +1,276 @@
+//! Which parts come near each other: a tree of boxes along the axes and along chords.
+//!
+//! Parts that follow each other stay together in runs of four; runs are in the order of a Hilbert curve, and a binary tree stands on
+//! them. Each node has a box along the axes and one along a direction of its own, so that long thin parts side by side are told
+//! apart. Boxes are wider than they must be by a margin far above rounding.
+
+use super::Pieces;
+use super::polynomial::{cross, dot, minus};
+use rayon::prelude::*;
+
+const LEAF: usize = 4;
+/// Into how many parts a search is cut at least, when there is that much to do.
+const TASKS: usize = 512;
+
+#[derive(Clone, Copy)]
+struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+    /// A unit vector.
+    axis: [f64; 2],
+    /// The least and greatest coordinates along the axis, and across it to the left.
+    along: [f64; 2],
+    across: [f64; 2],
+}
+
+/// A node by its level and its number on it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Node {
+    level: u32,
+    index: u32,
+}
+
+/// A task of the search for pairs.
+#[derive(Clone, Copy)]
+pub(super) struct Task([Node; 2]);
+
+/// A tree on the parts of pieces.
+pub(super) struct PartTree {
+    /// The part at each place.
+    order: Vec<u32>,
+    /// The boxes of single parts, then around leaves, then around two nodes each.
+    bounds: Vec<Bounds>,
+    levels: Vec<Vec<Bounds>>,
+}
+
+const UP: [f64; 2] = [1.0, 0.0];
+
+impl Bounds {
+    fn along_axis(axis: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for point in points {
+            let at = [dot(axis, point), cross(axis, point)];
+            for k in 0..2 {
+                low[k] = low[k].min(at[k]);
+                high[k] = high[k].max(at[k]);
+            }
+        }
+        [0, 1].map(|k| [low[k], high[k]])
+    }
+
+    fn of_points(points: &[[f64; 2]], margin: f64) -> Self {
+        let [x, y] = Self::along_axis(UP, points.iter().copied());
+        let chord = minus(points[points.len() - 1], points[0]);
+        let length = chord[0].hypot(chord[1]);
+        let axis = if length > 1e-12 { chord.map(|x| x / length) } else { UP };
+        let [along, across] = Self::along_axis(axis, points.iter().copied());
+        Self {
+            low: [x[0] - margin, y[0] - margin],
+            high: [x[1] + margin, y[1] + margin],
+            axis,
+            along: [along[0] - margin, along[1] + margin],
+            across: [across[0] - margin, across[1] + margin],
+        }
+    }
+
+    fn corners(&self) -> impl Iterator<Item = [f64; 2]> {
+        let Self { axis, along, across, .. } = *self;
+        [[0, 0], [0, 1], [1, 1], [1, 0]].into_iter().map(move |[i, j]| {
+            let [x, y] = [along[i], across[j]];
+            [x * axis[0] - y * axis[1], x * axis[1] + y * axis[0]]
+        })
+    }
+
+    fn around(a: &Self, b: &Self) -> Self {
+        let mut best: Option<(f64, [f64; 2], [[f64; 2]; 2])> = None;
+        for axis in [UP, a.axis, b.axis] {
+            let [along, across] = Self::along_axis(axis, a.corners().chain(b.corners()));
+            let area = (along[1] - along[0]) * (across[1] - across[0]);
+            if best.as_ref().is_none_or(|best| area < best.0) {
+                best = Some((area, axis, [along, across]));
+            }
+        }
+        let (_, axis, [along, across]) = best.expect("there are three axes");
+        Self {
+            low: [0, 1].map(|k| a.low[k].min(b.low[k])),
+            high: [0, 1].map(|k| a.high[k].max(b.high[k])),
+            axis,
+            along,
+            across,
+        }
+    }
+
+    fn is_apart(&self, other: &Self) -> bool {
+        (0..2).any(|k| self.high[k] < other.low[k] || other.high[k] < self.low[k])
+            || self.is_beside(other)
+            || other.is_beside(self)
+    }
+
+    /// Whether a side of the turned box separates it from the other.
+    fn is_beside(&self, other: &Self) -> bool {
+        let [along, across] = Self::along_axis(self.axis, other.corners());
+        along[0] > self.along[1]
+            || along[1] < self.along[0]
+            || across[0] > self.across[1]
+            || across[1] < self.across[0]
+    }
+}
+
+/// The place of a point of the square of side 2^16 on the Hilbert curve.
+fn hilbert(mut x: u32, mut y: u32) -> u32 {
+    let mut place = 0;
+    for level in (0..16).rev() {
+        let [right, up] = [x >> level & 1, y >> level & 1];
+        place = place << 2 | ((3 * right) ^ up);
+        let flip = (right & !up & 1).wrapping_neg();
+        (x, y) = (x ^ flip, y ^ flip);
+        let swap = (x ^ y) & (!up & 1).wrapping_neg();
+        (x, y) = (x ^ swap, y ^ swap);
+    }
+    place
+}
+
+impl PartTree {
+    /// The tree of all parts; boxes within the resolution of each other count as near.
+    pub(super) fn new(pieces: &Pieces) -> Self {
+        let margin = pieces.frame.resolution;
+        let count = pieces.parts().len();
+        let mut runs: Vec<(u32, u32)> = (0..count.div_ceil(LEAF))
+            .into_par_iter()
+            .with_min_len(512)
+            .map(|run| {
+                let points = pieces.part_points((run * LEAF + LEAF / 2).min(count - 1));
+                let [x, y] = points[0].map(|x| ((x + 0.5) * 65535.0) as u32);
+                (hilbert(x.min(65535), y.min(65535)), run as u32)
+            })
+            .collect();
+        runs.par_sort_unstable();
+        let mut order = Vec::with_capacity(count);
+        for (_, run) in runs {
+            let first = run as usize * LEAF;
+            order.extend(first as u32..(first + LEAF).min(count) as u32);
+        }
+        let bounds: Vec<Bounds> = order
+            .par_iter()
+            .with_min_len(512)
+            .map(|&part| Bounds::of_points(pieces.part_points(part as usize), margin))
+            .collect();
+        let around =
+            |inner: &[Bounds]| inner[1..].iter().fold(inner[0], |whole, own| Bounds::around(&whole, own));
+        let mut levels: Vec<Vec<Bounds>> = Vec::new();
+        if count > 0 {
+            levels.push(bounds.par_chunks(LEAF).with_min_len(256).map(around).collect());
+        }
+        while let Some(below) = levels.last().filter(|below| below.len() > 1) {
+            let above = below.par_chunks(2).with_min_len(256).map(around).collect();
+            levels.push(above);
+        }
+        Self { order, bounds, levels }
+    }
+
+    fn node(&self, node: Node) -> &Bounds {
+        &self.levels[node.level as usize][node.index as usize]
+    }
+
+    fn root(&self) -> Option<Node> {
+        (!self.levels.is_empty()).then(|| Node { level: self.levels.len() as u32 - 1, index: 0 })
+    }
+
+    fn children(&self, node: Node) -> impl Iterator<Item = Node> + Clone + use<> {
+        let level = node.level - 1;
+        let end = (2 * node.index + 2).min(self.levels[level as usize].len() as u32);
+        (2 * node.index..end).map(move |index| Node { level, index })
+    }
+
+    fn leaf(&self, node: Node) -> std::ops::Range<usize> {
+        let first = node.index as usize * LEAF;
+        first..(first + LEAF).min(self.order.len())
+    }
+
+    /// Calls `found` with the pairs that a pair falls into, none when the boxes are apart; `false` for leaves.
+    fn split(&self, [a, b]: [Node; 2], mut found: impl FnMut([Node; 2])) -> bool {
+        if a == b {
+            if a.level == 0 {
+                return false;
+            }
+            let inner = self.children(a);
+            for (i, c) in inner.clone().enumerate() {
+                inner.clone().skip(i).for_each(|d| found([c, d]));
+            }
+            return true;
+        }
+        if self.node(a).is_apart(self.node(b)) {
+            return true;
+        }
+        if a.level == 0 && b.level == 0 {
+            return false;
+        }
+        if a.level >= b.level {
+            self.children(a).for_each(|c| found([c, b]));
+        } else {
+            self.children(b).for_each(|c| found([a, c]));
+        }
+        true
+    }
+
+    /// The tasks of the search for all pairs; they do not depend on the number of threads.
+    pub(super) fn tasks(&self) -> Vec<Task> {
+        let mut tasks: Vec<[Node; 2]> = self.root().map(|root| [root, root]).into_iter().collect();
+        while tasks.len() < TASKS {
+            let mut finer = Vec::with_capacity(3 * tasks.len());
+            let mut is_final = true;
+            for &task in &tasks {
+                if self.split(task, |inner| finer.push(inner)) {
+                    is_final = false;
+                } else {
+                    finer.push(task);
+                }
+            }
+            tasks = finer;
+            if is_final {
+                break;
+            }
+        }
+        tasks.into_iter().map(Task).collect()
+    }
+
+    /// Calls `found` for the pairs of different parts of a task whose boxes meet, the lower number first; in all tasks each once.
+    pub(super) fn search(&self, Task(nodes): Task, mut found: impl FnMut(u32, u32)) {
+        let mut stack = vec![nodes];
+        while let Some(pair) = stack.pop() {
+            if self.split(pair, |inner| stack.push(inner)) {
+                continue;
+            }
+            let [a, b] = pair;
+            for i in self.leaf(a) {
+                let first = if a == b { i + 1 } else { self.leaf(b).start };
+                for j in first..self.leaf(b).end {
+                    if !self.bounds[i].is_apart(&self.bounds[j]) {
+                        let [p, q] = [self.order[i], self.order[j]];
+                        found(p.min(q), p.max(q));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Calls `visit` for each part whose box along the axes meets this one.
+    pub(super) fn visit(&self, low: [f64; 2], high: [f64; 2], mut visit: impl FnMut(u32)) {
+        let misses = |own: &Bounds| (0..2).any(|k| own.high[k] < low[k] || own.low[k] > high[k]);
+        let mut stack: Vec<Node> = self.root().into_iter().collect();
+        while let Some(node) = stack.pop() {
+            if misses(self.node(node)) {
+                continue;
+            }
+            if node.level > 0 {
+                stack.extend(self.children(node));
+                continue;
+            }
+            for i in self.leaf(node) {
+                if !misses(&self.bounds[i]) {
+                    visit(self.order[i]);
+                }
+            }
+        }
+    }
+}
