@@ -17,7 +17,7 @@ mod kinks;
 mod meetings;
 mod set;
 
-pub use boolean::{Combination, PieceSource};
+pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedDecision};
 pub use curve::{Curve, Order};
 pub use kinks::{Kinks, KnotIndex};
-pub use set::{HasseForest, YinSet};
+pub use set::{Atom, AtomKind, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};

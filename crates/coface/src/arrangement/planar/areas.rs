@@ -83,7 +83,7 @@ const BLOCK: usize = 256;
 
 /// The area within closed walks along corners that `point` knows, positive where they run counterclockwise, with a relative error
 /// below $2^{-49}$; `None` if that is not certain.
-pub(super) fn walks_area<'a>(
+pub(crate) fn walks_area<'a>(
     walks: impl Iterator<Item = &'a [u32]>,
     point: impl Fn(u32) -> PlanarPoint,
 ) -> Option<f64> {

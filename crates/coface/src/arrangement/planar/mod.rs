@@ -24,9 +24,11 @@ mod segment_tree;
 mod vertices;
 mod windings;
 
+pub(crate) use areas::walks_area;
 pub use arrangement::{PlanarArrangement, VertexSource};
 pub use gift_wrapping::gift_wrap;
 pub use options::PlanarOptions;
+pub(crate) use overlay::{JordanFault, JordanRings};
 pub use overlay::{PlanarOverlay, PlanarPolygons};
 pub use regions::PlanarRegions;
 pub use rounding::{RoundingCertificate, SnappedArrangement};

@@ -12,8 +12,29 @@ pub struct PieceSource {
     /// The piece of that curve.
     pub piece: u32,
     /// The parameters in `[0, 1]` on that piece at which the piece of the result begins and ends. They fall where the result runs
-    /// against its source.
+    /// against its source. A piece of the result that runs along several pieces in a row has the range on one of them.
     pub range: [f64; 2],
+}
+
+/// What was taken to be equal without proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Assumption {
+    /// Two points are one.
+    SamePoint,
+    /// Two arcs are one.
+    SameArc,
+}
+
+/// A decision below the resolution of curves of order 4 and more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UncertifiedDecision {
+    /// Where.
+    pub point: [f64; 2],
+    /// The pieces that are so close, with the parts that the decision is about.
+    pub pieces: [PieceSource; 2],
+    /// What was taken to be so.
+    pub assumption: Assumption,
 }
 
 /// A Boolean combination of Yin sets.
@@ -22,6 +43,10 @@ pub struct Combination {
     pub(super) set: YinSet,
     /// For the pieces of all curves of the result, one after the other.
     pub(super) sources: Vec<PieceSource>,
+    /// Further sources of pieces, by rising pieces.
+    pub(super) other_sources: Vec<(u32, PieceSource)>,
+    pub(super) collapsed_count: usize,
+    pub(super) report: Vec<UncertifiedDecision>,
 }
 
 impl Combination {
@@ -38,5 +63,26 @@ impl Combination {
     /// Where the pieces of the boundary come from, those of one curve after those of another.
     pub fn sources(&self) -> &[PieceSource] {
         &self.sources
+    }
+
+    /// All that a piece of the boundary runs along, counted over all curves.
+    ///
+    /// # Panics
+    /// If there is no such piece.
+    pub fn sources_of(&self, piece: usize) -> impl Iterator<Item = &PieceSource> + '_ {
+        let from = self.other_sources.partition_point(|&(own, _)| (own as usize) < piece);
+        let others = self.other_sources[from..].iter().take_while(move |&&(own, _)| own as usize == piece);
+        std::iter::once(&self.sources[piece]).chain(others.map(|(_, source)| source))
+    }
+
+    /// The number of curves that were so small that rounding left less than three different knots of them. They are not part of the
+    /// set.
+    pub fn collapsed_curve_count(&self) -> usize {
+        self.collapsed_count
+    }
+
+    /// What was decided without proof; nothing for sets of order 2.
+    pub fn report(&self) -> &[UncertifiedDecision] {
+        &self.report
     }
 }

@@ -1,5 +1,11 @@
 //! The Boolean algebra of Yin sets.
 
+mod algebra;
 mod combination;
+mod linear;
+mod outline;
 
-pub use combination::{Combination, PieceSource};
+pub(in crate::yin) use algebra::unsupported;
+pub use algebra::Normalized;
+pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision};
+pub(in crate::yin) use linear::{combine_rings, linear_overlay};

@@ -63,4 +63,64 @@ impl CurveArena {
         self.knots.extend_from_slice(curve.knots());
         self.starts.push((self.piece_count() + curve.piece_count()) as u32);
     }
+
+    /// Room for so many pieces of so many curves.
+    pub(in crate::yin) fn with_capacity(order: Order, piece_count: usize, curve_count: usize) -> Self {
+        let mut starts = Vec::with_capacity(curve_count + 1);
+        starts.push(0);
+        Self {
+            order,
+            controls: Vec::with_capacity(piece_count * order.degree() + curve_count),
+            knots: Vec::with_capacity(piece_count + curve_count),
+            starts,
+        }
+    }
+
+    /// The control points of all curves, one after the other, each with its first one again at its end.
+    pub(in crate::yin) fn controls(&self) -> &[[f64; 2]] {
+        &self.controls
+    }
+
+    /// Adds the closed polyline through points; the last goes back to the first. Knots rise even where lengths are lost in rounding.
+    pub(in crate::yin) fn push_polyline(&mut self, points: impl Iterator<Item = [f64; 2]>) {
+        debug_assert!(self.order == Order::LINEAR);
+        let first = self.controls.len();
+        self.controls.extend(points);
+        self.controls.push(self.controls[first]);
+        let mut knot = 0.0f64;
+        self.knots.push(knot);
+        let own = &self.controls[first..];
+        self.knots.extend(own.windows(2).map(|pair| {
+            knot = (knot + distance(pair[0], pair[1])).max(knot.next_up());
+            knot
+        }));
+        self.starts.push((self.piece_count() + self.controls.len() - first - 1) as u32);
+    }
+
+    /// Adds a closed curve of this order with another of its knots as the first.
+    pub(in crate::yin) fn push_turned(&mut self, curve: &Curve<'_>, first: usize) {
+        if first == 0 {
+            return self.push(curve);
+        }
+        let count = curve.piece_count();
+        if self.order == Order::LINEAR {
+            let points = curve.controls();
+            return self.push_polyline((first..count).chain(0..first).map(|knot| points[knot]));
+        }
+        let at = first * self.order.degree();
+        let (controls, knots) = (curve.controls(), curve.knots());
+        self.controls.extend_from_slice(&controls[at..controls.len() - 1]);
+        self.controls.extend_from_slice(&controls[..=at]);
+        let mut knot = 0.0f64;
+        self.knots.push(knot);
+        self.knots.extend((first..count).chain(0..first).map(|piece| {
+            knot = (knot + (knots[piece + 1] - knots[piece])).max(knot.next_up());
+            knot
+        }));
+        self.starts.push((self.piece_count() + count) as u32);
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
 }

@@ -10,10 +10,13 @@
 //!   around them and when results are written. That is why an overlay is not made of a [`PlanarArrangement`](super::PlanarArrangement).
 
 mod chains;
+mod jordan_rings;
 mod polygons;
 mod regions;
 mod ring_cells;
+mod ring_nesting;
 mod tracing;
 
+pub(crate) use jordan_rings::{JordanFault, JordanRings};
 pub use polygons::PlanarPolygons;
 pub use regions::PlanarOverlay;

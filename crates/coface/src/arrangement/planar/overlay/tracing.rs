@@ -22,10 +22,34 @@ impl PlanarOverlay {
     /// # Complexity
     /// Linear in the nodes, edges and faces, and in what comes out.
     pub fn select(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<PlanarPolygons<'_>, Error> {
+        Ok(self.outline(condition, false)?.0)
+    }
+
+    /// The same, and the smallest ring around each ring, if there is one.
+    ///
+    /// # Errors
+    /// As [`Self::select`].
+    pub(crate) fn select_nested(
+        &self,
+        condition: impl Fn(&[(u32, i32)]) -> bool,
+    ) -> Result<(PlanarPolygons<'_>, Vec<Option<u32>>), Error> {
+        self.outline(condition, true)
+    }
+
+    fn outline(
+        &self,
+        condition: impl Fn(&[(u32, i32)]) -> bool,
+        is_nested: bool,
+    ) -> Result<(PlanarPolygons<'_>, Vec<Option<u32>>), Error> {
         let is_inside = self.cells.faces_where(condition);
         let parts = self.parts();
         let traced = self.cells.trace(&is_inside, |halfedges| self.is_counterclockwise(&parts, halfedges));
         let TracedRings { halfedges, starts, by_polygon, has_exterior } = traced;
+        let parents = if is_nested {
+            self.cells.parents_in_order(&halfedges, &starts, by_polygon.items())
+        } else {
+            Vec::new()
+        };
         // Rings are written polygon after polygon.
         let mut writer = Writer::new(self, parts, &halfedges);
         for &ring in by_polygon.items() {
@@ -35,7 +59,7 @@ impl PlanarOverlay {
         let polygons = RaggedArray::from_lists(
             by_polygon.iter().map(|list| ring_numbers.by_ref().take(list.len()).collect::<Vec<_>>()),
         );
-        writer.finish(polygons, has_exterior)
+        Ok((writer.finish(polygons, has_exterior)?, parents))
     }
 
     /// Whether a simple ring runs counterclockwise: it does at its lowest point.
