@@ -162,10 +162,7 @@ impl YinSet {
     }
 
     /// Whether some points lie in sets that satisfy a condition.
-    fn has_points(
-        sets: &[&Self],
-        condition: impl Fn(&dyn Fn(usize) -> bool) -> bool,
-    ) -> Result<bool, Error> {
+    fn has_points(sets: &[&Self], condition: impl Fn(&dyn Fn(usize) -> bool) -> bool) -> Result<bool, Error> {
         let membership = Membership::new(sets);
         let is_wanted = |windings: &[(u32, i32)]| condition(&|set| membership.is_inside(set, windings));
         if order_of(sets) == Order::LINEAR {

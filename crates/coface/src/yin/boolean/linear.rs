@@ -176,12 +176,7 @@ impl Operands {
 
     /// The knots of a result that are kinks: those at which two neighbors on one curve of an operand do not come together, or come
     /// together in a kink.
-    fn kinks(
-        &self,
-        sets: &[&YinSet],
-        polygons: &PlanarPolygons<'_>,
-        outline: &Outline,
-    ) -> Vec<KnotIndex> {
+    fn kinks(&self, sets: &[&YinSet], polygons: &PlanarPolygons<'_>, outline: &Outline) -> Vec<KnotIndex> {
         let mut kinks = Vec::new();
         let is_kink = |side: usize| {
             let (operand, knot) = self.knot(side);

@@ -5,7 +5,7 @@ mod combination;
 mod linear;
 mod outline;
 
-pub(in crate::yin) use algebra::unsupported;
 pub use algebra::Normalized;
+pub(in crate::yin) use algebra::unsupported;
 pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision};
 pub(in crate::yin) use linear::{combine_rings, linear_overlay};

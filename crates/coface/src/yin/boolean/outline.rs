@@ -105,11 +105,6 @@ impl Outline {
             }));
             debug_assert_eq!(edges.len() - first, rounded[ring].corner_count as usize);
         }
-        Self {
-            curves,
-            parents: order.parents(&parents),
-            edges,
-            collapsed_count: lists.len() - kept.len(),
-        }
+        Self { curves, parents: order.parents(&parents), edges, collapsed_count: lists.len() - kept.len() }
     }
 }

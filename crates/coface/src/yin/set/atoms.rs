@@ -146,7 +146,8 @@ impl YinSet {
         for curves in self.touching_curves()?.iter() {
             // Curves of several atoms may touch in one point.
             for (at, &curve) in curves.iter().enumerate() {
-                let other = curves[..at].iter().find(|&&other| atoms[other as usize] == atoms[curve as usize]);
+                let other =
+                    curves[..at].iter().find(|&&other| atoms[other as usize] == atoms[curve as usize]);
                 if let Some(&other) = other {
                     classes.unite(curve, other);
                 }

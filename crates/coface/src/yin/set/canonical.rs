@@ -91,7 +91,8 @@ impl YinSet {
             .iter()
             .map(|curve| {
                 let knots = 0..curve.piece_count();
-                let lowest = knots.reduce(|a, b| if curve.knot_point(b) < curve.knot_point(a) { b } else { a });
+                let lowest =
+                    knots.reduce(|a, b| if curve.knot_point(b) < curve.knot_point(a) { b } else { a });
                 lowest.unwrap_or(0) as u32
             })
             .collect();
@@ -101,9 +102,8 @@ impl YinSet {
             let start = arena.first_piece(curve as usize) * degree + curve as usize;
             (first * degree..controls).chain(0..first * degree).map(move |at| arena.controls()[start + at])
         };
-        let parents: Vec<Option<u32>> = (0..arena.len())
-            .map(|curve| self.forest().parent(curve).map(|parent| parent as u32))
-            .collect();
+        let parents: Vec<Option<u32>> =
+            (0..arena.len()).map(|curve| self.forest().parent(curve).map(|parent| parent as u32)).collect();
         let order = CanonicalOrder::new(
             &parents,
             |curve| arena.curve(curve as usize).knot_point(first_knots[curve as usize] as usize),

@@ -154,12 +154,7 @@ fn arena_of(curves: &[Curve<'_>]) -> Result<Result<CurveArena, YinFault>, Error>
     }
     let mut arena = CurveArena::new(order);
     for curve in curves {
-        if curve.order() == order {
-            arena.push(curve);
-        } else {
-            return Err(Error::invalid(format!("curves of order {} and {order} together", curve.order()))
-                .with_cure("raise the curves to one order"));
-        }
+        arena.push(&curve.raised(order)?);
     }
     Ok(first_degenerate(&arena).map_or(Ok(arena), Err))
 }
@@ -168,7 +163,8 @@ fn arena_of(curves: &[Curve<'_>]) -> Result<Result<CurveArena, YinFault>, Error>
 fn first_degenerate(arena: &CurveArena) -> Option<YinFault> {
     let degree = arena.order().degree();
     arena.iter().enumerate().find_map(|(number, curve)| {
-        let is_point = |piece: &usize| curve.piece(*piece).iter().all(|point| *point == curve.piece(*piece)[0]);
+        let is_point =
+            |piece: &usize| curve.piece(*piece).iter().all(|point| *point == curve.piece(*piece)[0]);
         match (0..curve.piece_count()).find(is_point) {
             Some(piece) => Some(YinFault::ZeroLength { curve: number, piece }),
             None if degree == 1 && curve.piece_count() < 3 => Some(YinFault::TooFewPieces { curve: number }),
@@ -189,10 +185,8 @@ pub(in crate::yin) fn lying(arena: &CurveArena) -> Result<Result<Lying, YinFault
     };
     let parents: Vec<Option<u32>> =
         nesting.parents.iter().map(|&parent| (parent != u32::MAX).then_some(parent)).collect();
-    Ok(alternation(&parents, &nesting.is_counterclockwise).map_or(
-        Ok(Lying { parents, is_positive: nesting.is_counterclockwise, touching }),
-        Err,
-    ))
+    Ok(alternation(&parents, &nesting.is_counterclockwise)
+        .map_or(Ok(Lying { parents, is_positive: nesting.is_counterclockwise, touching }), Err))
 }
 
 /// Where positive and negative curves do not alternate.
@@ -202,9 +196,8 @@ pub(in crate::yin) fn alternation(parents: &[Option<u32>], is_positive: &[bool])
         Some(parent) => {
             (is_positive[parent] == is_positive[curve]).then_some(YinFault::Orientation { curve, parent })
         }
-        None => {
-            (is_positive[first] != is_positive[curve]).then_some(YinFault::MixedRoots { curves: [first, curve] })
-        }
+        None => (is_positive[first] != is_positive[curve])
+            .then_some(YinFault::MixedRoots { curves: [first, curve] }),
     })
 }
 

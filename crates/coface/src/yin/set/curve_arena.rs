@@ -1,5 +1,6 @@
 //! Many closed curves of one order, one after the other in flat arrays.
 
+use crate::yin::curve::distance;
 use crate::yin::{Curve, Order};
 
 /// Closed curves of one order.
@@ -119,8 +120,4 @@ impl CurveArena {
         }));
         self.starts.push((self.piece_count() + count) as u32);
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
 }

@@ -63,11 +63,11 @@ impl<'a> PieceBoxes<'a> {
                 continue;
             }
             let first = at * WIDTH;
-            for (piece, &[a, b]) in (first..).zip(&self.pieces[first..(first + WIDTH).min(self.pieces.len())]) {
+            for (piece, &[a, b]) in (first..).zip(&self.pieces[first..(first + WIDTH).min(self.pieces.len())])
+            {
                 let is_across = (a[1] <= point[1]) != (b[1] <= point[1]);
-                let is_between = (0..2).all(|axis| {
-                    a[axis].min(b[axis]) <= point[axis] && point[axis] <= a[axis].max(b[axis])
-                });
+                let is_between = (0..2)
+                    .all(|axis| a[axis].min(b[axis]) <= point[axis] && point[axis] <= a[axis].max(b[axis]));
                 if !is_across && !is_between {
                     continue;
                 }

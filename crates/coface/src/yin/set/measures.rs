@@ -93,11 +93,12 @@ fn signed_area(curve: &Curve<'_>) -> f64 {
         let beta = factorial(i + j - 1) * factorial(2 * degree - i - j - 1) / factorial(2 * degree - 1);
         binomial(i) * binomial(j) * (j - i) as f64 * beta
     };
-    let weights: Vec<(usize, usize, f64)> =
-        (0..=degree).flat_map(|i| {
+    let weights: Vec<(usize, usize, f64)> = (0..=degree)
+        .flat_map(|i| {
             let weight = &weight;
             (i + 1..=degree).map(move |j| (i, j, weight(i, j)))
-        }).collect();
+        })
+        .collect();
     let origin = curve.knot_point(0);
     let mut sum = Sum::default();
     for piece in 0..curve.piece_count() {

@@ -117,7 +117,8 @@ impl RingCells {
                 }
             }
             sorted.clear();
-            sorted.extend(leaving.iter().map(|&halfedge| ring_of_chain(self.edges.first_chain(halfedge / 2))));
+            sorted
+                .extend(leaving.iter().map(|&halfedge| ring_of_chain(self.edges.first_chain(halfedge / 2))));
             sorted.sort_unstable();
             if let Some(more) = sorted.windows(3).find(|own| own[0] == own[2]) {
                 return Some(RingFault::SelfMeeting { node, ring: more[0] });
@@ -147,9 +148,7 @@ impl RingCells {
         let mut rings = Vec::new();
         for leaving in self.orbits.rotation.iter().filter(|leaving| leaving.len() > 2) {
             rings.clear();
-            rings.extend(
-                leaving.iter().map(|&h| ring_of_halfedge[h as usize]).filter(|&ring| ring != NONE),
-            );
+            rings.extend(leaving.iter().map(|&h| ring_of_halfedge[h as usize]).filter(|&ring| ring != NONE));
             rings.sort_unstable();
             rings.dedup();
             if rings.len() > 1 {
