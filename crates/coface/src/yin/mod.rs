@@ -18,6 +18,6 @@ mod meetings;
 mod set;
 
 pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedDecision};
-pub use curve::{Curve, Order};
+pub use curve::{Curve, EndCondition, Location, Order};
 pub use kinks::{Kinks, KnotIndex};
 pub use set::{Atom, AtomKind, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};

@@ -1,9 +1,27 @@
 //! Piecewise polynomial curves.
 
 pub(in crate::yin) mod bernstein;
+mod block_tridiagonal;
+mod end_condition;
+mod evaluation;
+mod extent;
+mod factories;
+mod fit;
+mod hermite;
+mod location;
+mod measures;
+mod motions;
 mod order;
+mod parts;
 mod piecewise;
+mod power;
+mod roots;
 
+pub use end_condition::EndCondition;
+pub(in crate::yin) use extent::{monotone_breaks, turning_parameters};
+pub(in crate::yin) use fit::checked_chord_lengths;
+pub use location::Location;
+pub(in crate::yin) use location::{Winding, piece_crossings};
 pub use order::Order;
 pub use piecewise::Curve;
 pub(in crate::yin) use piecewise::{chord_lengths, distance};

@@ -1,7 +1,7 @@
 //! Piecewise polynomial curves in the plane.
 
 use super::bernstein::Piece;
-use super::{Order, bernstein};
+use super::{Order, bernstein, checked_chord_lengths};
 use crate::{Error, ErrorKind};
 use std::borrow::Cow;
 
@@ -68,9 +68,15 @@ impl Curve<'static> {
     /// The polyline through points, with the length of the way along it as parameter.
     ///
     /// # Errors
-    /// As [`Self::from_controls`], and for neighbors that are equal.
+    /// [`ErrorKind::InvalidInput`] naming a point that is not finite or equal to the one before it, and for less than two points.
     pub fn polyline(points: &[[f64; 2]]) -> Result<Self, Error> {
-        Self::from_controls(Order::LINEAR, points.to_vec(), chord_lengths(points))
+        Ok(Self::from_trusted(Order::LINEAR, points.to_vec(), checked_chord_lengths(points)?))
+    }
+
+    /// A curve that is known to be well made.
+    pub(in crate::yin) fn from_trusted(order: Order, controls: Vec<[f64; 2]>, knots: Vec<f64>) -> Self {
+        debug_assert_eq!(controls.len(), (knots.len() - 1) * order.degree() + 1);
+        Self { order, controls: controls.into(), knots: knots.into() }
     }
 }
 
