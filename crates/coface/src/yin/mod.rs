@@ -15,6 +15,7 @@ mod boolean;
 mod curve;
 mod kinks;
 mod meetings;
+mod overlay;
 mod set;
 
 pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedDecision};

@@ -1,6 +1,7 @@
 //! Complement, meet and join of Yin sets, and what is made of them.
 
 use super::Combination;
+use super::curved::combine_curved;
 use super::linear::{Membership, combine_linear, linear_overlay};
 use crate::arrangement::boolean::BooleanFormula;
 use crate::yin::{Order, YinSet};
@@ -230,7 +231,7 @@ fn order_of(sets: &[&YinSet]) -> Order {
 fn select(sets: &[&YinSet], condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<Combination, Error> {
     match order_of(sets) {
         Order::LINEAR => combine_linear(sets, condition),
-        order => Err(unsupported(order)),
+        _ => combine_curved(sets, condition),
     }
 }
 

@@ -24,6 +24,10 @@ pub enum Assumption {
     SamePoint,
     /// Two arcs are one.
     SameArc,
+    /// Two arcs leave a point in this order.
+    ArcOrder,
+    /// A curve is smaller than the resolution and is a point.
+    SmallCurve,
 }
 
 /// A decision below the resolution of curves of order 4 and more.
@@ -40,13 +44,13 @@ pub struct UncertifiedDecision {
 /// A Boolean combination of Yin sets.
 #[derive(Clone, Debug)]
 pub struct Combination {
-    pub(super) set: YinSet,
+    pub(in crate::yin) set: YinSet,
     /// For the pieces of all curves of the result, one after the other.
-    pub(super) sources: Vec<PieceSource>,
+    pub(in crate::yin) sources: Vec<PieceSource>,
     /// Further sources of pieces, by rising pieces.
-    pub(super) other_sources: Vec<(u32, PieceSource)>,
-    pub(super) collapsed_count: usize,
-    pub(super) report: Vec<UncertifiedDecision>,
+    pub(in crate::yin) other_sources: Vec<(u32, PieceSource)>,
+    pub(in crate::yin) collapsed_count: usize,
+    pub(in crate::yin) report: Vec<UncertifiedDecision>,
 }
 
 impl Combination {

@@ -2,10 +2,12 @@
 
 mod algebra;
 mod combination;
+mod curved;
 mod linear;
 mod outline;
 
 pub use algebra::Normalized;
 pub(in crate::yin) use algebra::unsupported;
 pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision};
+pub(in crate::yin) use curved::curved_jordan_rings;
 pub(in crate::yin) use linear::{combine_rings, linear_overlay};

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::InsideRule;
 use crate::arrangement::planar::{JordanFault, JordanRings};
-use crate::yin::boolean::{combine_rings, linear_overlay};
+use crate::yin::boolean::{combine_rings, curved_jordan_rings, linear_overlay};
 use crate::yin::{Curve, Order};
 
 /// How the curves of a valid set lie.
@@ -175,11 +175,11 @@ fn first_degenerate(arena: &CurveArena) -> Option<YinFault> {
 
 /// How closed curves without degenerate pieces lie, or why they bound no Yin set.
 pub(in crate::yin) fn lying(arena: &CurveArena) -> Result<Result<Lying, YinFault>, Error> {
-    if arena.order() != Order::LINEAR {
-        return Err(crate::yin::boolean::unsupported(arena.order()));
-    }
-    let overlay = linear_overlay(&[arena])?;
-    let JordanRings { nesting, touching } = match overlay.jordan_rings() {
+    let rings = match arena.order() {
+        Order::LINEAR => linear_overlay(&[arena])?.jordan_rings(),
+        _ => curved_jordan_rings(arena)?,
+    };
+    let JordanRings { nesting, touching } = match rings {
         Ok(rings) => rings,
         Err(fault) => return Ok(Err(named(fault))),
     };

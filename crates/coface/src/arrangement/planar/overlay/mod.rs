@@ -20,3 +20,5 @@ mod tracing;
 pub(crate) use jordan_rings::{JordanFault, JordanRings};
 pub use polygons::PlanarPolygons;
 pub use regions::PlanarOverlay;
+pub(crate) use ring_cells::{ChainEdges, RingCells};
+pub(crate) use ring_nesting::RingFault;
