@@ -26,9 +26,9 @@ mod windings;
 
 pub(crate) use areas::walks_area;
 pub use arrangement::{PlanarArrangement, VertexSource};
+pub(crate) use faces::{Faces, NONE, Orbits};
 pub use gift_wrapping::gift_wrap;
 pub use options::PlanarOptions;
-pub(crate) use faces::{Faces, NONE, Orbits};
 pub(crate) use overlay::{ChainEdges, JordanFault, JordanRings, RingCells, RingFault};
 pub use overlay::{PlanarOverlay, PlanarPolygons};
 pub use regions::PlanarRegions;

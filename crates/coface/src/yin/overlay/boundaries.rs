@@ -150,6 +150,12 @@ impl<'a> Boundaries<'a> {
         curve.knots()[piece as usize + 1] - curve.knots()[piece as usize]
     }
 
+    /// The knots of the curve that a piece is on.
+    pub(super) fn knots(&self, piece: u32) -> Vec<f64> {
+        let PieceIndex { operand, curve, .. } = self.index(piece);
+        self.arenas[operand as usize].curve(curve as usize).knots().to_vec()
+    }
+
     /// The position of a parameter in [0, 1].
     pub(super) fn position(&self, piece: u32, parameter: f64) -> Position {
         if parameter < 1.0 {

@@ -6,11 +6,11 @@ use super::departures::Departures;
 use super::nesting::Nester;
 use super::nodes::Nodes;
 use crate::Error;
-use std::cmp::Ordering;
 use crate::arrangement::planar::{Faces, Orbits, RingCells, Windings};
-use crate::yin::meetings::Meetings;
 use crate::yin::UncertifiedDecision;
+use crate::yin::meetings::Meetings;
 use crate::yin::set::CurveArena;
+use std::cmp::Ordering;
 
 /// The curves of several arenas laid over each other. A region is what one arena bounds.
 pub(in crate::yin) struct CurvedOverlay<'a> {
@@ -54,7 +54,8 @@ impl<'a> CurvedOverlay<'a> {
         };
         let windings = Windings::new(&orbits, &faces, step)?;
         report.sort_by(|a, b| {
-            let key = |own: &UncertifiedDecision| own.pieces.map(|part| (part.operand, part.curve, part.piece));
+            let key =
+                |own: &UncertifiedDecision| own.pieces.map(|part| (part.operand, part.curve, part.piece));
             let place = || a.point.partial_cmp(&b.point).unwrap_or(Ordering::Equal);
             key(a).cmp(&key(b)).then_with(place)
         });
@@ -87,7 +88,8 @@ impl<'a> CurvedOverlay<'a> {
         let mut sum: Vec<(u32, i32)> = Vec::new();
         for edge in 0..self.cells.edges.ends.len() as u32 {
             sum.clear();
-            let [left, right] = [2 * edge, 2 * edge + 1].map(|h| self.cells.windings.of_face(self.cells.face(h)));
+            let [left, right] =
+                [2 * edge, 2 * edge + 1].map(|h| self.cells.windings.of_face(self.cells.face(h)));
             sum.extend_from_slice(left);
             sum.extend(right.iter().map(|&(region, winding)| (region, -winding)));
             for &chain in self.cells.edges.chains.list(edge as usize) {
@@ -111,7 +113,9 @@ impl<'a> CurvedOverlay<'a> {
     pub(in crate::yin) fn check_regions(&self, is_unbounded: &[bool]) -> Result<(), Error> {
         match self.wrong_halfedge(is_unbounded) {
             None => Ok(()),
-            Some(halfedge) => Err(self.contradiction("on which side of the boundary of a set it is", halfedge)),
+            Some(halfedge) => {
+                Err(self.contradiction("on which side of the boundary of a set it is", halfedge))
+            }
         }
     }
 
@@ -145,9 +149,7 @@ fn check_plane(chains: &Chains<'_>, orbits: &Orbits, ends: &[[u32; 2]]) -> Resul
     let Some(component) = characteristic.iter().position(|&own| own != 2) else { return Ok(()) };
     // A node at which curves meet.
     let node = (0..orbits.component_of.len())
-        .find(|&node| {
-            orbits.component_of[node] as usize == component && orbits.rotation.list(node).len() > 2
-        })
+        .find(|&node| orbits.component_of[node] as usize == component && orbits.rotation.list(node).len() > 2)
         .unwrap_or(orbits.lowest_vertices[component] as usize);
     let pieces = (0..chains.nodes.breaks.len())
         .filter(|&chain| chains.nodes.breaks[chain].node as usize == node)

@@ -122,7 +122,8 @@ impl<'a> Departures<'a> {
         let near = 4.0 * CLEARLY_APART;
         let count = list.len();
         let leaving = &mut scratch.leaving;
-        if let Some(gap) = (0..count).max_by(|&a, &b| gap_after(leaving, a).total_cmp(&gap_after(leaving, b))) {
+        if let Some(gap) = (0..count).max_by(|&a, &b| gap_after(leaving, a).total_cmp(&gap_after(leaving, b)))
+        {
             leaving.rotate_left((gap + 1) % count);
         }
         let mut start = 0;
@@ -137,14 +138,7 @@ impl<'a> Departures<'a> {
     }
 
     /// Orders arcs whose directions are near each other; insertion, as these are few.
-    fn order_group(
-        &self,
-        group: &mut [(f64, u32)],
-        arcs: &[Arc],
-        list: &[u32],
-        node: u32,
-        center: [f64; 2],
-    ) {
+    fn order_group(&self, group: &mut [(f64, u32)], arcs: &[Arc], list: &[u32], node: u32, center: [f64; 2]) {
         for end in 1..group.len() {
             let mut at = end;
             while at > 0 {

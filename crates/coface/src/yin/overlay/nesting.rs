@@ -131,8 +131,7 @@ impl<'a> Nester<'a> {
                     let list = chains_of.list(component as usize);
                     let mut is_own = |other: u32| groups.find(other) == root;
                     let below = self.look_past(tree, boxes, seen[component as usize].line, &mut is_own);
-                    let below =
-                        below.map_err(|NearDegenerate| self.doubtful(list))?;
+                    let below = below.map_err(|NearDegenerate| self.doubtful(list))?;
                     pending.push((component, below));
                 }
             }

@@ -176,8 +176,7 @@ impl Gathering<'_> {
         for own in self.events.chunk_by(|a, b| curve_of(a) == curve_of(b)) {
             let first = is_tiny.len();
             is_tiny.extend(own.windows(2).map(|pair| {
-                pair[0].position == pair[1].position
-                    || boundaries.is_tiny(pair[0].position, pair[1].position)
+                pair[0].position == pair[1].position || boundaries.is_tiny(pair[0].position, pair[1].position)
             }));
             let [start, end] = [own[0].position, own[own.len() - 1].position];
             is_tiny.push(start != end && boundaries.is_tiny(end, start));

@@ -53,16 +53,18 @@ impl CurvedOverlay<'_> {
         let is_inside = self.cells.faces_where(condition);
         let traced = self.cells.trace(&is_inside, |_| false);
         let rings: Vec<u32> = (0..traced.starts.len() as u32 - 1).collect();
-        let ring = |ring: u32| {
-            &traced.halfedges[traced.starts[ring as usize]..traced.starts[ring as usize + 1]]
-        };
+        let ring =
+            |ring: u32| &traced.halfedges[traced.starts[ring as usize]..traced.starts[ring as usize + 1]];
         let mut passes = vec![0u8; self.nodes.points.len()];
         for &halfedge in &traced.halfedges {
             let passes = &mut passes[self.cells.tail(halfedge) as usize];
             *passes = passes.saturating_add(1);
         }
-        let outlines: Vec<Outline> =
-            rings.par_iter().with_min_len(8).map(|&number| self.outline(ring(number), &passes, sets)).collect();
+        let outlines: Vec<Outline> = rings
+            .par_iter()
+            .with_min_len(8)
+            .map(|&number| self.outline(ring(number), &passes, sets))
+            .collect();
         let parents = self.cells.parents_in_order(&traced.halfedges, &traced.starts, &rings);
         let order = CanonicalOrder::new(
             &parents,
@@ -74,14 +76,16 @@ impl CurvedOverlay<'_> {
         );
         let piece_count = outlines.iter().map(|outline| outline.sources.len()).sum();
         let mut arena = CurveArena::with_capacity(self.boundaries.order(), piece_count, outlines.len());
-        let (mut kinks, mut sources, mut other_sources) = (Vec::new(), Vec::with_capacity(piece_count), Vec::new());
+        let (mut kinks, mut sources, mut other_sources) =
+            (Vec::new(), Vec::with_capacity(piece_count), Vec::new());
         for (number, &curve) in (0..).zip(order.items()) {
             let outline = &outlines[curve as usize];
             let first = sources.len() as u32;
             arena.push(&Curve::borrowed(self.boundaries.order(), &outline.controls, &outline.knots));
             kinks.extend(outline.kinks.iter().map(|&knot| KnotIndex { curve: number, knot }));
             sources.extend_from_slice(&outline.sources);
-            other_sources.extend(outline.other_sources.iter().map(|&(piece, source)| (first + piece, source)));
+            other_sources
+                .extend(outline.other_sources.iter().map(|&(piece, source)| (first + piece, source)));
         }
         let has_exterior = is_inside[is_inside.len() - 1];
         Ok(Combination {
@@ -103,9 +107,13 @@ impl CurvedOverlay<'_> {
             if halfedge.is_multiple_of(2) {
                 parts.extend(own.map(|(piece, range)| Part { piece, range, at, span: 1, is_at_node: false }));
             } else {
-                parts.extend(
-                    own.rev().map(|(piece, [a, b])| Part { piece, range: [b, a], at, span: 1, is_at_node: false }),
-                );
+                parts.extend(own.rev().map(|(piece, [a, b])| Part {
+                    piece,
+                    range: [b, a],
+                    at,
+                    span: 1,
+                    is_at_node: false,
+                }));
             }
             if let Some(part) = parts.get_mut(first) {
                 part.is_at_node = true;
@@ -152,6 +160,9 @@ impl CurvedOverlay<'_> {
             }
         }
         found.knots.push(knot);
+        if let Some(knots) = self.knots_of_whole_curve(&parts) {
+            found.knots = knots;
+        }
         found.controls.extend(found.controls.first().copied());
         found
     }
@@ -173,11 +184,8 @@ impl CurvedOverlay<'_> {
             // The chain that comes to the node; what was joined before has it last.
             let chain = self.cells.edges.first_chain(last_halfedge(part.at) / 2);
             let [from, to] = if is_along { [chain, first_chain(part)] } else { [first_chain(part), chain] };
-            let meets = if is_along {
-                before.range[1] <= part.range[0]
-            } else {
-                before.range[1] >= part.range[0]
-            };
+            let meets =
+                if is_along { before.range[1] <= part.range[0] } else { before.range[1] >= part.range[0] };
             chains.end(from) == to && meets
         };
         let mut joined: Vec<Part> = Vec::with_capacity(parts.len());
@@ -199,6 +207,17 @@ impl CurvedOverlay<'_> {
             joined[0] = part;
         }
         *parts = joined;
+    }
+
+    /// The knots of the curve that parts are, if they are all of its pieces in order, from its first knot on.
+    fn knots_of_whole_curve(&self, parts: &[Part]) -> Option<Vec<f64>> {
+        let pieces = self.boundaries.pieces(self.boundaries.curve_of(parts.first()?.piece));
+        let is_whole = parts.len() == pieces.len()
+            && parts
+                .iter()
+                .zip(pieces.clone())
+                .all(|(part, piece)| part.piece == piece && part.range == [0.0, 1.0]);
+        is_whole.then(|| self.boundaries.knots(pieces.start))
     }
 
     /// What else runs along a halfedge than the first chain of its edge: each of them is a part of one piece.
@@ -225,9 +244,8 @@ impl CurvedOverlay<'_> {
         let before = halfedges[if at == 0 { halfedges.len() } else { at } - 1];
         let along = |halfedge: u32| {
             let list = self.cells.edges.chains.list(halfedge as usize / 2);
-            list.iter().map(move |&chain| {
-                (chain, self.cells.edges.halfedge_of_chain[chain as usize] == halfedge)
-            })
+            list.iter()
+                .map(move |&chain| (chain, self.cells.edges.halfedge_of_chain[chain as usize] == halfedge))
         };
         !along(before).any(|(a, is_a_along)| {
             along(halfedge).any(|(b, is_b_along)| {
