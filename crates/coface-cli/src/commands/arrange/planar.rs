@@ -37,6 +37,9 @@ pub(super) fn run(
         write_json(path, &arranged.provenance_to_json())?;
     }
     drop(progress);
+    if !common.quiet {
+        arranged.warnings().iter().for_each(|warning| remark(warning));
+    }
     if object["rounding"]["valid"] == json!(false) && !common.quiet {
         remark(
             "coordinates are rounded, and drawn with them this is another complex; --snap makes one that stays as it is",

@@ -49,6 +49,9 @@ pub(super) fn run(
             text::count(unbounded, "segment")
         ));
     }
+    if !common.quiet {
+        result.warnings().iter().for_each(|warning| remark(warning));
+    }
     if !result.is_valid_when_rounded() && !common.quiet {
         remark("coordinates are rounded, and with them the polygons are not sound; --snap makes them so");
     }

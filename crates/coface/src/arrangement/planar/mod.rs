@@ -12,6 +12,7 @@ mod areas;
 mod arrangement;
 mod crossings;
 mod edges;
+mod face_polygons;
 mod faces;
 mod gift_wrapping;
 mod nesting;
@@ -21,6 +22,8 @@ mod pruning;
 mod regions;
 mod rounding;
 mod segment_tree;
+mod simple_rings;
+mod tour;
 mod vertices;
 mod windings;
 
@@ -33,4 +36,5 @@ pub(crate) use overlay::{ChainEdges, JordanFault, JordanRings, RingCells, RingFa
 pub use overlay::{PlanarOverlay, PlanarPolygons};
 pub use regions::PlanarRegions;
 pub use rounding::{RoundingCertificate, SnappedArrangement};
+pub(crate) use tour::Step;
 pub(crate) use windings::Windings;

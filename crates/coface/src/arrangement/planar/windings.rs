@@ -1,10 +1,11 @@
 //! Winding numbers, carried from face to face across edges.
 
 use super::faces::{Faces, NONE, Orbits};
+use super::tour::{Step, tour};
 use crate::{Error, ErrorKind};
 
 /// For each face the regions with a winding number that is not zero, rising.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Windings {
     numbers: Vec<(u32, i32)>,
     /// Where the list of each face begins and ends.
@@ -23,30 +24,21 @@ impl Windings {
         step: impl Fn(u32, &mut Vec<(u32, i32)>),
     ) -> Result<Self, Error> {
         let mut found = Self { numbers: Vec::new(), ranges: vec![[NONE; 2]; faces.orbits.len()] };
-        let mut stack = vec![NONE];
         let (mut across_edge, mut here) = (Vec::new(), Vec::new());
-        while let Some(face) = stack.pop() {
-            here.clear();
-            here.extend_from_slice(found.of_face(face));
-            let around =
-                if face == NONE { &faces.unbounded_orbits[..] } else { faces.orbits.list(face as usize) };
-            for &halfedge in around.iter().flat_map(|&orbit| orbits.orbits.list(orbit as usize)) {
-                let across = faces.of_orbit[orbits.orbit_of[(halfedge ^ 1) as usize] as usize];
-                if across == NONE || found.ranges[across as usize] != [NONE; 2] {
-                    continue;
-                }
-                across_edge.clear();
-                step(halfedge ^ 1, &mut across_edge);
-                across_edge.sort_unstable();
-                let start = found.numbers.len();
-                add(&here, &across_edge, &mut found.numbers);
-                let end = found.numbers.len();
-                if u32::try_from(end).is_err() {
-                    return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"));
-                }
-                found.ranges[across as usize] = [start, end].map(|at| at as u32);
-                stack.push(across);
+        tour(orbits, faces, |at| match at {
+            Step::Across(halfedge) => {
+                step(halfedge, &mut across_edge);
+                across_edge.drain(..).for_each(|(region, by)| add(&mut here, region, by));
             }
+            Step::Into(face) if u32::try_from(found.numbers.len()).is_ok() => {
+                let start = found.numbers.len();
+                found.numbers.extend_from_slice(&here);
+                found.ranges[face as usize] = [start, found.numbers.len()].map(|at| at as u32);
+            }
+            Step::Into(_) => {}
+        });
+        if u32::try_from(found.numbers.len()).is_err() {
+            return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"));
         }
         Ok(found)
     }
@@ -60,30 +52,15 @@ impl Windings {
     }
 }
 
-/// Appends the sum of two lists that rise by region; both may have regions more than once. Zeros are left out.
-fn add(a: &[(u32, i32)], b: &[(u32, i32)], sum: &mut Vec<(u32, i32)>) {
-    let start = sum.len();
-    let (mut i, mut j) = (0, 0);
-    while i < a.len() || j < b.len() {
-        let from_a = j == b.len() || (i < a.len() && a[i].0 <= b[j].0);
-        let (region, winding) = if from_a { a[i] } else { b[j] };
-        if from_a {
-            i += 1;
-        } else {
-            j += 1;
-        }
-        // A number that has become zero makes room for the next region.
-        if sum.len() > start && sum[sum.len() - 1].0 == region {
-            let last = sum.len() - 1;
-            sum[last].1 += winding;
-        } else {
-            if sum.len() > start && sum[sum.len() - 1].1 == 0 {
-                sum.pop();
+/// Adds to the number of a region in a list that rises; zeros are left out.
+fn add(windings: &mut Vec<(u32, i32)>, region: u32, by: i32) {
+    match windings.binary_search_by_key(&region, |&(region, _)| region) {
+        Ok(at) => {
+            windings[at].1 += by;
+            if windings[at].1 == 0 {
+                windings.remove(at);
             }
-            sum.push((region, winding));
         }
-    }
-    if sum.len() > start && sum[sum.len() - 1].1 == 0 {
-        sum.pop();
+        Err(at) => windings.insert(at, (region, by)),
     }
 }

@@ -1,11 +1,11 @@
 //! The complex that drawings cut the plane into.
 
-use super::containment::Containment;
+use super::containment::{Containment, ContainmentSearch};
 use super::drawing::PlanarDrawing;
 use super::sides::Sides;
 use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::InsideRule;
-use crate::arrangement::planar::{PlanarArrangement, PlanarOptions, RoundingCertificate, VertexSource};
+use crate::arrangement::planar::{PlanarArrangement, PlanarOptions, RoundingCertificate, Step, VertexSource};
 use crate::{EdgeId, Error, FaceId, VertexId};
 use serde_json::{Value, json};
 
@@ -94,17 +94,13 @@ impl DrawingArrangement {
             segments: &segments_of_edge,
             is_exact: snap_rounds.is_none_or(|rounds| rounds == 0),
         };
-        let containment = Containment::new(&drawing, &arrangement, &sides, request.rule);
+        let mut search = ContainmentSearch::new(&drawing, request.rule, arrangement.face_count());
+        arrangement.tour(|step| match step {
+            Step::Across(halfedge) => sides.across(halfedge, |ring, by| search.wind(ring, by)),
+            Step::Into(face) => search.enter(face),
+        });
+        let containment = search.finish();
         Ok(Self { drawing, arrangement, sources, segments_of_edge, snap_rounds, containment })
-    }
-
-    pub(super) fn sides(&self) -> Sides<'_> {
-        Sides {
-            drawing: &self.drawing,
-            arrangement: &self.arrangement,
-            segments: &self.segments_of_edge,
-            is_exact: self.snap_rounds.is_none_or(|rounds| rounds == 0),
-        }
     }
 
     /// What was drawn.
@@ -136,6 +132,11 @@ impl DrawingArrangement {
     /// If there is no such face.
     pub fn regions_around(&self, face: FaceId) -> &[u32] {
         self.containment.regions.list(face.index())
+    }
+
+    /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
+    pub fn warnings(&self) -> Vec<String> {
+        self.containment.warnings(&self.drawing)
     }
 
     /// The number of edges with one face on both sides that hang on the rest by one end, or by none: taken away one by one from
@@ -200,6 +201,7 @@ impl DrawingArrangement {
             "rounding": rounding_to_json(&arrangement.rounding_certificate()?, arrangement.is_exactly_rounded()),
             "snap_rounds": self.snap_rounds,
             "inputs": self.drawing.inputs_to_json(),
+            "warnings": self.warnings(),
         }))
     }
 

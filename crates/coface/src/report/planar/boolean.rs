@@ -1,14 +1,17 @@
 //! Formulas of regions.
 
-use super::arrangement::{ArrangementRequest, DrawingArrangement};
-use super::containment::Containment;
-use super::drawing::{Filling, PlanarDrawing, Polygon, Region, Ring};
-use super::outline::{NONE, Outline};
-use super::sides::Sides;
+use super::canonical::Canonical;
+use super::containment::{Containment, ContainmentSearch};
+use super::drawing::{Filling, PlanarDrawing};
+use super::outline::Outline;
+use super::walks::Walks;
+use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::{BooleanFormula, InsideRule};
-use crate::arrangement::planar::{PlanarArrangement, VertexSource};
-use crate::geometry::Positions;
-use crate::{EdgeId, Error, FaceId, HalfedgeId, VertexId};
+use crate::arrangement::planar::{
+    PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step, VertexSource,
+};
+use crate::geometry::{Positions, Sum};
+use crate::{Error, VertexId};
 use serde_json::{Value, json};
 
 /// How regions are combined.
@@ -50,16 +53,24 @@ pub struct BooleanRequest {
 /// ```
 #[derive(Clone, Debug)]
 pub struct RegionBoolean {
-    pub(super) arranged: DrawingArrangement,
+    pub(super) drawing: PlanarDrawing,
     pub(super) outline: Outline,
     pub(super) positions: Positions,
+    sources: Vec<VertexSource>,
+    /// The sides of all rings, lower vertex first, rising, each once, and the segments along them.
+    pub(super) edges: Vec<[u32; 2]>,
+    segments_of_edge: RaggedArray,
     areas: Vec<f64>,
     component_count: usize,
-    pinches: Vec<u32>,
+    pinches: Vec<VertexId>,
     /// For each polygon the regions that contain some of its faces, rising.
-    regions_of_polygon: Vec<Vec<u32>>,
+    regions_of_polygon: RaggedArray,
     is_valid: bool,
     is_exact: bool,
+    /// The vertices, edges and faces that the rings cut the plane into.
+    cell_counts: [usize; 3],
+    snap_rounds: Option<usize>,
+    warnings: Vec<String>,
 }
 
 impl RegionBoolean {
@@ -92,76 +103,81 @@ impl RegionBoolean {
             )
             .with_cure("take the complement within a region, as in \"a - b\""));
         }
-        let arrangement = ArrangementRequest {
-            rule: request.rule,
-            snap: request.snap,
-            max_cells: request.max_cells,
-            ..ArrangementRequest::default()
+        let options = PlanarOptions { max_cells: request.max_cells };
+        let snapped = match request.snap {
+            true => Some(
+                PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?
+                    .snapped()?,
+            ),
+            false => None,
         };
-        let arranged = DrawingArrangement::new(drawing, &arrangement)?;
+        let walks = Walks::new(&drawing, snapped.as_ref());
+        let overlay = walks.overlay(&options)?;
+        let containment = containment(&drawing, &overlay, request.rule);
         if request.rule.is_none() {
-            check_rings(&arranged)?;
+            check_rings(&drawing, &overlay, &containment)?;
         }
-        let face_count = arranged.arrangement.face_count();
+        let face_count = overlay.face_count();
         let mut is_inside = vec![false; region_count];
         let mut select = |face: usize| {
-            let regions = arranged.containment.regions.list(face);
+            let regions = containment.regions.list(face);
             regions.iter().for_each(|&region| is_inside[region as usize] = true);
             let is_selected = formula.evaluate(|input| is_inside[input]);
             regions.iter().for_each(|&region| is_inside[region as usize] = false);
             is_selected
         };
-        let selected: Vec<bool> = (0..face_count).map(&mut select).collect();
-        let label = |face: usize| match (selected[face], request.keep_walls) {
-            (false, _) => NONE,
-            (true, false) => 0,
-            (true, true) => face as u32,
-        };
-        let labels: Vec<u32> = (0..face_count).map(label).collect();
-        let sides = arranged.sides();
-        let outline = Outline::new(&sides, &labels, true);
-        let component_count = if request.keep_walls {
-            let merged: Vec<u32> = selected.iter().map(|&is_in| if is_in { 0 } else { NONE }).collect();
-            Outline::new(&sides, &merged, true).polygon_count()
-        } else {
-            outline.polygon_count()
-        };
-        let mut areas = vec![Sum::default(); outline.polygon_count()];
-        let mut regions_of_polygon = vec![Vec::new(); outline.polygon_count()];
-        for (face, area) in arranged.arrangement.areas().into_iter().enumerate() {
-            let polygon = outline.polygon_of_face[face] as usize;
-            if let Some(sum) = areas.get_mut(polygon) {
-                sum.add(area);
-                regions_of_polygon[polygon].extend_from_slice(arranged.containment.regions.list(face));
-            }
-        }
-        for regions in &mut regions_of_polygon {
-            regions.sort_unstable();
-            regions.dedup();
-        }
-        let flat = outline.vertices.iter().flat_map(|&vertex| {
-            arranged.arrangement.positions().point(VertexId::from_u32(vertex)).iter().copied()
-        });
-        let positions = Positions::from_flat(2, flat.collect())?;
-        let is_exact = (outline.vertices.iter())
-            .all(|&vertex| arranged.arrangement.point(VertexId::from_u32(vertex)).is_exactly_rounded());
-        let is_valid = is_exact || is_drawn_well(&outline, &positions)?;
+        let mut selected: Vec<bool> = (0..face_count).map(&mut select).collect();
+        selected.push(false);
+        let merged = overlay.outline(&selected, false)?;
+        let component_count = merged.polygons().len();
+        let mut pinches: Vec<u32> = merged.pinch_vertices().map(|vertex| merged.event(vertex)).collect();
+        let found = if request.keep_walls { overlay.outline(&selected, true)? } else { merged };
+        let canonical = Canonical::new(&found);
+        pinches.sort_unstable();
+        let is_pinch = |vertex: u32| pinches.binary_search(&found.event(VertexId::from_u32(vertex))).is_ok();
+        let pinches: Vec<VertexId> = (0..)
+            .zip(&canonical.order)
+            .filter(|(_, vertex)| !pinches.is_empty() && is_pinch(**vertex))
+            .map(|(number, _)| VertexId::from_u32(number))
+            .collect();
+        let sources = canonical.order.iter().map(|&v| walks.source(found.source(VertexId::from_u32(v))));
+        let sources = sources.collect();
+        let (edges, segments_of_edge) = canonical.edges(|side| walks.segment(side));
+        let areas = found.areas();
+        let areas = canonical.polygons.iter().map(|&polygon| areas[polygon as usize]).collect();
+        let regions_of_polygon = canonical.regions(&containment.regions);
+        let flat = found.positions().as_flat().as_chunks::<2>().0;
+        let flat = canonical.order.iter().flat_map(|&vertex| flat[vertex as usize]).collect();
+        let positions = Positions::from_flat(2, flat)?;
+        let is_exact = found.is_exactly_rounded();
+        let outline = canonical.outline;
+        let is_valid = is_exact || is_drawn_well(&outline, &positions, edges.len())?;
+        let cell_counts = overlay.f_vector();
+        let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
+        let warnings = containment.warnings(&drawing);
+        drop(walks);
         Ok(Self {
-            pinches: pinches(&arranged.arrangement, &selected),
-            areas: areas.into_iter().map(Sum::value).collect(),
+            drawing,
+            outline,
+            positions,
+            sources,
+            edges,
+            segments_of_edge,
+            areas,
             component_count,
+            pinches,
             regions_of_polygon,
             is_valid,
             is_exact,
-            positions,
-            outline,
-            arranged,
+            cell_counts,
+            snap_rounds,
+            warnings,
         })
     }
 
     /// The numbers of vertices, edges and polygons of the result.
     pub fn f_vector(&self) -> [usize; 3] {
-        [self.positions.len(), self.outline.edges.len(), self.outline.polygon_count()]
+        [self.positions.len(), self.edges.len(), self.outline.polygon_count()]
     }
 
     /// The area, in the square of the unit of the drawing.
@@ -201,7 +217,7 @@ impl RegionBoolean {
 
     /// The edges of the result by their vertices, the lower first.
     pub fn edges(&self) -> &[[u32; 2]] {
-        &self.outline.edges
+        &self.edges
     }
 
     /// The segments of the drawing along an edge of the result, rising.
@@ -209,7 +225,7 @@ impl RegionBoolean {
     /// # Panics
     /// If there is no such edge.
     pub fn segments_of_edge(&self, edge: usize) -> &[u32] {
-        self.outline.segments.list(edge)
+        self.segments_of_edge.list(edge)
     }
 
     /// The regions that contain some of a polygon, rising.
@@ -217,13 +233,17 @@ impl RegionBoolean {
     /// # Panics
     /// If there is no such polygon.
     pub fn regions_of_polygon(&self, polygon: usize) -> &[u32] {
-        &self.regions_of_polygon[polygon]
+        self.regions_of_polygon.list(polygon)
     }
 
     /// The vertices at which the boundary is no curve: more than two of its edges meet there.
-    pub fn pinches(&self) -> Vec<VertexId> {
-        let find = |vertex: &u32| self.outline.vertices.binary_search(vertex).ok().map(VertexId::new);
-        self.pinches.iter().filter_map(find).collect()
+    pub fn pinches(&self) -> &[VertexId] {
+        &self.pinches
+    }
+
+    /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// Whether the polygons are sound with their rounded coordinates: they have all their vertices, no two edges cross, and
@@ -235,8 +255,7 @@ impl RegionBoolean {
     /// The result as one JSON object with the keys that programs rely on: `measure` (the area), `f_vector`, `components`,
     /// `closed`, `manifold`.
     pub fn to_json(&self) -> Value {
-        let pinches = self.pinches();
-        let witness = pinches.first().map(|&vertex| {
+        let witness = self.pinches.first().map(|&vertex| {
             let [x, y] = [self.positions.point(vertex)[0], self.positions.point(vertex)[1]];
             json!({
                 "kind": "pinched_vertex",
@@ -251,154 +270,101 @@ impl RegionBoolean {
             "components": self.component_count,
             "closed": true,
             "manifold": {
-                "verdict": if pinches.is_empty() { "yes" } else { "no" },
+                "verdict": if self.pinches.is_empty() { "yes" } else { "no" },
                 "closed": true,
                 "witness": witness,
             },
             "polygons": self.outline.polygon_count(),
             "holes": self.hole_count(),
             "measures": self.areas,
-            "pinches": pinches.len(),
+            "pinches": self.pinches.len(),
             "rounding": {"exact": self.is_exact, "valid": self.is_valid},
-            "snap_rounds": self.arranged.snap_rounds,
-            "arrangement": self.arranged.arrangement.f_vector(),
-            "regions": self.arranged.drawing.region_names(),
-            "inputs": self.arranged.drawing.inputs_to_json(),
+            "snap_rounds": self.snap_rounds,
+            "arrangement": self.cell_counts,
+            "regions": self.drawing.region_names(),
+            "inputs": self.drawing.inputs_to_json(),
+            "warnings": self.warnings,
         })
     }
 
     /// Where everything comes from, as JSON: as [`DrawingArrangement::provenance_to_json`], edges with their ends, and for each
     /// polygon the regions that contain some of it.
     pub fn provenance_to_json(&self) -> Value {
-        let drawing = &self.arranged.drawing;
+        let drawing = &self.drawing;
         let segment = |segment: u32| json!(drawing.segment_source(segment as usize));
-        let vertices: Value = (self.outline.vertices.iter())
-            .map(|&vertex| match self.arranged.source(VertexId::from_u32(vertex)) {
+        let vertices: Value = (self.sources.iter())
+            .map(|source| match *source {
                 VertexSource::Given(vertex) => json!({"vertex": drawing.vertex_source(vertex)}),
                 VertexSource::Crossing(segments) => {
                     json!({"segments": segments.map(|s| segment(s as u32))})
                 }
             })
             .collect();
-        let edges: Value = (self.outline.edges.iter().zip(self.outline.segments.iter()))
+        let edges: Value = (self.edges.iter().zip(self.segments_of_edge.iter()))
             .map(|(ends, segments)| {
                 let segments: Value = segments.iter().map(|&s| segment(s)).collect();
                 json!({"ends": ends, "segments": segments})
             })
             .collect();
+        let polygons: Value = self.regions_of_polygon.iter().map(|regions| json!(regions)).collect();
         json!({
             "inputs": drawing.names,
             "regions": drawing.region_names(),
             "vertices": vertices,
             "edges": edges,
-            "polygons": self.regions_of_polygon,
+            "polygons": polygons,
         })
     }
 }
 
-/// A sum with the part that single additions lose.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sum {
-    sum: f64,
-    lost: f64,
-}
-
-impl Sum {
-    fn add(&mut self, value: f64) {
-        let total = self.sum + value;
-        let (large, small) =
-            if self.sum.abs() >= value.abs() { (self.sum, value) } else { (value, self.sum) };
-        self.lost += (large - total) + small;
-        self.sum = total;
-    }
-
-    fn value(self) -> f64 {
-        self.sum + self.lost
-    }
+/// The regions around the faces of an overlay in which rings are regions.
+fn containment(drawing: &PlanarDrawing, overlay: &PlanarOverlay, rule: Option<InsideRule>) -> Containment {
+    let mut search = ContainmentSearch::new(drawing, rule, overlay.face_count());
+    overlay.tour(|step| match step {
+        Step::Across(halfedge) => overlay.across(halfedge, |ring, by| search.wind(ring, by)),
+        Step::Into(face) => search.enter(face),
+    });
+    search.finish()
 }
 
 /// `InvalidInput` naming a ring that winds around something more than once, or in both directions, with the place.
-fn check_rings(arranged: &DrawingArrangement) -> Result<(), Error> {
-    let drawing = &arranged.drawing;
+fn check_rings(
+    drawing: &PlanarDrawing,
+    overlay: &PlanarOverlay,
+    containment: &Containment,
+) -> Result<(), Error> {
     let is_wrong = |ring: &usize| {
-        let [least, most] = arranged.containment.windings[*ring];
+        let [least, most] = containment.windings[*ring];
         let polygon = drawing.rings[*ring].polygon as usize;
         most - least > 1 && drawing.polygons[polygon].filling == Filling::OuterWithoutHoles
     };
     let Some(ring) = (0..drawing.rings.len()).find(is_wrong) else { return Ok(()) };
-    let number = drawing.rings[ring].polygon as usize;
-    let Polygon { region, number: place, .. } = drawing.polygons[number];
-    let first = drawing.rings.partition_point(|other| (other.polygon as usize) < number);
-    let name = match ring - first {
-        0 => format!("polygon {place}"),
-        hole => format!("hole {hole} of polygon {place}"),
-    };
-    let what = match crossing_of(arranged, ring as u32) {
-        Some(vertex) => {
-            let point = arranged.arrangement.positions().point(vertex);
-            format!("{name} crosses itself at ({}, {})", point[0], point[1])
+    let name = drawing.ring_name(ring as u32);
+    let what = match overlay.meeting_of(ring as u32) {
+        Some(point) => {
+            let [x, y] = point.rounded();
+            format!("{name} crosses itself at ({x}, {y})")
         }
         None => format!("{name} runs around its inside more than once"),
     };
     Err(Error::invalid(what)
         .with_cure("say what is inside of it: --rule evenodd or --rule nonzero")
-        .in_file(drawing.names[drawing.regions[region as usize].model as usize].clone()))
-}
-
-/// A vertex at which two parts of a ring meet: a crossing of two of its segments if there is one.
-fn crossing_of(arranged: &DrawingArrangement, ring: u32) -> Option<VertexId> {
-    let (drawing, arrangement) = (&arranged.drawing, &arranged.arrangement);
-    let is_own = |segment: usize| drawing.ring_of_segment[segment] == ring;
-    let mut degrees = vec![0u8; arrangement.vertex_count()];
-    for (edge, segments) in arranged.segments_of_edge.iter().enumerate() {
-        if segments.iter().any(|&segment| is_own(segment as usize)) {
-            for end in arrangement.ends(EdgeId::new(edge)) {
-                degrees[end.index()] = degrees[end.index()].saturating_add(1);
-            }
-        }
-    }
-    let meeting = |vertex: &VertexId| degrees[vertex.index()] > 2;
-    let crosses = |vertex: &VertexId| match arranged.source(*vertex) {
-        VertexSource::Crossing(segments) => segments.iter().all(|&segment| is_own(segment)),
-        VertexSource::Given(_) => false,
-    };
-    let vertices = || (0..arrangement.vertex_count()).map(VertexId::new).filter(meeting);
-    vertices().find(crosses).or_else(|| vertices().next())
-}
-
-/// The vertices of the arrangement with more than two edges that have a selected face on one side only, rising.
-fn pinches(arrangement: &PlanarArrangement, selected: &[bool]) -> Vec<u32> {
-    let is_in = |halfedge: u32| {
-        arrangement.face_of(HalfedgeId::from_u32(halfedge)).is_some_and(|face: FaceId| selected[face.index()])
-    };
-    let mut degrees = vec![0u32; arrangement.vertex_count()];
-    for edge in (0..arrangement.edge_count() as u32).filter(|&edge| is_in(2 * edge) != is_in(2 * edge + 1)) {
-        arrangement.ends(EdgeId::from_u32(edge)).iter().for_each(|end| degrees[end.index()] += 1);
-    }
-    (0..).zip(&degrees).filter(|(_, degree)| **degree > 2).map(|(vertex, _)| vertex).collect()
+        .in_file(drawing.model_of_ring(ring as u32)))
 }
 
 /// Whether rings drawn with these positions have all their vertices and edges, and together wind once around what is in them.
-fn is_drawn_well(outline: &Outline, positions: &Positions) -> Result<bool, Error> {
-    let mut drawing = PlanarDrawing {
-        names: vec![String::new()],
-        positions: positions.clone(),
-        vertex_starts: vec![0, positions.len() as u32],
-        regions: vec![Region { name: String::new(), model: 0, open_at: None, is_empty: false }],
-        polygons: vec![Polygon { region: 0, filling: Filling::Stated(InsideRule::Nonzero), number: 0 }],
-        rings: vec![Ring { polygon: 0, is_hole: false }],
-        ..PlanarDrawing::default()
-    };
-    for ring in outline.rings.iter() {
-        let next = ring.iter().cycle().skip(1);
-        drawing.segments.extend(ring.iter().zip(next).map(|(&from, &to)| [from, to]));
-    }
-    drawing.segment_starts = vec![0, drawing.segments.len() as u32];
-    drawing.ring_of_segment = vec![0; drawing.segments.len()];
-    let drawn = PlanarArrangement::new(positions, &drawing.segments)?;
-    let sides =
-        Sides { drawing: &drawing, arrangement: &drawn, segments: drawn.segments_of_edges(), is_exact: true };
-    let [least, most] = Containment::new(&drawing, &drawn, &sides, None).windings[0];
-    let is_whole = drawn.vertex_count() == positions.len() && drawn.edge_count() == outline.edges.len();
-    Ok(is_whole && least >= 0 && most <= 1)
+fn is_drawn_well(outline: &Outline, positions: &Positions, edge_count: usize) -> Result<bool, Error> {
+    let overlay = PlanarOverlay::without_windings(
+        positions,
+        &outline.rings,
+        &vec![0; outline.rings.len()],
+        &PlanarOptions::default(),
+    )?;
+    let [vertices, edges, _] = overlay.f_vector();
+    let (mut winding, mut is_sound) = (0, [vertices, edges] == [positions.len(), edge_count]);
+    overlay.tour(|step| match step {
+        Step::Across(halfedge) => overlay.across(halfedge, |_, by| winding += by),
+        Step::Into(_) => is_sound &= winding == 0 || winding == 1,
+    });
+    Ok(is_sound)
 }

@@ -1,47 +1,47 @@
-//! The regions that contain each face of an arrangement.
+//! The regions that contain each face.
 
 use super::drawing::{Filling, PlanarDrawing};
-use super::sides::Sides;
 use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::InsideRule;
-use crate::arrangement::planar::PlanarArrangement;
-use crate::{FaceId, HalfedgeId};
-use std::collections::BTreeSet;
 
-/// The regions around each face, and the rings that wind more than once around something or in both directions.
+/// The regions around each face, and what is odd about rings.
 #[derive(Clone, Debug)]
 pub(super) struct Containment {
     /// For each bounded face the regions that contain it, rising.
     pub(super) regions: RaggedArray,
     /// For each ring the least and the greatest winding number around a face.
     pub(super) windings: Vec<[i32; 2]>,
+    /// The holes that are not inside of the outer rings of their polygons, rising.
+    pub(super) stray_holes: Vec<u32>,
 }
 
-/// A face on the way from the unbounded one, with its walks.
-struct Visit<'a> {
-    /// The halfedge of this face across which it was entered.
-    entered: Option<u32>,
-    walks: Vec<&'a [u32]>,
-    walk: usize,
-    at: usize,
-}
+/// Warnings of one kind that are listed one by one.
+const LISTED: usize = 8;
 
-impl Visit<'_> {
-    fn next(&mut self) -> Option<u32> {
-        while let Some(walk) = self.walks.get(self.walk) {
-            if let Some(&halfedge) = walk.get(self.at) {
-                self.at += 1;
-                return Some(halfedge);
-            }
-            self.walk += 1;
-            self.at = 0;
+impl Containment {
+    /// What is odd about rings, each with the name of a model.
+    pub(super) fn warnings(&self, drawing: &PlanarDrawing) -> Vec<String> {
+        let mut warnings: Vec<String> = (self.stray_holes.iter().take(LISTED))
+            .map(|&ring| {
+                let (model, name) = (drawing.model_of_ring(ring), drawing.ring_name(ring));
+                format!("{model}: {name} is not inside of its outer ring; what is outside counts as empty")
+            })
+            .collect();
+        if self.stray_holes.len() > LISTED {
+            warnings.push(format!(
+                "{} more holes are not inside of their outer rings",
+                self.stray_holes.len() - LISTED
+            ));
         }
-        None
+        warnings
     }
 }
 
-/// What the face that the search is in is inside of.
-struct State<'a> {
+/// What the face that a tour is in is inside of.
+///
+/// A rule that is given holds for all rings; without one, drawings that state a rule keep it, and others wind when their number
+/// is not zero.
+pub(super) struct ContainmentSearch<'a> {
     drawing: &'a PlanarDrawing,
     rule: Option<InsideRule>,
     winding: Vec<i32>,
@@ -49,21 +49,56 @@ struct State<'a> {
     holes: Vec<u32>,
     sums: Vec<i32>,
     polygons_of_region: Vec<u32>,
-    inside: BTreeSet<u32>,
+    /// The regions that the tour is in, rising.
+    inside: Vec<u32>,
+    /// The holes that the tour is in, rising.
+    holes_around: Vec<u32>,
+    /// The rings that were crossed on the way to the next face.
+    crossed: Vec<u32>,
+    /// Lists in the order of the tour, to be put in that of the faces.
+    order: Vec<u32>,
+    lists: RaggedArray,
+    windings: Vec<[i32; 2]>,
+    is_stray: Vec<bool>,
 }
 
-impl State<'_> {
+impl<'a> ContainmentSearch<'a> {
+    /// In the unbounded face.
+    pub(super) fn new(drawing: &'a PlanarDrawing, rule: Option<InsideRule>, face_count: usize) -> Self {
+        let ring_count = drawing.rings.len();
+        Self {
+            drawing,
+            rule,
+            winding: vec![0; ring_count],
+            holes: vec![0; drawing.polygons.len()],
+            sums: vec![0; drawing.polygons.len()],
+            polygons_of_region: vec![0; drawing.regions.len()],
+            inside: Vec::new(),
+            holes_around: Vec::new(),
+            crossed: Vec::new(),
+            order: vec![0; face_count],
+            lists: RaggedArray::new(),
+            windings: vec![[0; 2]; ring_count],
+            is_stray: vec![false; ring_count],
+        }
+    }
+
     fn rule(&self) -> InsideRule {
         self.rule.unwrap_or_default()
     }
 
+    /// Whether the face is inside of the rings of a polygon that are no holes.
+    fn is_within(&self, polygon: u32) -> bool {
+        let rule = match self.filling(polygon) {
+            Filling::OuterWithoutHoles => self.rule(),
+            Filling::Stated(rule) => rule,
+            Filling::Lines => InsideRule::Odd,
+        };
+        rule.is_inside(self.sums[polygon as usize])
+    }
+
     fn has_polygon(&self, polygon: u32) -> bool {
-        let sum = self.sums[polygon as usize];
-        match self.filling(polygon) {
-            Filling::OuterWithoutHoles => self.rule().is_inside(sum) && self.holes[polygon as usize] == 0,
-            Filling::Stated(rule) => rule.is_inside(sum),
-            Filling::Lines => InsideRule::Odd.is_inside(sum),
-        }
+        self.is_within(polygon) && self.holes[polygon as usize] == 0
     }
 
     /// What is inside of a polygon by the rule that was asked for.
@@ -76,92 +111,72 @@ impl State<'_> {
         }
     }
 
-    fn wind(&mut self, ring: u32, by: i32) {
+    /// Whether what a ring winds around is taken out of its polygon.
+    fn is_hole(&self, ring: u32) -> bool {
+        let ring = self.drawing.rings[ring as usize];
+        ring.is_hole && self.filling(ring.polygon) == Filling::OuterWithoutHoles
+    }
+
+    /// The tour crosses a ring. Segments of no ring have numbers beyond the last.
+    pub(super) fn wind(&mut self, ring: u32, by: i32) {
+        let Some(&before) = self.winding.get(ring as usize) else { return };
         let drawing = self.drawing;
         let polygon = drawing.rings[ring as usize].polygon;
-        let is_hole =
-            drawing.rings[ring as usize].is_hole && self.filling(polygon) == Filling::OuterWithoutHoles;
+        self.crossed.push(ring);
         let was_in = self.has_polygon(polygon);
-        let before = self.winding[ring as usize];
         self.winding[ring as usize] += by;
-        if is_hole {
+        if self.is_hole(ring) {
             let rule = self.rule();
-            let [was, is] = [before, before + by].map(|winding| u32::from(rule.is_inside(winding)));
-            self.holes[polygon as usize] = self.holes[polygon as usize] + is - was;
+            let [was, is] = [before, before + by].map(|winding| rule.is_inside(winding));
+            self.holes[polygon as usize] += u32::from(is);
+            self.holes[polygon as usize] -= u32::from(was);
+            if was != is {
+                toggle(&mut self.holes_around, ring);
+            }
         } else {
             self.sums[polygon as usize] += by;
         }
         let region = drawing.polygons[polygon as usize].region;
         let is_in = self.has_polygon(polygon);
         let count = &mut self.polygons_of_region[region as usize];
+        let had_polygons = *count > 0;
         *count = *count + u32::from(is_in) - u32::from(was_in);
-        if *count > 0 {
-            self.inside.insert(region);
-        } else {
-            self.inside.remove(&region);
+        if had_polygons != (*count > 0) {
+            toggle(&mut self.inside, region);
         }
+    }
+
+    /// The tour is in a face for the first time.
+    pub(super) fn enter(&mut self, face: u32) {
+        for &ring in &self.crossed {
+            let [least, most] = &mut self.windings[ring as usize];
+            let winding = self.winding[ring as usize];
+            (*least, *most) = ((*least).min(winding), (*most).max(winding));
+            let polygon = self.drawing.rings[ring as usize].polygon;
+            if self.holes[polygon as usize] > 0 && !self.is_within(polygon) {
+                let holes = self.holes_around.iter().copied();
+                holes
+                    .filter(|&hole| self.drawing.rings[hole as usize].polygon == polygon)
+                    .for_each(|hole| self.is_stray[hole as usize] = true);
+            }
+        }
+        self.crossed.clear();
+        self.order[face as usize] = self.lists.len() as u32;
+        self.lists.push(&self.inside);
+    }
+
+    /// What was found, after the tour.
+    pub(super) fn finish(self) -> Containment {
+        let regions = RaggedArray::from_lists(self.order.iter().map(|&at| self.lists.list(at as usize)));
+        let stray_holes = (0..).zip(&self.is_stray).filter(|(_, is_stray)| **is_stray).map(|(ring, _)| ring);
+        Containment { regions, windings: self.windings, stray_holes: stray_holes.collect() }
     }
 }
 
-impl Containment {
-    /// Walks over all faces from the unbounded one and back, and keeps the winding numbers on the way.
-    ///
-    /// A rule that is given holds for all rings; without one, drawings that state a rule keep it, and others wind when their number
-    /// is not zero.
-    pub(super) fn new(
-        drawing: &PlanarDrawing,
-        arrangement: &PlanarArrangement,
-        sides: &Sides<'_>,
-        rule: Option<InsideRule>,
-    ) -> Self {
-        let ring_count = drawing.rings.len();
-        let mut state = State {
-            drawing,
-            rule,
-            winding: vec![0; ring_count],
-            holes: vec![0; drawing.polygons.len()],
-            sums: vec![0; drawing.polygons.len()],
-            polygons_of_region: vec![0; drawing.regions.len()],
-            inside: BTreeSet::new(),
-        };
-        let mut windings = vec![[0i32; 2]; ring_count];
-        let face_count = arrangement.face_count();
-        let mut is_known = vec![false; face_count];
-        // Lists in the order of the search, to be put in that of the faces.
-        let (mut order, mut found) = (vec![0u32; face_count], RaggedArray::new());
-        let visit = |face: Option<FaceId>, entered: Option<u32>| Visit {
-            entered,
-            walks: arrangement.walks(face).collect(),
-            walk: 0,
-            at: 0,
-        };
-        let mut path = vec![visit(None, None)];
-        let mut list = Vec::new();
-        while let Some(here) = path.last_mut() {
-            let Some(halfedge) = here.next() else {
-                if let Some(entered) = here.entered {
-                    sides.across(entered, |ring, by| state.wind(ring, -by));
-                }
-                path.pop();
-                continue;
-            };
-            let Some(face) = arrangement.face_of(HalfedgeId::from_u32(halfedge ^ 1)) else { continue };
-            if std::mem::replace(&mut is_known[face.index()], true) {
-                continue;
-            }
-            sides.across(halfedge ^ 1, |ring, by| state.wind(ring, by));
-            sides.across(halfedge ^ 1, |ring, _| {
-                let [least, most] = &mut windings[ring as usize];
-                let winding = state.winding[ring as usize];
-                (*least, *most) = ((*least).min(winding), (*most).max(winding));
-            });
-            order[face.index()] = found.len() as u32;
-            list.clear();
-            list.extend(state.inside.iter().copied());
-            found.push(&list);
-            path.push(visit(Some(face), Some(halfedge ^ 1)));
-        }
-        let regions = RaggedArray::from_lists(order.iter().map(|&at| found.list(at as usize)));
-        Self { regions, windings }
+/// Takes a number out of a rising list, or puts it in.
+fn toggle(list: &mut Vec<u32>, number: u32) {
+    match list.binary_search(&number) {
+        Ok(at) => drop(list.remove(at)),
+        Err(at) => list.insert(at, number),
     }
 }

@@ -334,6 +334,23 @@ impl PlanarDrawing {
         Ok(())
     }
 
+    /// What a ring is called within its model.
+    pub(super) fn ring_name(&self, ring: u32) -> String {
+        let polygon = self.rings[ring as usize].polygon;
+        let first = self.rings.partition_point(|other| other.polygon < polygon);
+        let number = self.polygons[polygon as usize].number;
+        match ring as usize - first {
+            0 => format!("polygon {number}"),
+            hole => format!("hole {hole} of polygon {number}"),
+        }
+    }
+
+    /// The name of the model that a ring is of.
+    pub(super) fn model_of_ring(&self, ring: u32) -> &str {
+        let polygon = self.polygons[self.rings[ring as usize].polygon as usize];
+        &self.names[self.regions[polygon.region as usize].model as usize]
+    }
+
     /// The coordinates of a vertex.
     pub(super) fn place(&self, vertex: u32) -> [f64; 2] {
         let point = self.positions.point(VertexId::from_u32(vertex));

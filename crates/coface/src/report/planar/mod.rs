@@ -11,10 +11,12 @@
 
 mod arrangement;
 mod boolean;
+mod canonical;
 mod containment;
 mod drawing;
 mod outline;
 mod sides;
+mod walks;
 mod writing;
 
 pub use arrangement::{ArrangementRequest, DrawingArrangement};

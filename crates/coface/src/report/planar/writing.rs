@@ -41,10 +41,8 @@ impl DrawingArrangement {
             }
             _ => {}
         }
-        let labels: Vec<u32> = (0..arrangement.face_count() as u32).collect();
-        let mut outline = Outline::new(&self.sides(), &labels, false);
-        let vertices = std::mem::take(&mut outline.vertices);
-        outline.rings.items_mut().iter_mut().for_each(|vertex| *vertex = vertices[*vertex as usize]);
+        let [rings, polygons] = arrangement.face_polygons();
+        let outline = Outline { rings, polygons };
         let loose: Vec<[u32; 2]> = (0..arrangement.edge_count())
             .map(EdgeId::new)
             .filter(|&edge| arrangement.is_bridge(edge))
@@ -78,11 +76,11 @@ impl RegionBoolean {
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
         let positions = self.positions.clone();
         if format == Format::Lines {
-            let lines = RaggedArray::from_lists(&self.outline.edges);
+            let lines = RaggedArray::from_lists(&self.edges);
             return io::write(&Model::from_lines(positions, lines)?, out, format);
         }
         if is_drawing(format) {
-            let names = self.arranged.drawing.region_names();
+            let names = self.drawing.region_names();
             let properties = |polygon: usize| {
                 let regions = self.regions_of_polygon(polygon).iter();
                 let regions: Vec<&str> = regions.map(|&region| names[region as usize]).collect();

@@ -23,7 +23,8 @@ pub(super) struct Rings {
 }
 
 impl Rings {
-    /// Corners that are equal to the one before them are left out, then rings with less than three corners.
+    /// Corners that are equal to the one before them are left out, then rings with less than two corners. One with two is a segment
+    /// there and back.
     pub(super) fn new(positions: &Positions, rings: &RaggedArray) -> Self {
         let coordinates = positions.as_flat().as_chunks::<2>().0;
         let count = rings.item_count();
@@ -51,7 +52,7 @@ impl Rings {
                 }
             }
             let end = found.points.len();
-            if end - first < 3 {
+            if end - first < 2 {
                 found.points.truncate(first);
                 found.places.truncate(first);
                 continue;
@@ -154,6 +155,10 @@ impl Chains {
         let corner_count = rings.soup.points.len() as u32;
         let mut special: Vec<u32> = meetings.touches.iter().map(|touch| touch[1]).collect();
         special.extend(meetings.equal_points.as_flattened());
+        // A ring there and back is cut at both ends, so that it is one edge.
+        special.extend(
+            rings.starts.windows(2).filter(|ends| ends[1] - ends[0] == 2).flat_map(|ends| ends[0]..ends[1]),
+        );
         special.par_sort_unstable();
         special.dedup();
         let of_crossing = |crossing: usize| (special.len() + crossing) as u32;

@@ -5,6 +5,7 @@ use crate::VertexId;
 use crate::algebra::{RaggedArray, Rational};
 use crate::arrangement::planar::VertexSource;
 use crate::arrangement::planar::areas::walks_area;
+use crate::arrangement::planar::faces::NONE;
 use crate::geometry::Positions;
 use crate::geometry::predicates::PlanarPoint;
 use rayon::prelude::*;
@@ -41,6 +42,8 @@ pub struct PlanarPolygons<'a> {
     pub(super) positions: Positions,
     pub(super) rings: RaggedArray,
     pub(super) polygons: RaggedArray,
+    /// The polygon of each bounded face, `NONE` for those that are not selected.
+    pub(super) polygon_of_face: Vec<u32>,
     pub(super) has_exterior: bool,
     /// A side along each edge.
     pub(super) sides: Vec<u32>,
@@ -66,6 +69,17 @@ impl PlanarPolygons<'_> {
     /// the holes in what reaches to infinity.
     pub fn polygons(&self) -> &RaggedArray {
         &self.polygons
+    }
+
+    /// The polygon that a bounded face of the overlay is in, if it is selected.
+    pub(crate) fn polygon_of_face(&self, face: usize) -> Option<usize> {
+        let polygon = self.polygon_of_face[face];
+        (polygon != NONE).then_some(polygon as usize)
+    }
+
+    /// What is at a vertex: vertices of different selections from one overlay are at one place if this is equal.
+    pub(crate) fn event(&self, vertex: VertexId) -> u32 {
+        self.events[vertex.index()]
     }
 
     /// Whether the selection reaches to infinity.

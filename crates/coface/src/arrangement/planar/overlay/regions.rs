@@ -4,6 +4,7 @@ use super::super::crossings::{Crossing, Meetings};
 use super::super::faces::{Faces, NONE, Orbits};
 use super::super::nesting::Ray;
 use super::super::segment_tree::SegmentTree;
+use super::super::tour::{Step, tour};
 use super::super::windings::Windings;
 use super::super::{PlanarOptions, VertexSource};
 use super::PlanarPolygons;
@@ -47,6 +48,8 @@ pub struct PlanarOverlay {
     pub(super) crossings: Vec<Crossing>,
     pub(super) chains: Chains,
     pub(super) cells: RingCells,
+    /// The region of each ring.
+    regions: Vec<u32>,
     /// The lexicographically lowest corner of each edge between its ends.
     pub(super) lowest_corners: Vec<u32>,
 }
@@ -71,6 +74,25 @@ impl PlanarOverlay {
     /// # Errors
     /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`], as soon as that is certain.
     pub fn with_options(
+        positions: &Positions,
+        rings: &RaggedArray,
+        regions: &[u32],
+        options: &PlanarOptions,
+    ) -> Result<Self, Error> {
+        let mut found = Self::without_windings(positions, rings, regions, options)?;
+        let step = |halfedge: u32, list: &mut Vec<(u32, i32)>| {
+            found.across(halfedge, |region, by| list.push((region, by)));
+        };
+        found.cells.windings = Windings::new(&found.cells.orbits, &found.cells.faces, step)?;
+        Ok(found)
+    }
+
+    /// The same for those who follow winding numbers on a [tour](Self::tour): there is no list for each face, so nothing can be
+    /// selected by a condition on it.
+    ///
+    /// # Errors
+    /// As [`Self::with_options`].
+    pub(crate) fn without_windings(
         positions: &Positions,
         rings: &RaggedArray,
         regions: &[u32],
@@ -113,23 +135,21 @@ impl PlanarOverlay {
         drop(tree);
         let faces = Faces::new(&orbits, &below, rising.into_iter());
         let regions: Vec<u32> = rings.numbers.iter().map(|&ring| regions[ring as usize]).collect();
-        let step = |halfedge: u32, list: &mut Vec<(u32, i32)>| {
-            for &chain in edges.chains.list(halfedge as usize / 2) {
-                let along = edges.halfedge_of_chain[chain as usize] == halfedge;
-                let ring = chains.chains[chain as usize].ring;
-                list.push((regions[ring as usize], if along { 1 } else { -1 }));
-            }
-        };
-        let windings = Windings::new(&orbits, &faces, step)?;
-        // Corners between nodes are a vertex and an edge more each.
-        let corner_counts =
-            (0..edges.ends.len() as u32).map(|edge| parts.first_chain(edge).corner_count as usize);
-        let corner_count: usize = corner_counts.sum();
-        let cell_count = chains.nodes.len() + edges.ends.len() + 2 * corner_count + faces.orbits.len();
-        options.check(cell_count, "in all")?;
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
-        let cells = RingCells { edges, orbits, faces, windings };
-        Ok(Self { rings, region_count, crossings, chains, cells, lowest_corners })
+        let cells = RingCells { edges, orbits, faces, windings: Windings::default() };
+        let found = Self { rings, region_count, crossings, chains, cells, regions, lowest_corners };
+        options.check(found.f_vector().iter().sum(), "in all")?;
+        Ok(found)
+    }
+
+    /// The numbers of vertices, edges and bounded faces that the rings cut the plane into: those of the arrangement of their sides.
+    pub fn f_vector(&self) -> [usize; 3] {
+        // Corners between nodes are a vertex and an edge more each.
+        let parts = self.parts();
+        let edge_count = self.cells.edges.ends.len();
+        let corner_counts = (0..edge_count as u32).map(|edge| parts.first_chain(edge).corner_count as usize);
+        let corner_count: usize = corner_counts.sum();
+        [self.chains.nodes.len() + corner_count, edge_count + corner_count, self.face_count()]
     }
 
     /// One more than the highest region that a ring with sides belongs to.
@@ -162,6 +182,42 @@ impl PlanarOverlay {
                 found.is_ok_and(|at| rule.is_inside(windings[at].1))
             })
         })
+    }
+
+    /// Goes through all faces.
+    pub(crate) fn tour(&self, step: impl FnMut(Step)) {
+        tour(&self.cells.orbits, &self.cells.faces, step);
+    }
+
+    /// How much more each region winds around what is left of a halfedge than around what is right of it. A region comes several
+    /// times where several of its rings run along the edge.
+    pub(crate) fn across(&self, halfedge: u32, mut wind: impl FnMut(u32, i32)) {
+        for &chain in self.cells.edges.chains.list(halfedge as usize / 2) {
+            let is_along = self.cells.edges.halfedge_of_chain[chain as usize] == halfedge;
+            let ring = self.chains.chains[chain as usize].ring;
+            wind(self.regions[ring as usize], if is_along { 1 } else { -1 });
+        }
+    }
+
+    /// A point where rings of a region meet each other or themselves: the lowest where two of their sides cross, or else the lowest.
+    pub(crate) fn meeting_of(&self, region: u32) -> Option<PlanarPoint> {
+        let is_own = |ring: u32| self.regions[ring as usize] == region;
+        let mut degrees = vec![0u8; self.chains.nodes.len()];
+        for (chains, ends) in self.cells.edges.chains.iter().zip(&self.cells.edges.ends) {
+            if chains.iter().any(|&chain| is_own(self.chains.chains[chain as usize].ring)) {
+                for &end in ends {
+                    degrees[end as usize] = degrees[end as usize].saturating_add(1);
+                }
+            }
+        }
+        let is_crossing = |node: usize| {
+            let crossing = (self.chains.nodes[node] as usize).checked_sub(self.rings.points.len());
+            let sides = crossing.map(|crossing| self.crossings[crossing].segments);
+            sides.is_some_and(|sides| sides.iter().all(|&side| is_own(self.rings.ring_of(side) as u32)))
+        };
+        let meetings = (0..degrees.len()).filter(|&node| degrees[node] > 2);
+        let first = meetings.min_by_key(|&node| (!is_crossing(node), self.chains.ranks[node]))?;
+        Some(self.parts().node_point(first as u32))
     }
 
     pub(super) fn parts(&self) -> Parts<'_> {

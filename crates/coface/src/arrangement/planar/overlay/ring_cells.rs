@@ -3,6 +3,7 @@
 use super::chains::Chain;
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::arrangement::planar::faces::{Faces, NONE, Orbits};
+use crate::arrangement::planar::simple_rings::simple_rings;
 use crate::arrangement::planar::windings::Windings;
 use rayon::prelude::*;
 
@@ -24,6 +25,8 @@ pub(crate) struct TracedRings {
     /// infinity.
     pub(crate) by_polygon: RaggedArray,
     pub(crate) has_exterior: bool,
+    /// The polygon of each bounded face; [`NONE`] for those that are not selected.
+    pub(crate) polygon_of_face: Vec<u32>,
 }
 
 impl RingCells {
@@ -52,19 +55,32 @@ impl RingCells {
         is_inside: &[bool],
         is_counterclockwise: impl Fn(&[u32]) -> bool,
     ) -> TracedRings {
+        self.trace_with(is_inside, false, is_counterclockwise)
+    }
+
+    /// The same. With walls each face is a polygon by itself; else faces with an edge in common are one.
+    pub(crate) fn trace_with(
+        &self,
+        is_inside: &[bool],
+        walls: bool,
+        is_counterclockwise: impl Fn(&[u32]) -> bool,
+    ) -> TracedRings {
         let face_count = self.faces.orbits.len() as u32;
         let face = |halfedge: u32| self.face(halfedge).min(face_count);
         let is_boundary: Vec<bool> = (0..self.orbits.next.len() as u32)
-            .map(|h| is_inside[face(h) as usize] && !is_inside[face(h ^ 1) as usize])
+            .map(|h| {
+                let [left, right] = [face(h), face(h ^ 1)];
+                is_inside[left as usize] && (!is_inside[right as usize] || (walls && left != right))
+            })
             .collect();
         let mut polygons = UnionFind::new(is_inside.len());
-        for edge in 0..self.edges.ends.len() as u32 {
+        for edge in (0..self.edges.ends.len() as u32).filter(|_| !walls) {
             let [left, right] = [face(2 * edge), face(2 * edge + 1)];
             if left != right && is_inside[left as usize] && is_inside[right as usize] {
                 polygons.unite(left, right);
             }
         }
-        let (rings, starts) = self.simple_rings(&is_boundary);
+        let (rings, starts) = simple_rings(&self.orbits, &self.edges.ends, &is_boundary);
         let has_exterior = is_inside[face_count as usize];
         let exterior = polygons.find(face_count);
         // Polygons by their first rings; what reaches to infinity is the last, and has no ring around it.
@@ -96,55 +112,10 @@ impl RingCells {
                 list[..=at].rotate_right(1);
             }
         }
-        TracedRings { halfedges: rings, starts, by_polygon, has_exterior }
-    }
-
-    /// The walks around the selection, cut where they come to a node again: the halfedges of one ring after those of another, and
-    /// where each begins.
-    fn simple_rings(&self, is_boundary: &[bool]) -> (Vec<u32>, Vec<usize>) {
-        let (mut rings, mut starts) = (Vec::new(), vec![0]);
-        let mut is_done = vec![false; is_boundary.len()];
-        // The place of a node on the walk that is under way.
-        let mut place = vec![NONE; self.orbits.component_of.len()];
-        let mut walk: Vec<u32> = Vec::new();
-        for first in 0..is_boundary.len() as u32 {
-            if !is_boundary[first as usize] || is_done[first as usize] {
-                continue;
-            }
-            let mut at = first;
-            loop {
-                let tail = self.tail(at) as usize;
-                if place[tail] != NONE {
-                    self.cut_off(&mut walk, place[tail] as usize, &mut place, &mut rings, &mut starts);
-                }
-                if is_done[at as usize] {
-                    break;
-                }
-                place[tail] = walk.len() as u32;
-                walk.push(at);
-                is_done[at as usize] = true;
-                at = self.orbits.next[at as usize];
-                // The selection is on both sides of what is not on its boundary here.
-                while !is_boundary[at as usize] {
-                    at = self.orbits.next[(at ^ 1) as usize];
-                }
-            }
-        }
-        (rings, starts)
-    }
-
-    /// Moves the end of a walk to the rings.
-    fn cut_off(
-        &self,
-        walk: &mut Vec<u32>,
-        from: usize,
-        place: &mut [u32],
-        rings: &mut Vec<u32>,
-        starts: &mut Vec<usize>,
-    ) {
-        walk[from..].iter().for_each(|&halfedge| place[self.tail(halfedge) as usize] = NONE);
-        rings.extend(walk.drain(from..));
-        starts.push(rings.len());
+        let polygon_of_face = (0..face_count)
+            .map(|face| if is_inside[face as usize] { number_of[polygons.find(face) as usize] } else { NONE })
+            .collect();
+        TracedRings { halfedges: rings, starts, by_polygon, has_exterior, polygon_of_face }
     }
 }
 

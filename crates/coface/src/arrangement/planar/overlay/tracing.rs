@@ -1,5 +1,6 @@
 //! The rings around selected faces.
 
+use super::chains::Chain;
 use super::regions::Parts;
 use super::ring_cells::TracedRings;
 use super::{PlanarOverlay, PlanarPolygons};
@@ -22,7 +23,7 @@ impl PlanarOverlay {
     /// # Complexity
     /// Linear in the nodes, edges and faces, and in what comes out.
     pub fn select(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<PlanarPolygons<'_>, Error> {
-        Ok(self.outline(condition, false)?.0)
+        self.outline(&self.cells.faces_where(condition), false)
     }
 
     /// The same, and the smallest ring around each ring, if there is one.
@@ -33,25 +34,29 @@ impl PlanarOverlay {
         &self,
         condition: impl Fn(&[(u32, i32)]) -> bool,
     ) -> Result<(PlanarPolygons<'_>, Vec<Option<u32>>), Error> {
-        self.outline(condition, true)
+        let traced = self.trace(&self.cells.faces_where(condition), false);
+        let parents =
+            self.cells.parents_in_order(&traced.halfedges, &traced.starts, traced.by_polygon.items());
+        Ok((self.write(traced)?, parents))
     }
 
-    fn outline(
-        &self,
-        condition: impl Fn(&[(u32, i32)]) -> bool,
-        is_nested: bool,
-    ) -> Result<(PlanarPolygons<'_>, Vec<Option<u32>>), Error> {
-        let is_inside = self.cells.faces_where(condition);
+    /// The polygons of faces, of which the unbounded one is the last. With walls each face is a polygon by itself.
+    ///
+    /// # Errors
+    /// As [`Self::select`].
+    pub(crate) fn outline(&self, is_inside: &[bool], walls: bool) -> Result<PlanarPolygons<'_>, Error> {
+        self.write(self.trace(is_inside, walls))
+    }
+
+    fn trace(&self, is_inside: &[bool], walls: bool) -> TracedRings {
         let parts = self.parts();
-        let traced = self.cells.trace(&is_inside, |halfedges| self.is_counterclockwise(&parts, halfedges));
-        let TracedRings { halfedges, starts, by_polygon, has_exterior } = traced;
-        let parents = if is_nested {
-            self.cells.parents_in_order(&halfedges, &starts, by_polygon.items())
-        } else {
-            Vec::new()
-        };
+        self.cells.trace_with(is_inside, walls, |halfedges| self.is_counterclockwise(&parts, halfedges))
+    }
+
+    fn write(&self, traced: TracedRings) -> Result<PlanarPolygons<'_>, Error> {
+        let TracedRings { halfedges, starts, by_polygon, has_exterior, polygon_of_face } = traced;
         // Rings are written polygon after polygon.
-        let mut writer = Writer::new(self, parts, &halfedges);
+        let mut writer = Writer::new(self, &halfedges);
         for &ring in by_polygon.items() {
             writer.write(&halfedges[starts[ring as usize]..starts[ring as usize + 1]]);
         }
@@ -59,7 +64,7 @@ impl PlanarOverlay {
         let polygons = RaggedArray::from_lists(
             by_polygon.iter().map(|list| ring_numbers.by_ref().take(list.len()).collect::<Vec<_>>()),
         );
-        Ok((writer.finish(polygons, has_exterior)?, parents))
+        writer.finish(polygons, polygon_of_face, has_exterior)
     }
 
     /// Whether a simple ring runs counterclockwise: it does at its lowest point.
@@ -95,8 +100,10 @@ struct Writer<'a> {
     parts: Parts<'a>,
     /// The vertex at each node that has one already.
     vertex_of_node: Vec<u32>,
-    /// How many rings run through each node that rings run through.
-    passes: Vec<u8>,
+    /// How many edges of the boundary end at each node.
+    degrees: Vec<u8>,
+    /// For each edge that has been written the vertex at its first corner, if there are walls: these are written twice.
+    first_corners: Vec<u32>,
     positions: Vec<f64>,
     events: Vec<u32>,
     pinches: Vec<u32>,
@@ -107,20 +114,29 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(overlay: &'a PlanarOverlay, parts: Parts<'a>, rings: &[u32]) -> Self {
-        let mut passes = vec![0u8; overlay.chains.nodes.len()];
-        for &halfedge in rings {
-            let passes = &mut passes[overlay.cells.tail(halfedge) as usize];
-            *passes = passes.saturating_add(1);
+    fn new(overlay: &'a PlanarOverlay, halfedges: &[u32]) -> Self {
+        let parts = overlay.parts();
+        let edge_count = overlay.cells.edges.ends.len();
+        let mut degrees = vec![0u8; overlay.chains.nodes.len()];
+        let mut is_known = vec![false; edge_count];
+        let (mut corner_count, mut has_walls) = (0, false);
+        for edge in halfedges.iter().map(|halfedge| halfedge / 2) {
+            corner_count += parts.first_chain(edge).corner_count as usize + 1;
+            // An edge with polygons on both sides counts once.
+            if std::mem::replace(&mut is_known[edge as usize], true) {
+                has_walls = true;
+                continue;
+            }
+            for &end in &overlay.cells.edges.ends[edge as usize] {
+                degrees[end as usize] = degrees[end as usize].saturating_add(1);
+            }
         }
-        let corner_counts =
-            rings.iter().map(|&halfedge| parts.first_chain(halfedge / 2).corner_count as usize + 1);
-        let corner_count: usize = corner_counts.sum();
         Self {
             overlay,
             parts,
+            first_corners: vec![NONE; if has_walls { edge_count } else { 0 }],
             vertex_of_node: vec![NONE; overlay.chains.nodes.len()],
-            passes,
+            degrees,
             positions: Vec::with_capacity(2 * corner_count),
             events: Vec::with_capacity(corner_count),
             pinches: Vec::new(),
@@ -149,35 +165,42 @@ impl<'a> Writer<'a> {
             }
             // Where no edge of the ring begins, one goes on, and other sides may run along this part of it only.
             self.push_other_sides(halfedge);
-            let corners = chain.corners(&self.overlay.rings);
-            let points = &self.overlay.rings.soup.points;
-            let first = self.events.len() as u32;
-            if is_along {
-                for range in corners {
-                    let own = &points[range.start as usize..range.end as usize];
-                    self.positions.extend_from_slice(own.as_flattened());
-                    self.events.extend(range.clone());
-                    self.sides.extend(range);
-                }
-            } else {
-                let ring = chain.ring as usize;
-                for range in corners.into_iter().rev() {
-                    for corner in range.rev() {
-                        self.positions.extend(points[corner as usize]);
-                        self.events.push(corner);
-                        self.sides.push(self.overlay.rings.side_before(corner, ring));
-                    }
-                }
-            }
-            self.rings.extend(first..self.events.len() as u32);
+            self.push_corners(halfedge, chain);
         }
         self.starts.push(self.rings.len() as u32);
+    }
+
+    /// The corners within an edge, with the sides that go on from them. What is a wall is written again with the same vertices.
+    fn push_corners(&mut self, halfedge: u32, chain: &Chain) {
+        let rings = &self.overlay.rings;
+        let corners = chain.corners(rings);
+        let written = self.first_corners.get(halfedge as usize / 2).copied().filter(|&first| first != NONE);
+        let first = written.unwrap_or(self.events.len() as u32);
+        if written.is_none() {
+            for range in corners.clone() {
+                let own = &rings.soup.points[range.start as usize..range.end as usize];
+                self.positions.extend_from_slice(own.as_flattened());
+                self.events.extend(range);
+            }
+            if let Some(own) = self.first_corners.get_mut(halfedge as usize / 2) {
+                *own = first;
+            }
+        }
+        let vertices = first..first + chain.corner_count;
+        if halfedge.is_multiple_of(2) {
+            self.sides.extend(corners.into_iter().flatten());
+            self.rings.extend(vertices);
+        } else {
+            let before = |corner| rings.side_before(corner, chain.ring as usize);
+            self.sides.extend(corners.into_iter().rev().flat_map(|range| range.rev().map(before)));
+            self.rings.extend(vertices.rev());
+        }
     }
 
     /// Whether a ring has a vertex where one of its halfedges begins.
     fn is_kept(&self, halfedges: &[u32], i: usize) -> bool {
         let before = halfedges[if i == 0 { halfedges.len() } else { i } - 1];
-        self.passes[self.overlay.cells.tail(halfedges[i]) as usize] > 1
+        self.degrees[self.overlay.cells.tail(halfedges[i]) as usize] != 2
             || !self.goes_straight_on(before, halfedges[i])
     }
 
@@ -188,7 +211,7 @@ impl<'a> Writer<'a> {
             let event = self.overlay.chains.nodes[node as usize];
             self.events.push(event);
             self.positions.extend(self.parts.event_point(event).rounded());
-            if self.passes[node as usize] > 1 {
+            if self.degrees[node as usize] > 2 {
                 self.pinches.push(*vertex);
             }
         }
@@ -221,7 +244,12 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn finish(mut self, polygons: RaggedArray, has_exterior: bool) -> Result<PlanarPolygons<'a>, Error> {
+    fn finish(
+        mut self,
+        polygons: RaggedArray,
+        polygon_of_face: Vec<u32>,
+        has_exterior: bool,
+    ) -> Result<PlanarPolygons<'a>, Error> {
         let places = &self.overlay.rings.places;
         self.sides.iter_mut().for_each(|side| *side = places[*side as usize]);
         self.other_sides.iter_mut().for_each(|[_, side]| *side = places[*side as usize]);
@@ -233,6 +261,7 @@ impl<'a> Writer<'a> {
             positions: Positions::from_flat(2, self.positions)?,
             rings: RaggedArray::from_parts(self.starts, self.rings)?,
             polygons,
+            polygon_of_face,
             has_exterior,
             sides: self.sides,
             other_sides: self.other_sides,
