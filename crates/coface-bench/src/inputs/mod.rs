@@ -18,6 +18,8 @@
 //! * `seg_N`, `long_N`: N random segments in the plane; about eight crossings each, or all of length 0.4.
 //! * `coast_N`, `star_N`, `squares_N`: two regions in the plane with N vertices each: two curves that cross a few times, two
 //!   polygons of random radii, two grids of squares. Coordinates are integers below 2^28.
+//! * `random_N`, `gear_N`, `circle_N`, `grid_N`: the same at random angles, with radii 0.9 and 1 in turns, regular, and squares that are not
+//!   turned: their edges overlap.
 
 mod cubes;
 mod drawings;
@@ -64,6 +66,10 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("coast_N", "two closed curves of N vertices that cross a few dozen times (coast_1000000)"),
     ("star_N", "two polygons of N vertices with random radii, turned by half a step (star_10000)"),
     ("squares_N", "a grid of N/4 squares and the same turned by half a radian (squares_100000)"),
+    ("random_N", "two polygons of N vertices with random radii and angles (random_100000)"),
+    ("gear_N", "two polygons of N vertices with radii 0.9 and 1 in turns (gear_100000)"),
+    ("circle_N", "two regular polygons of N vertices that cross twice (circle_1000000)"),
+    ("grid_N", "a grid of N/4 squares and the same moved along, with overlapping edges (grid_1000000)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
 ];
 
@@ -129,6 +135,10 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
         ("coast", count) => Ok(drawings::coastlines(number(count, 3, 10_000_000)?)),
         ("star", count) => Ok(drawings::stars(number(count, 3, 10_000_000)?)),
         ("squares", count) => Ok(drawings::squares(number(count, 4, 10_000_000)?)),
+        ("random", count) => Ok(drawings::random_stars(number(count, 3, 10_000_000)?)),
+        ("gear", count) => Ok(drawings::gears(2 * (number(count, 4, 10_000_000)? / 2))),
+        ("circle", count) => Ok(drawings::circles(number(count, 3, 10_000_000)?)),
+        ("grid", count) => Ok(drawings::grids(number(count, 4, 10_000_000)?)),
         ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),
         _ => Err(unknown()),
     }

@@ -39,8 +39,18 @@ pub(super) const UNION: Task = Task {
     work: Work::Inside(|path, clock| overlaid(path, clock, |windings| !windings.is_empty())),
 };
 
-const OVERLAYS: &[&str] =
-    &["coast_100000", "coast_1000000", "squares_100000", "squares_1000000", "star_10000", "star_100000"];
+const OVERLAYS: &[&str] = &[
+    "coast_100000",
+    "coast_1000000",
+    "squares_100000",
+    "squares_1000000",
+    "star_10000",
+    "star_100000",
+    "random_100000",
+    "gear_100000",
+    "circle_1000000",
+    "grid_1000000",
+];
 
 fn overlaid(path: &Path, clock: &mut Clock, condition: fn(&[(u32, i32)]) -> bool) -> Result<String, Error> {
     let (positions, mesh) = drawing(path)?;

@@ -3,7 +3,6 @@
 use super::PlanarArrangement;
 use crate::FaceId;
 use crate::algebra::Rational;
-use crate::geometry::Sum;
 use crate::geometry::predicates::{PlanarPoint, approximate_area};
 use rayon::prelude::*;
 
@@ -78,26 +77,13 @@ impl PlanarArrangement {
 
 /// The part of an area that may be wrong.
 const RELATIVE: f64 = 1.0 / (1u64 << 50) as f64;
-/// Corners that are summed before sums are: bounds on errors grow with the length of a sum.
-const BLOCK: usize = 256;
-
 /// The area within closed walks along corners that `point` knows, positive where they run counterclockwise, with a relative error
 /// below $2^{-49}$; `None` if that is not certain.
 pub(crate) fn walks_area<'a>(
     walks: impl Iterator<Item = &'a [u32]>,
     point: impl Fn(u32) -> PlanarPoint,
 ) -> Option<f64> {
-    let (mut sum, mut error) = (Sum::default(), 0.0);
-    for walk in walks {
-        // Fans of triangles around the first corner.
-        for from in (1..walk.len()).step_by(BLOCK) {
-            let fan = &walk[from..(from + BLOCK + 1).min(walk.len())];
-            let corners = std::iter::once(&walk[0]).chain(fan).map(|&corner| point(corner));
-            let [area, bound] = approximate_area(std::iter::once(corners))?;
-            sum.add(area);
-            error += bound;
-        }
-    }
-    let area = sum.value();
+    let corners = |walk: &'a [u32]| walk.iter().map(|&corner| point(corner));
+    let [area, error] = approximate_area(walks.map(corners))?;
     (area.abs() * RELATIVE > error * (1.0 + RELATIVE)).then_some(area)
 }

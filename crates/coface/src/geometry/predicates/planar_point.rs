@@ -1,6 +1,6 @@
 //! Points that are given, and crossings of two lines that are never computed.
 
-use super::double_double::{Approximation, is_ordinary};
+use super::double_double::{Approximation, is_ordinary, widened};
 use super::{Dyadic, PlanarLine, direction_turn};
 use crate::algebra::Rational;
 use std::cmp::Ordering;
@@ -217,7 +217,8 @@ fn approximate_crossing(s: PlanarLine, t: PlanarLine) -> Option<[Approximation; 
 pub(crate) fn approximate_area<W: Iterator<Item = PlanarPoint>>(
     walks: impl Iterator<Item = W>,
 ) -> Option<[f64; 2]> {
-    let mut doubled = Approximation::new(0.0, 0.0);
+    // Bounds are summed apart: what an addition makes wider is its own only.
+    let (mut doubled, mut error) = (Approximation::new(0.0, 0.0), 0.0);
     for mut walk in walks {
         let Some(first) = walk.next() else { continue };
         let first = first.coordinates_in_twice_the_precision()?;
@@ -225,11 +226,13 @@ pub(crate) fn approximate_area<W: Iterator<Item = PlanarPoint>>(
         for corner in walk {
             let corner = corner.coordinates_in_twice_the_precision()?;
             let corner = [0, 1].map(|axis| corner[axis].minus(first[axis]));
-            doubled = doubled.plus(last[0].times(corner[1]).minus(last[1].times(corner[0])));
+            let sum = doubled.plus(last[0].times(corner[1]).minus(last[1].times(corner[0])));
+            error += sum.error;
+            doubled = Approximation { error: 0.0, ..sum };
             last = corner;
         }
     }
-    Some([doubled.high * 0.5, doubled.error * 0.5 + doubled.low.abs()])
+    Some([doubled.high * 0.5, widened(error) * 0.5 + doubled.low.abs()])
 }
 
 /// The point $(x / w, y / w)$ with exact numbers; w is positive.
