@@ -7,24 +7,24 @@
 use super::Order;
 use std::ops::Deref;
 
-/// The most control points that a piece has.
-const MOST: usize = 8;
-
 /// The control points of one polynomial, by value; or those of a derivative of one, which are vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::yin) struct Piece {
-    points: [[f64; 2]; MOST],
+    points: [[f64; 2]; Piece::MOST],
     count: usize,
 }
 
 impl Piece {
+    /// The most control points that a piece has.
+    pub(in crate::yin) const MOST: usize = 8;
+
     pub(in crate::yin) fn new(controls: &[[f64; 2]]) -> Self {
         Self::with(controls.len(), |j| controls[j])
     }
 
     /// `count` control points by number.
     pub(in crate::yin) fn with(count: usize, point: impl Fn(usize) -> [f64; 2]) -> Self {
-        let mut points = [[0.0; 2]; MOST];
+        let mut points = [[0.0; 2]; Piece::MOST];
         for (j, place) in points[..count].iter_mut().enumerate() {
             *place = point(j);
         }
@@ -73,7 +73,7 @@ pub(in crate::yin) fn value(controls: &[[f64; 2]], s: f64) -> [f64; 2] {
 
 /// The symmetric multiaffine form (blossom) of a polynomial at as many parameters as its degree.
 fn polar_value(controls: &[[f64; 2]], parameter: impl Fn(usize) -> f64) -> [f64; 2] {
-    let mut points = [[0.0; 2]; MOST];
+    let mut points = [[0.0; 2]; Piece::MOST];
     points[..controls.len()].copy_from_slice(controls);
     for (step, left) in (1..controls.len()).rev().enumerate() {
         let s = parameter(step);

@@ -11,23 +11,26 @@ const LARGEST_EXPONENT: i32 = 1000;
 /// Scaling is exact, and the translation of a number makes an error of at most 2^-53 of its result: so a change of scale by powers of
 /// two changes nothing, and neither does a translation that does not round.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::yin) struct Frame {
+pub(super) struct Frame {
     /// The center, scaled.
     center: [f64; 2],
     factor: f64,
     /// The resolution in coordinates of the frame.
-    pub(in crate::yin) resolution: f64,
+    pub(super) resolution: f64,
 }
 
 impl Frame {
     /// What the resolution is to the largest extent.
-    pub(in crate::yin) const RELATIVE_RESOLUTION: f64 = 1.0 / (1u64 << 40) as f64;
+    pub(super) const RELATIVE_RESOLUTION: f64 = 1.0 / (1u64 << 40) as f64;
+
+    /// What the resolution is to the largest coordinate at least: above what rounding does to control points of parts of pieces.
+    pub(super) const LEAST_RESOLUTION: f64 = 1.0 / (1u64 << 48) as f64;
 
     /// The frame of points.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming a point that is not finite.
-    pub(in crate::yin) fn of_points<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Result<Self, Error> {
+    pub(super) fn of_points<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Result<Self, Error> {
         let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
         for (at, point) in points.enumerate() {
             if !point.iter().all(|x| x.is_finite()) {
@@ -48,21 +51,18 @@ impl Frame {
         let factor = 2f64.powi(-exponent.clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT));
         let center = [0, 1].map(|axis| low[axis] * factor / 2.0 + high[axis] * factor / 2.0);
         let extent = if largest > 0.0 { 2.0 * largest * factor } else { 1.0 };
-        Ok(Self { center, factor, resolution: extent * Self::RELATIVE_RESOLUTION })
+        let farthest = low.iter().chain(&high).fold(0.0, |farthest: f64, x| farthest.max(x.abs()));
+        let resolution = (extent * Self::RELATIVE_RESOLUTION).max(farthest * factor * Self::LEAST_RESOLUTION);
+        Ok(Self { center, factor, resolution })
     }
 
     /// A point in this frame.
-    pub(in crate::yin) fn to_local(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(super) fn to_local(&self, point: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| point[axis] * self.factor - self.center[axis])
     }
 
     /// A point of this frame in coordinates of the input.
-    pub(in crate::yin) fn to_world(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(super) fn to_world(&self, point: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| (point[axis] + self.center[axis]) / self.factor)
-    }
-
-    /// The resolution in the unit of the input.
-    pub(in crate::yin) fn world_resolution(&self) -> f64 {
-        self.resolution / self.factor
     }
 }

@@ -1,8 +1,8 @@
 //! Where the pieces of curves meet, with guarantees.
 //!
 //! # Words and conventions
-//! * All coordinates are taken in a [`Frame`]: moved and scaled by a power of two so that everything is in a box of side one. The
-//!   **resolution** is 2^-40 times the largest extent of that box. What is farther apart than the resolution is told apart for
+//! * All coordinates are taken in a **frame**: moved and scaled by a power of two so that everything is in a box of side one. The
+//!   **resolution** is 2^-40 times the largest extent of that box, or 2^-48 times the largest coordinate if that is more. What is farther apart than the resolution is told apart for
 //!   certain: by hulls of control points that are separated, and by roots whose existence and uniqueness are proven. What is not is
 //!   one point, or one arc, and says that it is not certified.
 //! * A **part** of a piece is monotone in both coordinates. A piece that is a segment is one part, and segments meet each other
@@ -27,8 +27,9 @@ mod search;
 mod segments;
 #[cfg(test)]
 mod tests;
+mod turning;
 
-pub(in crate::yin) use frame::Frame;
-pub(in crate::yin) use parts::Pieces;
-pub(in crate::yin) use polynomial::Polynomial;
+use frame::Frame;
+use parts::Pieces;
+use polynomial::Polynomial;
 pub(in crate::yin) use search::{Meeting, Meetings, Overlap};

@@ -1,6 +1,6 @@
 //! Arcs that two pieces have in common.
 
-use super::polynomial::{dot, is_near, minus, size};
+use super::polynomial::{dot, is_apart, is_near, minus, size};
 use super::{Overlap, Pieces, Polynomial};
 
 /// How many times the resolution the ends of an overlap are apart at least.
@@ -21,13 +21,13 @@ pub(super) fn overlaps_of(pieces: &Pieces, pair: [u32; 2]) -> Vec<Overlap> {
         return vec![Overlap { pieces: pair, ranges: [[0.0, 1.0], [1.0, 0.0]], is_certified: true }];
     }
     let tolerance = pieces.frame.resolution;
-    let [of_a, of_b] = [a.bounds(), b.bounds()];
-    let is_in = |[low, high]: [[f64; 2]; 2], point: [f64; 2]| {
-        (0..2).all(|k| low[k] - tolerance <= point[k] && point[k] <= high[k] + tolerance)
-    };
-    let ends = [a.first(), a.last()].map(|end| is_in(of_b, end));
-    let other_ends = [b.first(), b.last()].map(|end| is_in(of_a, end));
-    if ends.into_iter().chain(other_ends).filter(|near| *near).count() < 2 {
+    // Whether the ends of one are in the hull of the other; an end of both is one point.
+    let is_in = |hull: &Polynomial, point: [f64; 2]| !is_apart(hull.controls(), &[point; 2], tolerance);
+    let ends = [a.first(), a.last()].map(|end| is_in(&b, end));
+    let other_ends = [b.first(), b.last()].map(|end| is_in(&a, end));
+    let is_shared = [b.first(), b.last()].map(|end| end == a.first() || end == a.last());
+    let counts = ends.into_iter().chain((0..2).map(|k| other_ends[k] && !is_shared[k]));
+    if counts.filter(|counts| *counts).count() < 2 {
         return Vec::new();
     }
     let mut common: Vec<[f64; 2]> = Vec::new();

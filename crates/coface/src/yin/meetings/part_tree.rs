@@ -253,24 +253,4 @@ impl PartTree {
             }
         }
     }
-
-    /// Calls `visit` for each part whose box along the axes meets this one.
-    pub(super) fn visit(&self, low: [f64; 2], high: [f64; 2], mut visit: impl FnMut(u32)) {
-        let misses = |own: &Bounds| (0..2).any(|k| own.high[k] < low[k] || own.low[k] > high[k]);
-        let mut stack: Vec<Node> = self.root().into_iter().collect();
-        while let Some(node) = stack.pop() {
-            if misses(self.node(node)) {
-                continue;
-            }
-            if node.level > 0 {
-                stack.extend(self.children(node));
-                continue;
-            }
-            for i in self.leaf(node) {
-                if !misses(&self.bounds[i]) {
-                    visit(self.order[i]);
-                }
-            }
-        }
-    }
 }

@@ -2,13 +2,13 @@
 
 use super::{Frame, Polynomial};
 use crate::Error;
-use crate::yin::Order;
+use crate::yin::curve::bernstein;
 use crate::yin::set::CurveArena;
 use rayon::prelude::*;
 
 /// The pieces of several arenas, numbered one after the other, and their monotone parts.
-pub(in crate::yin) struct Pieces {
-    pub(in crate::yin) frame: Frame,
+pub(super) struct Pieces {
+    pub(super) frame: Frame,
     /// The control points of all pieces in the frame, those of a piece together.
     controls: Vec<[f64; 2]>,
     /// The first control point of each piece, and their number.
@@ -18,23 +18,17 @@ pub(in crate::yin) struct Pieces {
     is_straight: Vec<bool>,
     /// The piece that follows on the same curve.
     next: Vec<u32>,
-    /// The first piece of each curve, and their number.
-    curve_starts: Vec<u32>,
-    /// The first piece of each arena, and their number.
-    arena_starts: Vec<u32>,
     parts: Vec<Part>,
-    /// The first part of each piece, and their number.
-    part_starts: Vec<u32>,
     part_controls: Vec<[f64; 2]>,
 }
 
 /// A part of a piece that is monotone in both coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::yin) struct Part {
-    pub(in crate::yin) piece: u32,
+pub(super) struct Part {
+    pub(super) piece: u32,
     /// Its first control point among those of all parts.
     first_control: u32,
-    pub(in crate::yin) range: [f64; 2],
+    pub(super) range: [f64; 2],
 }
 
 /// The parts of one piece.
@@ -46,7 +40,7 @@ struct Cut {
 impl Pieces {
     /// # Errors
     /// As [`Frame::of_points`]; [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) for more than 2^31 control points.
-    pub(in crate::yin) fn of(arenas: &[&CurveArena]) -> Result<Self, Error> {
+    pub(super) fn of(arenas: &[&CurveArena]) -> Result<Self, Error> {
         let all = || arenas.iter().flat_map(|arena| arena.iter());
         let piece_count: usize = arenas.iter().map(|arena| arena.piece_count()).sum();
         let control_count: usize =
@@ -75,10 +69,7 @@ impl Pieces {
             ends: Vec::with_capacity(piece_count),
             is_straight: Vec::with_capacity(piece_count),
             next: Vec::with_capacity(piece_count),
-            curve_starts: vec![0],
-            arena_starts: vec![0],
             parts: Vec::new(),
-            part_starts: Vec::new(),
             part_controls: Vec::new(),
         };
         found.starts.push(0);
@@ -88,15 +79,21 @@ impl Pieces {
                 let count = curve.piece_count() as u32;
                 for piece in 0..curve.piece_count() {
                     let controls = curve.piece(piece);
-                    found.controls.extend(controls.iter().map(|&point| frame.to_local(point)));
+                    let ends = [controls[0], controls[controls.len() - 1]];
+                    let is_straight = bernstein::is_straight(controls);
+                    if is_straight {
+                        let own =
+                            bernstein::straight_piece(ends.map(|end| frame.to_local(end)), controls.len());
+                        found.controls.extend_from_slice(&own);
+                    } else {
+                        found.controls.extend(controls.iter().map(|&point| frame.to_local(point)));
+                    }
                     found.starts.push(found.controls.len() as u32);
-                    found.ends.push([controls[0], controls[controls.len() - 1]]);
-                    found.is_straight.push(is_straight(controls, arena.order()));
+                    found.ends.push(ends);
+                    found.is_straight.push(is_straight);
                     found.next.push(first + (piece as u32 + 1) % count);
                 }
-                found.curve_starts.push(first + count);
             }
-            found.arena_starts.push(found.ends.len() as u32);
         }
         found.cut();
         Ok(found)
@@ -110,10 +107,8 @@ impl Pieces {
             .collect();
         let part_count: usize = cuts.iter().map(|cut| cut.ranges.len()).sum();
         let mut parts = Vec::with_capacity(part_count);
-        let mut part_starts = Vec::with_capacity(self.len() + 1);
         let mut part_controls = Vec::with_capacity(cuts.iter().map(|cut| cut.controls.len()).sum());
         for (piece, cut) in cuts.into_iter().enumerate() {
-            part_starts.push(parts.len() as u32);
             let step = cut.controls.len() / cut.ranges.len();
             for (i, &range) in cut.ranges.iter().enumerate() {
                 let first_control = (part_controls.len() + i * step) as u32;
@@ -121,8 +116,7 @@ impl Pieces {
             }
             part_controls.extend(cut.controls);
         }
-        part_starts.push(parts.len() as u32);
-        (self.parts, self.part_starts, self.part_controls) = (parts, part_starts, part_controls);
+        (self.parts, self.part_controls) = (parts, part_controls);
     }
 
     fn cut_of(&self, piece: usize, turns: &mut Vec<f64>) -> Cut {
@@ -130,7 +124,7 @@ impl Pieces {
         turns.clear();
         if !self.is_straight[piece] {
             for axis in 0..2 {
-                own.turning_parameters(axis, turns);
+                own.add_turns(axis, turns);
             }
             turns.sort_by(f64::total_cmp);
             turns.dedup();
@@ -139,12 +133,9 @@ impl Pieces {
         let mut controls = Vec::with_capacity(ends.len() * (own.degree() + 1));
         let mut from = own.first();
         for range in ends.windows(2) {
-            let mut part = own.part([range[0], range[1]]);
             let to = own.at(range[1]);
-            let last = part.degree();
             // Neighbors share their ends bit for bit.
-            part.controls_mut()[0] = from;
-            part.controls_mut()[last] = to;
+            let part = own.part([range[0], range[1]]).with_ends([from, to]);
             controls.extend_from_slice(part.controls());
             from = to;
         }
@@ -152,47 +143,37 @@ impl Pieces {
     }
 
     /// The number of pieces.
-    pub(in crate::yin) fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.ends.len()
     }
 
-    /// The number of the first piece of an arena.
-    pub(in crate::yin) fn first_piece(&self, arena: usize) -> usize {
-        self.arena_starts[arena] as usize
-    }
-
     /// A piece in coordinates of the frame.
-    pub(in crate::yin) fn polynomial(&self, piece: usize) -> Polynomial {
+    pub(super) fn polynomial(&self, piece: usize) -> Polynomial {
         Polynomial::new(&self.controls[self.starts[piece] as usize..self.starts[piece + 1] as usize])
     }
 
     /// The ends of a piece in coordinates of the input.
-    pub(in crate::yin) fn ends(&self, piece: usize) -> [[f64; 2]; 2] {
+    pub(super) fn ends(&self, piece: usize) -> [[f64; 2]; 2] {
         self.ends[piece]
     }
 
     /// Whether a piece is treated as a segment.
-    pub(in crate::yin) fn is_straight(&self, piece: usize) -> bool {
+    pub(super) fn is_straight(&self, piece: usize) -> bool {
         self.is_straight[piece]
     }
 
     /// The piece that follows on the same curve.
-    pub(in crate::yin) fn next(&self, piece: usize) -> usize {
+    pub(super) fn next(&self, piece: usize) -> usize {
         self.next[piece] as usize
     }
 
     /// The monotone parts of all pieces, in order.
-    pub(in crate::yin) fn parts(&self) -> &[Part] {
+    pub(super) fn parts(&self) -> &[Part] {
         &self.parts
     }
 
-    /// The places of the parts of a piece.
-    pub(in crate::yin) fn parts_of(&self, piece: usize) -> std::ops::Range<usize> {
-        self.part_starts[piece] as usize..self.part_starts[piece + 1] as usize
-    }
-
     /// A part in coordinates of the frame.
-    pub(in crate::yin) fn part_polynomial(&self, part: usize) -> Polynomial {
+    pub(super) fn part_polynomial(&self, part: usize) -> Polynomial {
         Polynomial::new(self.part_points(part))
     }
 
@@ -203,14 +184,4 @@ impl Pieces {
         let count = (self.starts[piece + 1] - self.starts[piece]) as usize;
         &self.part_controls[own.first_control as usize..own.first_control as usize + count]
     }
-}
-
-/// Whether a piece is the canonical segment between its ends.
-fn is_straight(controls: &[[f64; 2]], order: Order) -> bool {
-    let [a, b] = [controls[0], controls[controls.len() - 1]];
-    let degree = order.degree() as f64;
-    controls.iter().enumerate().all(|(i, point)| {
-        let t = i as f64 / degree;
-        i == 0 || i + 1 == controls.len() || *point == [0, 1].map(|k| a[k] + (b[k] - a[k]) * t)
-    })
 }

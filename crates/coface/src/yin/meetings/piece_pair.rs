@@ -2,7 +2,7 @@
 
 use super::contacts::{Contact, clusters};
 use super::overlaps::{foot, overlaps_of};
-use super::polynomial::{is_near, size};
+use super::polynomial::{is_apart, is_near, size};
 use super::roots::{Transversal, transversal_root};
 use super::search::Found;
 use super::segments::meet_segments;
@@ -110,7 +110,7 @@ impl<'a> PairSolver<'a> {
         let mut count = 0;
         while let Some(Cell { pieces: [a, b], ranges }) = self.stack.pop() {
             count += 1;
-            if a.is_apart(&b, resolution) {
+            if is_apart(a.controls(), b.controls(), resolution) {
                 continue;
             }
             if count > MOST_CELLS {

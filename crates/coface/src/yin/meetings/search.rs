@@ -3,6 +3,7 @@
 use super::Pieces;
 use super::part_tree::PartTree;
 use super::piece_pair::PairSolver;
+use super::polynomial::is_apart;
 use crate::Error;
 use crate::yin::set::CurveArena;
 use rayon::prelude::*;
@@ -40,7 +41,6 @@ pub(in crate::yin) struct Overlap {
 /// The common end of neighbors on a curve is not listed unless they meet there otherwise. An end of an overlap is not listed as a
 /// meeting of the same two pieces.
 pub(in crate::yin) struct Meetings {
-    pub(in crate::yin) pieces: Pieces,
     pub(in crate::yin) points: Vec<Meeting>,
     pub(in crate::yin) overlaps: Vec<Overlap>,
 }
@@ -61,8 +61,11 @@ impl Meetings {
     /// crosses, and $O(1)$ cells for each halving down to the resolution where pieces touch. In parallel; the result does not depend
     /// on the number of threads.
     pub(in crate::yin) fn of(arenas: &[&CurveArena]) -> Result<Self, Error> {
-        let pieces = Pieces::of(arenas)?;
-        let tree = PartTree::new(&pieces);
+        Ok(Self::of_pieces(&Pieces::of(arenas)?))
+    }
+
+    pub(super) fn of_pieces(pieces: &Pieces) -> Self {
+        let tree = PartTree::new(pieces);
         let parts = pieces.parts();
         let resolution = pieces.frame.resolution;
         let candidates: Vec<Vec<[u32; 4]>> = tree
@@ -71,8 +74,8 @@ impl Meetings {
             .map(|&task| {
                 let mut near = Vec::new();
                 tree.search(task, |i, j| {
-                    let [a, b] = [i, j].map(|part| pieces.part_polynomial(part as usize));
-                    if !a.is_apart(&b, resolution) {
+                    let [a, b] = [i, j].map(|part| pieces.part_points(part as usize));
+                    if !is_apart(a, b, resolution) {
                         near.push([parts[i as usize].piece, parts[j as usize].piece, i, j]);
                     }
                 });
@@ -89,7 +92,7 @@ impl Meetings {
             .par_windows(2)
             .with_min_len(64)
             .fold(
-                || (Found::default(), PairSolver::new(&pieces), Vec::new()),
+                || (Found::default(), PairSolver::new(pieces), Vec::new()),
                 |(mut found, mut solver, mut own), range| {
                     own.clear();
                     let group = &candidates[range[0]..range[1]];
@@ -110,6 +113,6 @@ impl Meetings {
             let by_place = x.at[0].total_cmp(&y.at[0]).then(x.at[1].total_cmp(&y.at[1]));
             x.pieces.cmp(&y.pieces).then(by_place)
         });
-        Ok(Self { pieces, points, overlaps })
+        Self { points, overlaps }
     }
 }

@@ -1,30 +1,28 @@
 //! Meetings against closed forms, against a dense polyline, and against themselves after changes that change nothing.
 
-use super::Meetings;
+use super::polynomial::{cross, minus};
+use super::{Meetings, Pieces};
+use crate::yin::curve::bernstein;
 use crate::yin::set::CurveArena;
 use crate::yin::{Curve, Order};
+use proptest::prelude::*;
 
 /// One closed curve from all its control points, the first one again at the end.
 fn arena(order: usize, curves: &[Vec<[f64; 2]>]) -> CurveArena {
     let order = Order::new(order).expect("orders of tests are even");
     let mut found = CurveArena::new(order);
     for controls in curves {
-        let knots = (0..=controls.len() / order.degree()).map(|i| i as f64).collect();
+        let knots = (0..=(controls.len() - 1) / order.degree()).map(|i| i as f64).collect();
         found
             .push(&Curve::from_controls(order, controls.clone(), knots).expect("tests count control points"));
     }
     found
 }
 
-/// The cubic from 0 to 1 whose coordinates are given, closed by the segment back.
+/// A piece, closed by the segment back.
 fn closed_by_segment(piece: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let (a, b) = (piece[0], piece[piece.len() - 1]);
-    let degree = piece.len() - 1;
-    let back = (1..=degree).map(|i| {
-        let t = i as f64 / degree as f64;
-        if i == degree { a } else { [0, 1].map(|k| b[k] + (a[k] - b[k]) * t) }
-    });
-    piece.iter().copied().chain(back).collect()
+    let back = bernstein::straight_piece([piece[piece.len() - 1], piece[0]], piece.len());
+    piece.iter().chain(&back[1..]).copied().collect()
 }
 
 /// Control points of a cubic spline near a circle: each quarter in `n` arcs, counterclockwise.
@@ -55,19 +53,17 @@ fn of(arenas: &[&CurveArena]) -> Meetings {
 fn two_circles_cross_twice() {
     let a = arena(4, &[circle([0.0, 0.0], 1.0, 2, 0.0)]);
     let b = arena(4, &[circle([1.0, 0.0], 1.0, 2, 0.1)]);
-    let found = of(&[&a, &b]);
+    let pieces = Pieces::of(&[&a, &b]).expect("they are finite");
+    let found = Meetings::of_pieces(&pieces);
     assert_eq!((found.points.len(), found.overlaps.len()), (2, 0), "{:?}", found.points);
     for meeting in &found.points {
         assert!(meeting.is_certified);
         assert!(
             (meeting.point[0] - 0.5).abs() < 1e-4 && (meeting.point[1].abs() - 0.75f64.sqrt()).abs() < 1e-4
         );
-        let curves = [
-            found.pieces.polynomial(meeting.pieces[0] as usize),
-            found.pieces.polynomial(meeting.pieces[1] as usize),
-        ];
+        let curves = meeting.pieces.map(|piece| pieces.polynomial(piece as usize));
         for k in 0..2 {
-            let at = found.pieces.frame.to_world(curves[k].at(meeting.at[k]));
+            let at = pieces.frame.to_world(curves[k].at(meeting.at[k]));
             assert!((0..2).all(|axis| (at[axis] - meeting.point[axis]).abs() < 1e-14));
             assert!(meeting.parameters[k][0] < meeting.at[k] && meeting.at[k] < meeting.parameters[k][1]);
             assert!(meeting.parameters[k][1] - meeting.parameters[k][0] < 1e-11);
@@ -126,13 +122,9 @@ fn a_cubic_with_a_loop_meets_itself() {
     let loops: Vec<_> = found.points.iter().filter(|meeting| meeting.pieces == [0, 0]).collect();
     assert_eq!(loops.len(), 1, "{:?} {:?}", found.points, point(0.5));
     assert!(loops[0].is_certified);
-    let [s, t] = loops[0].at.map(point_parameter);
+    let [s, t] = loops[0].at.map(|t| 2.0 * t - 1.0);
     let (p, q) = (point(s), point(t));
     assert!((p[0] - q[0]).abs() < 1e-13 && (p[1] - q[1]).abs() < 1e-13 && (s - t).abs() > 0.5);
-}
-
-fn point_parameter(t: f64) -> f64 {
-    2.0 * t - 1.0
 }
 
 #[test]
@@ -151,5 +143,213 @@ fn the_same_curve_overlaps_piece_by_piece() {
         for meeting in &found.points {
             assert!(meeting.at.iter().all(|&t| t == 0.0 || t == 1.0), "{meeting:?}");
         }
+    }
+}
+
+#[test]
+fn a_part_of_a_piece_overlaps_it() {
+    let cubic = [[0.0, 0.0], [0.5, 1.5], [1.25, -0.75], [2.0, 0.75]];
+    let fifth = [[0.0, 0.0], [0.5, 1.5], [0.75, -1.0], [1.0, 0.5], [1.5, -0.25], [2.0, 1.0]];
+    let seventh =
+        [[0.0, 0.0], [0.5, 1.5], [0.75, -1.0], [1.0, 0.5], [1.5, -2.25], [2.0, 1.0], [2.5, 1.0], [2.75, 3.0]];
+    for piece in [&cubic[..], &fifth, &seventh] {
+        for (range, shift) in [([0.25, 0.75], 0.0), ([0.9, 0.3], 0.0), ([0.0, 0.4], 1e6), ([0.7, 1.0], -3e-6)]
+        {
+            let moved =
+                |points: &[[f64; 2]]| points.iter().map(|point| point.map(|x| x + shift)).collect::<Vec<_>>();
+            let own = moved(piece);
+            let part = bernstein::sub_range(&own, range);
+            let (a, b) = (
+                arena(piece.len(), &[closed_by_segment(&own)]),
+                arena(piece.len(), &[closed_by_segment(&part)]),
+            );
+            let found = of(&[&a, &b]);
+            let overlaps: Vec<_> = found.overlaps.iter().filter(|overlap| overlap.pieces == [0, 2]).collect();
+            assert_eq!(overlaps.len(), 1, "{range:?} {shift} {:?} {:?}", found.overlaps, found.points);
+            let [of_a, of_b] = overlaps[0].ranges;
+            let expected =
+                if range[0] < range[1] { [range, [0.0, 1.0]] } else { [[range[1], range[0]], [1.0, 0.0]] };
+            assert!((0..2).all(|k| (of_a[k] - expected[0][k]).abs() < 1e-8), "{of_a:?} {expected:?}");
+            assert_eq!(of_b, expected[1]);
+            assert!(!overlaps[0].is_certified);
+            assert!(found.points.iter().all(|meeting| meeting.pieces != [0, 2]), "{:?}", found.points);
+        }
+    }
+}
+
+#[test]
+fn segments_meet_exactly_in_any_order() {
+    // A triangle, and one whose corner is on its lower side; both have parts of that side's line.
+    for order in [2, 4, 8] {
+        let triangle = |corners: [[f64; 2]; 3]| {
+            let mut controls = vec![corners[0]];
+            for i in 0..3 {
+                let side = bernstein::straight_piece([corners[i], corners[(i + 1) % 3]], order);
+                controls.extend_from_slice(&side[1..]);
+            }
+            arena(order, &[controls])
+        };
+        let a = triangle([[0.0, 0.0], [3.0, 0.0], [1.5, 2.0]]);
+        let b = triangle([[1.0, 0.0], [2.0, -1.0], [2.0, 0.0]]);
+        let found = of(&[&a, &b]);
+        assert_eq!(found.overlaps.len(), 1, "{order}");
+        assert_eq!(found.overlaps[0].pieces, [0, 5]);
+        let [[from, to], of_b] = found.overlaps[0].ranges;
+        assert!((from - 1.0 / 3.0).abs() < 1e-15 && (to - 2.0 / 3.0).abs() < 1e-15 && of_b == [1.0, 0.0]);
+        assert!(found.overlaps[0].is_certified);
+        assert!(found.points.iter().all(|meeting| meeting.is_certified));
+        assert_eq!(found.points.iter().map(|meeting| meeting.pieces).collect::<Vec<_>>(), [[0, 3], [0, 4]]);
+        assert_eq!(found.points[0].point, [1.0, 0.0]);
+        // Gaps far below the resolution are gaps for segments.
+        let near = triangle([[1.0, -1e-17], [2.0, -1.0], [2.0, -1e-17]]);
+        let found = of(&[&a, &near]);
+        assert!(found.points.is_empty() && found.overlaps.is_empty(), "{order}");
+    }
+}
+
+#[test]
+fn neighbors_that_leave_their_knot_together_have_only_that() {
+    // Two arcs from the origin with one tangent, and back: a cusp between pieces, and a crossing farther on.
+    let controls = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 1.0], [3.0, 3.0], [2.0, 2.0], [1.0, 0.0], [0.0, 0.0]];
+    let found = of(&[&arena(4, &[controls])]);
+    assert!(found.points.is_empty() && found.overlaps.is_empty(), "{:?}", found.points);
+    // A piece with a cusp: (t^2, t^3).
+    let cusp = [[1.0, -1.0], [-1.0 / 3.0, 1.0], [-1.0 / 3.0, -1.0], [1.0, 1.0]];
+    let found = of(&[&arena(4, &[closed_by_segment(&cusp)])]);
+    assert!(found.points.is_empty() && found.overlaps.is_empty(), "{:?}", found.points);
+}
+
+#[test]
+fn knots_on_a_curve_are_met_at_the_knot() {
+    // The middle of the first curve's arc is a knot of the second, which crosses it there.
+    let arc = [[0.0, 0.0], [1.0, 1.0], [2.0, 1.0], [3.0, 0.0]];
+    let middle = bernstein::value(&arc, 0.5);
+    let a = arena(4, &[closed_by_segment(&arc)]);
+    let mut controls = vec![[1.25, 2.0]];
+    controls.extend_from_slice(&[[1.25, 1.75], [1.5, 1.0], middle, [1.5, 0.5], [2.0, 0.5], [2.0, 0.25]]);
+    controls.extend_from_slice(&[[5.0, 0.25], [5.0, 2.0], [1.25, 2.0]]);
+    let found = of(&[&a, &arena(4, &[controls])]);
+    let at_knot: Vec<_> =
+        found.points.iter().filter(|meeting| meeting.pieces[0] == 0 && meeting.pieces[1] < 4).collect();
+    assert_eq!(at_knot.len(), 2, "{:?}", found.points);
+    assert_eq!((at_knot[0].at[1], at_knot[1].at[1]), (1.0, 0.0));
+    assert!(at_knot.iter().all(|meeting| meeting.point == middle && !meeting.is_certified));
+}
+
+/// Control points on a lattice, so that they coincide now and then and can be moved exactly.
+fn piece(count: usize) -> impl Strategy<Value = Vec<[f64; 2]>> {
+    prop::collection::vec(prop::array::uniform2((-32i32..=32).prop_map(|x| f64::from(x) / 16.0)), count)
+        .prop_filter("the ends differ", |piece| piece[0] != piece[piece.len() - 1])
+}
+
+fn any_piece() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    prop_oneof![4 => piece(4), 1 => piece(6), 1 => piece(8)]
+}
+
+/// A summary that does not depend on the order of pieces.
+fn summary(found: &Meetings, place: impl Fn(u32, f64) -> (u32, f64)) -> Vec<([(u32, i64); 2], bool)> {
+    let mut all: Vec<_> = found
+        .points
+        .iter()
+        .map(|meeting| {
+            let mut sides = [0, 1].map(|k| {
+                let (piece, at) = place(meeting.pieces[k], meeting.at[k]);
+                (piece, (at * 1e6).round() as i64)
+            });
+            sides.sort_unstable();
+            (sides, meeting.is_certified)
+        })
+        .collect();
+    all.sort_unstable();
+    all
+}
+
+fn is_alike(a: &[([(u32, i64); 2], bool)], b: &[([(u32, i64); 2], bool)]) -> bool {
+    a.len() == b.len()
+        && a.iter().zip(b).all(|(x, y)| {
+            // What is not certified may be anywhere in its range.
+            x.1 == y.1 && (0..2).all(|k| x.0[k].0 == y.0[k].0 && (!x.1 || (x.0[k].1 - y.0[k].1).abs() <= 2))
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn crossings_are_those_of_dense_polylines(a in any_piece(), b in any_piece()) {
+        const COUNT: usize = 256;
+        let count = a.len().max(b.len());
+        let [p, q] = [&a, &b].map(|piece| bernstein::raised(piece, count));
+        let found = of(&[&arena(count, &[closed_by_segment(&p)]), &arena(count, &[closed_by_segment(&q)])]);
+        let [of_a, of_b] = [&a, &b].map(|piece| {
+            (0..=COUNT).map(|i| bernstein::value(piece, i as f64 / COUNT as f64)).collect::<Vec<_>>()
+        });
+        let is_bent = |points: &[[f64; 2]], i: usize| {
+            let side = |j: usize| minus(points[j + 1], points[j]);
+            let (before, after) = (side(i.max(2) - 2), side((i + 2).min(COUNT - 1)));
+            cross(before, after).abs() > 0.1 * before[0].hypot(before[1]) * after[0].hypot(after[1])
+        };
+        let mut crossings = Vec::new();
+        for i in 0..COUNT {
+            for j in 0..COUNT {
+                let side = |from: [f64; 2], to: [f64; 2], of: [f64; 2]| cross(minus(to, from), minus(of, from));
+                let (s, t) = ([of_a[i], of_a[i + 1]], [of_b[j], of_b[j + 1]]);
+                if side(s[0], s[1], t[0]) * side(s[0], s[1], t[1]) < 0.0 && side(t[0], t[1], s[0]) * side(t[0], t[1], s[1]) < 0.0 {
+                    let (d, e) = (minus(s[1], s[0]), minus(t[1], t[0]));
+                    let is_clear = cross(d, e).abs() > 0.2 * d[0].hypot(d[1]) * e[0].hypot(e[1])
+                        && !is_bent(&of_a, i) && !is_bent(&of_b, j);
+                    crossings.push(([i, j], is_clear));
+                }
+            }
+        }
+        let found: Vec<_> = found.points.iter().filter(|meeting| meeting.pieces == [0, 2]).collect();
+        let is_same = |[i, j]: [usize; 2], at: [f64; 2]| {
+            (at[0] * COUNT as f64 - i as f64 - 0.5).abs() < 2.0 && (at[1] * COUNT as f64 - j as f64 - 0.5).abs() < 2.0
+        };
+        for &(place, _) in crossings.iter().filter(|(_, is_clear)| *is_clear) {
+            prop_assert!(found.iter().any(|meeting| is_same(place, meeting.at)), "{place:?} {found:?}");
+        }
+        // Whatever is certified inside both pieces and crosses clearly is a crossing of the polylines, and one alone.
+        for meeting in found.iter().filter(|meeting| meeting.is_certified) {
+            let inner = meeting.at.iter().all(|&t| 0.02 < t && t < 0.98);
+            let [i, j] = meeting.at.map(|t| ((t * COUNT as f64) as usize).min(COUNT - 1));
+            let (d, e) = (minus(of_a[i + 1], of_a[i]), minus(of_b[j + 1], of_b[j]));
+            let turn = cross(d, e).abs() / (d[0].hypot(d[1]) * e[0].hypot(e[1]));
+            if inner && turn > 0.3 && !is_bent(&of_a, i) && !is_bent(&of_b, j) {
+                prop_assert!(crossings.iter().any(|&(place, _)| is_same(place, meeting.at)), "{meeting:?} {crossings:?}");
+                let same = found.iter().filter(|other| (0..2).all(|k| (other.at[k] - meeting.at[k]).abs() < 0.5 / COUNT as f64));
+                prop_assert_eq!(same.count(), 1, "{:?}", found);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_depends_on_order_direction_scale_and_place(a in piece(4), b in piece(4), power in -40i32..40) {
+        let [c, d] = [&a, &b].map(|piece| closed_by_segment(piece));
+        let [first, second] = [&c, &d].map(|controls| arena(4, &[controls.clone()]));
+        let plain = of(&[&first, &second]);
+        let expected = summary(&plain, |piece, at| (piece, at));
+        let swapped = summary(&of(&[&second, &first]), |piece, at| ((piece + 2) % 4, at));
+        prop_assert!(is_alike(&expected, &swapped), "{:?} {:?}", expected, swapped);
+        // Backward the segment comes first.
+        let backward = arena(4, &[c.iter().rev().copied().collect()]);
+        let reversed = of(&[&backward, &second]);
+        let reversed = summary(&reversed, |piece, at| if piece < 2 { (1 - piece, 1.0 - at) } else { (piece, at) });
+        prop_assert!(is_alike(&expected, &reversed), "{:?} {:?}", expected, reversed);
+        let factor = 2f64.powi(power);
+        let mapped = |controls: &[[f64; 2]], map: &dyn Fn(f64) -> f64| {
+            arena(4, &[controls.iter().map(|point| point.map(map)).collect()])
+        };
+        let scaled = of(&[&mapped(&c, &|x| x * factor), &mapped(&d, &|x| x * factor)]);
+        prop_assert_eq!(&scaled.overlaps, &plain.overlaps);
+        prop_assert_eq!(scaled.points.len(), plain.points.len());
+        for (x, y) in scaled.points.iter().zip(&plain.points) {
+            prop_assert_eq!((x.pieces, x.at, x.parameters), (y.pieces, y.at, y.parameters));
+            prop_assert_eq!(x.point, y.point.map(|x| x * factor));
+        }
+        let shift = 256.0;
+        let moved = of(&[&mapped(&c, &|x| x + shift), &mapped(&d, &|x| x + shift)]);
+        let moved = summary(&moved, |piece, at| (piece, at));
+        prop_assert!(is_alike(&expected, &moved), "{:?} {:?}", expected, moved);
     }
 }
