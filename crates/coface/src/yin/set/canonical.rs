@@ -127,10 +127,11 @@ impl YinSet {
         Self::from_parts(curves, !self.is_bounded(), order.parents(&parents), kinks)
     }
 
-    /// The same set without the knots at which a polyline goes straight on, exactly; kinks there go with them, the others get new
-    /// names. Sets of higher orders stay as they are.
+    /// The same set without the knots at which a polyline goes straight on, exactly, and without kinks, which do not change a
+    /// polyline. Sets of higher orders stay as they are.
     ///
-    /// With [`Self::canonical`] that makes sets of order 2 and without kinks equal if and only if they have the same points.
+    /// With [`Self::canonical`] that is the unique form of a set of order 2: two sets have the same points if and only if these forms
+    /// are equal, bit for bit.
     ///
     /// # Complexity
     /// Linear in the pieces.
@@ -141,8 +142,7 @@ impl YinSet {
             return self.clone();
         }
         let mut curves = CurveArena::new(Order::LINEAR);
-        let mut kinks = Vec::new();
-        for (number, curve) in (0..).zip(arena.iter()) {
+        for curve in arena.iter() {
             let points = &curve.controls()[..curve.piece_count()];
             let count = points.len();
             let turns = |&knot: &usize| {
@@ -155,14 +155,9 @@ impl YinSet {
                 orientation(a, b, c).is_ne() || !is_between
             };
             let kept: Vec<usize> = (0..count).filter(turns).collect();
-            for (knot, &old) in (0..).zip(&kept) {
-                if self.kinks().vertex(KnotIndex { curve: number, knot: old as u32 }).is_some() {
-                    kinks.push(KnotIndex { curve: number, knot });
-                }
-            }
             curves.push_polyline(kept.into_iter().map(|knot| points[knot]));
         }
         let parents = (0..arena.len()).map(|curve| self.forest().parent(curve).map(|parent| parent as u32));
-        Self::from_parts(curves, !self.is_bounded(), parents.collect(), kinks)
+        Self::from_parts(curves, !self.is_bounded(), parents.collect(), Vec::new())
     }
 }

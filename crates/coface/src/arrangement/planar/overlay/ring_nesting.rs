@@ -127,7 +127,10 @@ impl RingCells {
             let again = |at: usize| rings[at + 1..].iter().position(|&other| other == rings[at]);
             let nearest = (0..rings.len()).filter_map(|at| Some((again(at)?, at))).min();
             if let Some((_, at)) = nearest {
-                return Some(RingFault::Crossing { node, rings: [rings[at], rings[at + 1]] });
+                return Some(RingFault::Crossing {
+                    node,
+                    rings: [rings[at].min(rings[at + 1]), rings[at].max(rings[at + 1])],
+                });
             }
         }
         None
