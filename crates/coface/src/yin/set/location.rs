@@ -1,8 +1,8 @@
 //! Where points lie.
 
 use super::YinSet;
-use crate::geometry::predicates::orientation;
-use crate::yin::Order;
+use crate::yin::curve::bernstein::{control_box, is_straight, rounding_bound};
+use crate::yin::curve::piece_crossings;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 
@@ -17,9 +17,9 @@ pub enum SetLocation {
     Boundary {
         /// A curve through the point, the first of them.
         curve: usize,
-        /// The piece of the curve, the first that the point is on.
+        /// A piece of the curve that the point is on; at a knot the one that begins there.
         piece: usize,
-        /// The parameter in `[0, 1]` on that piece, rounded.
+        /// The parameter in `[0, 1)` on that piece, rounded.
         parameter: f64,
     },
 }
@@ -29,16 +29,21 @@ const WIDTH: usize = 8;
 
 /// Boxes around pieces that come one after the other, in levels.
 struct PieceBoxes<'a> {
-    pieces: &'a [[[f64; 2]; 2]],
+    pieces: &'a [&'a [[f64; 2]]],
     /// For each level the lowest and highest y and the highest x.
     levels: Vec<Vec<[f64; 3]>>,
 }
 
 impl<'a> PieceBoxes<'a> {
-    fn new(pieces: &'a [[[f64; 2]; 2]]) -> Self {
+    /// The boxes of pieces, given their control points.
+    fn new(pieces: &'a [&'a [[f64; 2]]]) -> Self {
         let around = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3]| [a.min(d), b.max(e), c.max(f)];
         let nothing = [f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-        let of_piece = |[a, b]: &[[f64; 2]; 2]| [a[1].min(b[1]), a[1].max(b[1]), a[0].max(b[0])];
+        let of_piece = |controls: &&[[f64; 2]]| {
+            let margin = if is_straight(controls) { 0.0 } else { rounding_bound(controls) };
+            let [[_, low], [right, high]] = control_box(controls);
+            [low - margin, high + margin, right + margin]
+        };
         let mut levels: Vec<Vec<[f64; 3]>> =
             vec![pieces.chunks(WIDTH).map(|own| own.iter().map(of_piece).fold(nothing, around)).collect()];
         while let Some(last) = levels.last().filter(|last| last.len() > 1) {
@@ -48,8 +53,8 @@ impl<'a> PieceBoxes<'a> {
         Self { pieces, levels }
     }
 
-    /// How often the pieces wind around a point, or the first piece that it is on.
-    fn locate(&self, point: [f64; 2]) -> Result<i32, usize> {
+    /// How often the pieces wind around a point, or the first piece that it is on, with the parameter.
+    fn locate(&self, point: [f64; 2]) -> Result<i32, (usize, f64)> {
         let mut winding = 0;
         let mut stack = vec![(self.levels.len() - 1, 0)];
         while let Some((level, at)) = stack.pop() {
@@ -63,27 +68,8 @@ impl<'a> PieceBoxes<'a> {
                 continue;
             }
             let first = at * WIDTH;
-            for (piece, &[a, b]) in (first..).zip(&self.pieces[first..(first + WIDTH).min(self.pieces.len())])
-            {
-                let is_across = (a[1] <= point[1]) != (b[1] <= point[1]);
-                let is_between = (0..2)
-                    .all(|axis| a[axis].min(b[axis]) <= point[axis] && point[axis] <= a[axis].max(b[axis]));
-                if !is_across && !is_between {
-                    continue;
-                }
-                let turn = orientation(a, b, point);
-                if turn.is_eq() && is_between {
-                    return Err(piece);
-                }
-                if is_across {
-                    // A ray to the right meets pieces that rise and have the point on their left.
-                    let rises = a[1] <= point[1];
-                    if rises && turn.is_gt() {
-                        winding += 1;
-                    } else if !rises && turn.is_lt() {
-                        winding -= 1;
-                    }
-                }
+            for (piece, controls) in (first..).zip(self.pieces[first..].iter().take(WIDTH)) {
+                winding += piece_crossings(controls, point).map_err(|s| (piece, s))?;
             }
         }
         Ok(winding)
@@ -91,7 +77,8 @@ impl<'a> PieceBoxes<'a> {
 }
 
 impl YinSet {
-    /// Where a point lies; exact for sets of order 2.
+    /// Where a point lies; exact for polylines and straight pieces. Points nearer to other pieces than their rounding bound are on
+    /// the boundary.
     ///
     /// # Errors
     /// As [`Self::locate_all`].
@@ -125,25 +112,26 @@ impl YinSet {
             return Err(Error::new(ErrorKind::InvalidInput, format!("point {at} is not finite"))
                 .with_cure("ask about finite coordinates"));
         }
-        if self.order() != Order::LINEAR {
-            return Err(crate::yin::boolean::unsupported(self.order()));
-        }
-        let pieces: Vec<[[f64; 2]; 2]> = self
-            .arena()
-            .iter()
+        let degree = self.order().degree();
+        let controls = self.arena().controls();
+        let pieces: Vec<&[[f64; 2]]> = (0..self.curve_count())
             .flat_map(|curve| {
-                (0..curve.piece_count())
-                    .map(|piece| [curve.knot_point(piece), curve.knot_point(piece + 1)])
-                    .collect::<Vec<_>>()
+                let own = self.arena().first_piece(curve)..self.arena().first_piece(curve + 1);
+                // Each curve has one control point more than its pieces take.
+                own.map(move |piece| &controls[piece * degree + curve..=(piece + 1) * degree + curve])
             })
             .collect();
         let boxes = PieceBoxes::new(&pieces);
         let locate = |&point: &[f64; 2]| match boxes.locate(point) {
             Ok(winding) if winding >= i32::from(self.is_bounded()) => SetLocation::Inside,
             Ok(_) => SetLocation::Outside,
-            Err(at) => {
+            Err((at, parameter)) => {
                 let (curve, piece) = self.arena().curve_of_piece(at);
-                SetLocation::Boundary { curve, piece, parameter: parameter(pieces[at], point) }
+                if parameter < 1.0 {
+                    return SetLocation::Boundary { curve, piece, parameter };
+                }
+                let next = if piece + 1 == self.curve(curve).piece_count() { 0 } else { piece + 1 };
+                SetLocation::Boundary { curve, piece: next, parameter: 0.0 }
             }
         };
         Ok(points.par_iter().with_min_len(256).map(locate).collect())

@@ -5,7 +5,7 @@ use crate::algebra::Rational;
 use crate::arrangement::planar::walks_area;
 use crate::geometry::Sum;
 use crate::geometry::predicates::PlanarPoint;
-use crate::yin::{Curve, Order};
+use crate::yin::Order;
 
 impl YinSet {
     /// The area, in the square of the unit of the coordinates; none if the set is unbounded.
@@ -44,7 +44,7 @@ impl YinSet {
             }
         }
         let mut sum = Sum::default();
-        self.arena().iter().for_each(|curve| sum.add(signed_area(&curve)));
+        self.arena().iter().for_each(|curve| sum.add(curve.signed_area()));
         sum.value()
     }
 
@@ -79,35 +79,35 @@ impl YinSet {
         }
         Some(&doubled * &Rational::from(2).inverse().expect("2 is not zero"))
     }
-}
 
-/// The area within a closed curve, positive if it runs counterclockwise: half the integral of x dy - y dx.
-///
-/// The product of two Bernstein polynomials i < j of degree n and their derivatives integrates to
-/// $\binom{n}{i} \binom{n}{j} (j - i) \operatorname{B}(i + j, 2 n - i - j)$, where B is the beta function.
-fn signed_area(curve: &Curve<'_>) -> f64 {
-    let degree = curve.order().degree();
-    let factorial = |n: usize| (1..=n).map(|k| k as f64).product::<f64>();
-    let binomial = |k: usize| factorial(degree) / (factorial(k) * factorial(degree - k));
-    let weight = |i: usize, j: usize| {
-        let beta = factorial(i + j - 1) * factorial(2 * degree - i - j - 1) / factorial(2 * degree - 1);
-        binomial(i) * binomial(j) * (j - i) as f64 * beta
-    };
-    let weights: Vec<(usize, usize, f64)> = (0..=degree)
-        .flat_map(|i| {
-            let weight = &weight;
-            (i + 1..=degree).map(move |j| (i, j, weight(i, j)))
-        })
-        .collect();
-    let origin = curve.knot_point(0);
-    let mut sum = Sum::default();
-    for piece in 0..curve.piece_count() {
-        let controls = curve.piece(piece);
-        let from = |i: usize| [controls[i][0] - origin[0], controls[i][1] - origin[1]];
-        for &(i, j, weight) in &weights {
-            let (a, b) = (from(i), from(j));
-            sum.add(0.5 * weight * (a[0] * b[1] - a[1] * b[0]));
-        }
+    /// The length of the boundary, in the unit of the coordinates. Of polylines it is the sum of the lengths of their pieces; that of
+    /// other curves is off by at most `tolerance` (an absolute length) in all, as far as the rounding of numbers allows.
+    ///
+    /// # Complexity
+    /// Linear in the pieces, and in the quadrature of those that are not straight.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::arrangement::boolean::InsideRule;
+    /// use coface::yin::YinSet;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let triangle = YinSet::from_rings(&[[[0., 0.], [4., 0.], [0., 3.]]], InsideRule::Nonzero)?;
+    /// assert_eq!(triangle.perimeter(0.0), 12.0);
+    /// # Ok(()) }
+    /// ```
+    pub fn perimeter(&self, tolerance: f64) -> f64 {
+        let share = tolerance / self.curve_count().max(1) as f64;
+        let mut sum = Sum::default();
+        self.arena().iter().for_each(|curve| sum.add(curve.length(share)));
+        sum.value()
     }
-    sum.value()
+
+    /// The lowest and the highest coordinates of the boundary; none without curves. The boxes of curves that are not straight hold
+    /// them up to rounding.
+    pub fn bounding_box(&self) -> Option<[[f64; 2]; 2]> {
+        self.arena()
+            .iter()
+            .map(|curve| curve.bounding_box())
+            .reduce(|[a, b], [c, d]| [[a[0].min(c[0]), a[1].min(c[1])], [b[0].max(d[0]), b[1].max(d[1])]])
+    }
 }
