@@ -18,6 +18,7 @@ mod reading;
 mod simplicial;
 mod solids;
 mod surfaces;
+mod yin;
 
 use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
 use coface::Error;
@@ -79,6 +80,8 @@ pub(crate) const ALL: &[Task] = &[
     planar::LONG_SEGMENTS,
     planar::INTERSECTION,
     planar::UNION,
+    yin::MEET,
+    yin::JOIN,
     solids::INTERSECTION,
     solids::UNION,
     info::TASK,

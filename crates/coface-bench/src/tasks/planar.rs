@@ -67,7 +67,7 @@ fn overlaid(path: &Path, clock: &mut Clock, condition: fn(&[(u32, i32)]) -> bool
 }
 
 /// The points of a drawing, its lists, and the third coordinate of each list's first point.
-fn drawing(path: &Path) -> Result<(Positions, Mesh), Error> {
+pub(super) fn drawing(path: &Path) -> Result<(Positions, Mesh), Error> {
     let mesh = Mesh::read_raw3(path)?;
     let flat = mesh.coordinates.chunks_exact(3).flat_map(|p| [p[0], p[1]]).collect();
     Ok((Positions::from_flat(2, flat)?, mesh))

@@ -1,0 +1,45 @@
+//! Boolean combinations of Yin sets of order 2.
+
+use super::planar::drawing;
+use super::{Clock, Task, Work};
+use coface::Error;
+use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::yin::YinSet;
+use std::path::Path;
+
+pub(super) const MEET: Task = Task {
+    name: "yin-meet",
+    about: "the meet of two Yin sets, with forest, kinks and sources",
+    extension: "raw3",
+    inputs: INPUTS,
+    work: Work::Inside(|path, clock| combined(path, clock, "a & b")),
+};
+
+pub(super) const JOIN: Task = Task {
+    name: "yin-join",
+    about: "the join of two Yin sets, with forest, kinks and sources",
+    extension: "raw3",
+    inputs: INPUTS,
+    work: Work::Inside(|path, clock| combined(path, clock, "a | b")),
+};
+
+const INPUTS: &[&str] = &["gear_100000", "random_100000", "circle_1000000", "grid_1000000"];
+
+fn combined(path: &Path, clock: &mut Clock, formula: &str) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let mut rings: [Vec<Vec<[f64; 2]>>; 2] = Default::default();
+    for ring in mesh.lists.iter() {
+        let region = mesh.coordinates[3 * ring[0] as usize + 2] as usize;
+        rings[region].push(ring.iter().map(|&point| points[point as usize]).collect());
+    }
+    let sets = [
+        YinSet::from_rings(&rings[0], InsideRule::Nonzero)?,
+        YinSet::from_rings(&rings[1], InsideRule::Nonzero)?,
+    ];
+    let formula = BooleanFormula::parse(formula, &[])?;
+    let found = clock.time(mesh.vertex_count, || YinSet::combine(&[&sets[0], &sets[1]], &formula))?;
+    let [positive, negative] = found.set().curve_counts();
+    let signed_area = found.set().signed_area();
+    Ok(format!("curves {positive}+{negative} pieces {} area {signed_area:e}", found.sources().len()))
+}
