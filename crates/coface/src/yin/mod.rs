@@ -13,6 +13,7 @@
 
 mod boolean;
 mod curve;
+mod cut_cells;
 mod kinks;
 mod meetings;
 mod overlay;
@@ -20,5 +21,6 @@ mod set;
 
 pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedDecision};
 pub use curve::{Curve, EndCondition, Location, Order};
-pub use kinks::{Kinks, KnotIndex};
+pub use cut_cells::{CartesianGrid, Coverage, CutArc, CutCell, CutCells, WalkStep};
+pub use kinks::{Kinks, KnotIndex, turning_kinks};
 pub use set::{Atom, AtomKind, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};

@@ -22,6 +22,7 @@ pub(in crate::yin) use extent::{monotone_breaks, turning_parameters};
 pub(in crate::yin) use fit::checked_chord_lengths;
 pub use location::Location;
 pub(in crate::yin) use location::{Winding, piece_crossings};
+pub(in crate::yin) use measures::gauss_legendre;
 pub use order::Order;
 pub use piecewise::Curve;
 pub(in crate::yin) use piecewise::{chord_lengths, distance};

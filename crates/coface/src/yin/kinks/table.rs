@@ -1,7 +1,9 @@
 //! Kinks and their names.
 
+use super::SmoothPieces;
+use crate::VertexId;
 use crate::simplicial::{Simplex, SimplicialComplex};
-use crate::{Error, VertexId};
+use std::collections::BTreeMap;
 
 /// A knot of a curve of a Yin set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -13,18 +15,34 @@ pub struct KnotIndex {
 }
 
 /// The kinks of a Yin set: a 0-dimensional simplicial complex whose vertices are in bijection with some knots of the boundary.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// The name of a kink, its vertex, stays the same as long as the kink is there, and no other kink gets it afterwards. Two are equal
+/// when the same knots have the same names.
+#[derive(Clone, Debug)]
 pub struct Kinks {
-    /// By rising knots.
-    by_knot: Vec<(KnotIndex, u32)>,
+    by_knot: BTreeMap<KnotIndex, u32>,
+    by_name: BTreeMap<u32, KnotIndex>,
     next_name: u32,
+    /// How the smooth pieces between kinks come about.
+    pub(super) pieces: SmoothPieces,
+}
+
+impl PartialEq for Kinks {
+    fn eq(&self, other: &Self) -> bool {
+        self.by_knot == other.by_knot
+    }
 }
 
 impl Kinks {
     /// Kinks at knots that rise, named 0, 1, 2, ...
     pub(in crate::yin) fn new(knots: Vec<KnotIndex>) -> Self {
         let next_name = knots.len() as u32;
-        Self { by_knot: knots.into_iter().zip(0..).collect(), next_name }
+        Self {
+            by_name: (0..).zip(knots.iter().copied()).collect(),
+            by_knot: knots.into_iter().zip(0..).collect(),
+            next_name,
+            pieces: SmoothPieces::default(),
+        }
     }
 
     /// The number of kinks.
@@ -39,12 +57,72 @@ impl Kinks {
 
     /// The knots that are kinks, rising, each with its vertex.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (KnotIndex, VertexId)> + '_ {
-        self.by_knot.iter().map(|&(knot, name)| (knot, VertexId::from_u32(name)))
+        self.by_knot.iter().map(|(&knot, &name)| (knot, VertexId::from_u32(name)))
+    }
+
+    /// The knots of one curve that are kinks, rising.
+    ///
+    /// # Complexity
+    /// $O(\log m + k)$ for k kinks on the curve and m in all.
+    pub fn on_curve(&self, curve: u32) -> impl DoubleEndedIterator<Item = u32> + '_ {
+        let [first, last] = [0, u32::MAX].map(|knot| KnotIndex { curve, knot });
+        self.by_knot.range(first..=last).map(|(at, _)| at.knot)
     }
 
     /// The vertex of a knot that is a kink.
     pub fn vertex(&self, knot: KnotIndex) -> Option<VertexId> {
-        let at = self.by_knot.binary_search_by_key(&knot, |&(knot, _)| knot).ok()?;
-        Some(VertexId::from_u32(self.by_knot[at].1))
+        self.by_knot.get(&knot).map(|&name| VertexId::from_u32(name))
+    }
+
+    /// The knot of a vertex.
+    pub fn knot(&self, vertex: VertexId) -> Option<KnotIndex> {
+        self.by_name.get(&(vertex.index() as u32)).copied()
+    }
+
+    /// The kinks as a complex of their own: changes of it do not reach the set.
+    ///
+    /// # Complexity
+    /// $O(m \log m)$ for m kinks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::yin::{EndCondition, Order, YinSet};
+    /// let square = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[square], &[vec![0, 2]], Order::CUBIC, &EndCondition::NotAKnot)?;
+    /// let complex = set.kinks().complex();
+    /// assert_eq!((complex.dimension(), complex.f_vector()), (Some(0), vec![2]));
+    /// # Ok::<(), coface::Error>(())
+    /// ```
+    pub fn complex(&self) -> SimplicialComplex {
+        let vertices = self.by_name.keys().map(|&name| Simplex::from([name]));
+        SimplicialComplex::from_simplices(vertices).expect("vertices alone are a complex")
+    }
+
+    /// The kinks of the curve before and after a knot of it, cyclically; the knot itself is neither unless it is the only one.
+    pub(super) fn around(&self, at: KnotIndex) -> Option<[u32; 2]> {
+        let on_curve = |low, high| {
+            let [low, high] = [low, high].map(|knot| KnotIndex { curve: at.curve, knot });
+            self.by_knot.range(low..=high).map(|(at, _)| at.knot)
+        };
+        let lower = || at.knot.checked_sub(1).and_then(|below| on_curve(0, below).next_back());
+        let upper = || at.knot.checked_add(1).and_then(|above| on_curve(above, u32::MAX).next());
+        let before = lower().or_else(|| on_curve(at.knot, u32::MAX).next_back())?;
+        let after = upper().or_else(|| on_curve(0, at.knot).next())?;
+        Some([before, after])
+    }
+
+    /// A new name for a knot that is no kink yet.
+    pub(super) fn insert(&mut self, knot: KnotIndex) -> VertexId {
+        let name = self.next_name;
+        self.next_name += 1;
+        self.by_knot.insert(knot, name);
+        self.by_name.insert(name, knot);
+        VertexId::from_u32(name)
+    }
+
+    pub(super) fn erase(&mut self, vertex: VertexId) {
+        if let Some(knot) = self.by_name.remove(&(vertex.index() as u32)) {
+            self.by_knot.remove(&knot);
+        }
     }
 }

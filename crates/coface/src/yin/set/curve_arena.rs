@@ -65,6 +65,13 @@ impl CurveArena {
         self.starts.push((self.piece_count() + curve.piece_count()) as u32);
     }
 
+    /// The control points of a curve, the first one again at the end.
+    pub(in crate::yin) fn controls_mut(&mut self, curve: usize) -> &mut [[f64; 2]] {
+        let [first, end] = [self.first_piece(curve), self.first_piece(curve + 1)];
+        let degree = self.order.degree();
+        &mut self.controls[first * degree + curve..=end * degree + curve]
+    }
+
     /// Room for so many pieces of so many curves.
     pub(in crate::yin) fn with_capacity(order: Order, piece_count: usize, curve_count: usize) -> Self {
         let mut starts = Vec::with_capacity(curve_count + 1);

@@ -83,4 +83,18 @@ impl YinSet {
     pub(in crate::yin) fn arena(&self) -> &CurveArena {
         &self.curves
     }
+
+    /// The curves, for changes that leave their forest.
+    pub(in crate::yin) fn arena_mut(&mut self) -> &mut CurveArena {
+        &mut self.curves
+    }
+
+    pub(in crate::yin) fn kinks_mut(&mut self) -> &mut Kinks {
+        &mut self.kinks
+    }
+
+    /// Takes over how the curves of another set lie, which are those of this one.
+    pub(in crate::yin) fn take_forest(&mut self, from: Self) {
+        self.forest = from.forest;
+    }
 }
