@@ -15,7 +15,7 @@ mod order;
 mod parts;
 mod piecewise;
 mod power;
-mod roots;
+pub(in crate::yin) mod roots;
 
 pub use end_condition::EndCondition;
 pub(in crate::yin) use extent::{monotone_breaks, turning_parameters};

@@ -11,8 +11,11 @@ const MOST: usize = 8;
 /// # References
 /// R. T. Farouki, V. T. Rajan, *On the numerical condition of polynomials in Bernstein form* (1987); J. M. Lane, R. F. Riesenfeld,
 /// *Bounds on a polynomial* (1981).
-pub(super) fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
+pub(in crate::yin) fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
     let mut found = Vec::new();
+    if change_count(coefficients) == 0 {
+        return found;
+    }
     let mut first = [0.0; MOST];
     first[..coefficients.len()].copy_from_slice(coefficients);
     let mut intervals = vec![(first, 0.0, 1.0)];
@@ -31,7 +34,7 @@ pub(super) fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
             continue;
         }
         if changes == 1 && own[0] != 0.0 && own[coefficients.len() - 1] != 0.0 {
-            found.push(low + (high - low) * bisected(own_coefficients));
+            found.push(low + (high - low) * bracketed(own_coefficients));
             continue;
         }
         let [before, after] = halves(own_coefficients);
@@ -86,20 +89,35 @@ fn value(coefficients: &[f64], s: f64) -> f64 {
     points[0]
 }
 
-/// The only change of sign in (0, 1).
-fn bisected(coefficients: &[f64]) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    let start = coefficients[0];
+/// The only change of sign in (0, 1): false position with the Illinois rule, and every fourth time the middle.
+fn bracketed(coefficients: &[f64]) -> f64 {
+    let [mut low, mut high] = [0.0, 1.0];
+    let [mut at_low, mut at_high] = [coefficients[0], coefficients[coefficients.len() - 1]];
+    let mut moved_last = None;
+    let mut step = 0;
     loop {
+        step += 1;
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high || high - low < f64::EPSILON * 0.25 {
             return middle;
         }
-        if (value(coefficients, middle) < 0.0) == (start < 0.0) {
-            low = middle;
-        } else {
-            high = middle;
+        let guess = (low * at_high - high * at_low) / (at_high - at_low);
+        let t = if step % 4 != 0 && low < guess && guess < high { guess } else { middle };
+        let x = value(coefficients, t);
+        if x == 0.0 {
+            return t;
         }
+        let moves_low = (x < 0.0) == (coefficients[0] < 0.0);
+        // An end that stays twice counts half.
+        let is_again = moved_last == Some(moves_low);
+        if moves_low {
+            (low, at_low) = (t, x);
+            at_high *= if is_again { 0.5 } else { 1.0 };
+        } else {
+            (high, at_high) = (t, x);
+            at_low *= if is_again { 0.5 } else { 1.0 };
+        }
+        moved_last = Some(moves_low);
     }
 }
 

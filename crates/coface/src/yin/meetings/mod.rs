@@ -27,7 +27,6 @@ mod search;
 mod segments;
 #[cfg(test)]
 mod tests;
-mod turning;
 
 use frame::Frame;
 use parts::Pieces;

@@ -167,6 +167,9 @@ impl<'a> PairSolver<'a> {
 
     /// The meetings of two pieces from their roots and undecided cells.
     fn collect(&mut self, pair: [u32; 2], found: &mut Found) {
+        if self.roots.is_empty() && self.contacts.is_empty() {
+            return;
+        }
         let [p, q] = pair.map(|piece| self.pieces.polynomial(piece as usize));
         let resolution = self.pieces.frame.resolution;
         let mut groups = clusters(&mut self.contacts, &p, &q);

@@ -1,7 +1,7 @@
 //! One polynomial piece in the coordinates of a frame, small enough to be copied.
 
-use super::turning;
 use crate::yin::curve::bernstein::{self, Piece};
+use crate::yin::curve::roots;
 
 /// A polynomial curve over the parameters from 0 to 1 by its control points in the Bernstein basis.
 ///
@@ -10,6 +10,9 @@ use crate::yin::curve::bernstein::{self, Piece};
 /// $u = 2^{-53}$, and control points of halves of halves with at most $n u$ more for each time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Polynomial(Piece);
+
+/// Below this a difference of neighboring control points is what rounding made.
+const FLAT: f64 = 1.0 / (1u64 << 50) as f64;
 
 /// A bound on the error of differences of neighboring control points.
 pub(super) const DERIVATIVE_ERROR: f64 = 1.0 / (1u64 << 45) as f64;
@@ -184,8 +187,9 @@ impl Polynomial {
     pub(super) fn add_turns(&self, axis: usize, found: &mut Vec<f64>) {
         let mut slopes = [0.0; Piece::MOST];
         for (slope, at) in slopes.iter_mut().zip(self.0.windows(2)) {
-            *slope = at[1][axis] - at[0][axis];
+            let step = at[1][axis] - at[0][axis];
+            *slope = if step.abs() <= FLAT { 0.0 } else { step };
         }
-        turning::add_sign_changes(&slopes[..self.degree()], [0.0, 1.0], 0, found);
+        found.extend(roots::sign_changes(&slopes[..self.degree()]));
     }
 }

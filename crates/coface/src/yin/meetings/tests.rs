@@ -324,6 +324,27 @@ proptest! {
     }
 
     #[test]
+    fn closed_curves_cross_an_even_number_of_times(
+        order in prop_oneof![3 => Just(4usize), 1 => Just(6), 1 => Just(8)],
+        coordinates in prop::collection::vec(-1.0..1.0f64, 2 * 2 * 3 * 7),
+        scale in 0.01..1.0f64,
+    ) {
+        let count = 3 * (order - 1);
+        let closed = |points: &[f64], scale: f64| {
+            let mut controls: Vec<_> = points.chunks(2).take(count).map(|at| [at[0] * scale, at[1] * scale]).collect();
+            controls.push(controls[0]);
+            arena(order, &[controls])
+        };
+        let (a, b) = coordinates.split_at(coordinates.len() / 2);
+        let found = of(&[&closed(a, 1.0), &closed(b, scale)]);
+        prop_assert!(found.overlaps.is_empty());
+        let between: Vec<_> = found.points.iter().filter(|meeting| meeting.pieces[0] < 3 && meeting.pieces[1] >= 3).collect();
+        // Touching has probability zero: nothing may be left undecided.
+        prop_assert!(found.points.iter().all(|meeting| meeting.is_certified), "{:?}", found.points);
+        prop_assert_eq!(between.len() % 2, 0, "{:?}", between);
+    }
+
+    #[test]
     fn nothing_depends_on_order_direction_scale_and_place(a in piece(4), b in piece(4), power in -40i32..40) {
         let [c, d] = [&a, &b].map(|piece| closed_by_segment(piece));
         let [first, second] = [&c, &d].map(|controls| arena(4, &[controls.clone()]));
