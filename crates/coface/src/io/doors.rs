@@ -2,7 +2,7 @@
 
 use super::{
     Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg,
-    vtk, wkt,
+    vtk, wkt, yin,
 };
 use crate::{Error, ErrorKind};
 use std::fs::File;
@@ -162,6 +162,120 @@ pub fn read_unknown(input: impl Read) -> Result<Model, Error> {
     read_with(input, &ReadOptions::default())
 }
 
+/// Reads the boundary of a set in the plane from a file, as [`read_boundary`] does from a stream; the format is found out as by
+/// [`read_path`], and `file#name` is an entry of a JSON list.
+///
+/// # Errors
+/// As [`read_path`] and [`read_boundary`].
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, ReadOptions};
+/// # fn main() -> Result<(), coface::Error> {
+/// let path = std::env::temp_dir().join("coface-read-boundary.wkt");
+/// std::fs::write(&path, "POLYGON ((0 0, 1 0, 0 1, 0 0))")?;
+/// assert_eq!(io::read_boundary_path(&path, &ReadOptions::default())?.curves().len(), 1);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn read_boundary_path(
+    path: impl AsRef<Path>,
+    options: &ReadOptions,
+) -> Result<yin::BoundaryDrawing, Error> {
+    let path = path.as_ref();
+    options.check()?;
+    if !path.exists()
+        && let Some((file, entry)) = entry_of(path)
+    {
+        let drawing = open(file).and_then(|file| json::read_boundary(file, Some(entry)));
+        return match drawing {
+            Ok(drawing) => Ok(drawing.with_format(Format::Json)),
+            Err(error) => Err(error.in_file(file.display().to_string())),
+        };
+    }
+    let read = || {
+        let mut file = open(path)?;
+        let (start, whole) = start_of(&mut file)?;
+        let format = match options.format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+        };
+        boundary_started(&start, whole, &mut file, format, options.flatten)
+    };
+    read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// Reads the boundary of a set in the plane: our JSON and `.dat` as [`yin`] says; SVG with its curves, unless the options have a
+/// tolerance; and the polygons and closed lines of all other formats.
+///
+/// # Errors
+/// What the reader of the format found; those of [`yin::drawing_of_model`].
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, Format, ReadOptions};
+/// use coface::yin::Order;
+/// # fn main() -> Result<(), coface::Error> {
+/// let text = br#"<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 0 1 1 0 1Z"/></svg>"#;
+/// let drawing = io::read_boundary(&text[..], Format::Svg, &ReadOptions::default())?;
+/// assert_eq!((drawing.order(), drawing.curves()[0].points().len()), (Order::CUBIC, 2));
+/// # Ok(()) }
+/// ```
+pub fn read_boundary(
+    mut input: impl Read,
+    format: Format,
+    options: &ReadOptions,
+) -> Result<yin::BoundaryDrawing, Error> {
+    options.check()?;
+    let (start, whole) = start_of(&mut input)?;
+    boundary_started(&start, whole, &mut input, format, options.flatten)
+}
+
+/// Reads the boundary of a set in the plane from a stream whose format is that of the options, or the one that its content tells.
+///
+/// # Errors
+/// As [`read_with`] and [`read_boundary`].
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, ReadOptions};
+/// # fn main() -> Result<(), coface::Error> {
+/// assert!(io::read_boundary_with(&b"{\"plane\": true}"[..], &ReadOptions::default())?.is_plane());
+/// # Ok(()) }
+/// ```
+pub fn read_boundary_with(mut input: impl Read, options: &ReadOptions) -> Result<yin::BoundaryDrawing, Error> {
+    options.check()?;
+    let (start, whole) = start_of(&mut input)?;
+    let format = match options.format {
+        Some(format) => format,
+        None => format::decide(format::without_mark(&start), whole, None)?,
+    };
+    boundary_started(&start, whole, &mut input, format, options.flatten)
+}
+
+fn boundary_started(
+    start: &[u8],
+    whole: bool,
+    rest: &mut dyn Read,
+    format: Format,
+    flatten: Option<f64>,
+) -> Result<yin::BoundaryDrawing, Error> {
+    let drawing = match format {
+        Format::Json | Format::Dat | Format::Svg if format != Format::Svg || flatten.is_none() => {
+            format::check_told(format, start, whole)?;
+            let rest = rest.take(if whole { 0 } else { u64::MAX });
+            let input = format::without_mark(start).chain(rest);
+            match format {
+                Format::Json => json::read_boundary(input, None)?,
+                Format::Dat => yin::read_dat(input)?,
+                _ => svg::read_regions(input)?,
+            }
+        }
+        _ => yin::drawing_of_model(&read_started(start, whole, rest, format, flatten)?)?,
+    };
+    Ok(drawing.with_format(format))
+}
+
 /// Writes a model in this format, in the encoding that is most often wanted: ascii, but binary for STL and PLY.
 ///
 /// # Errors
@@ -192,6 +306,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::GeoJson => geojson::write(model, out),
         Format::Wkt => wkt::write(model, out),
         Format::Svg => svg::write(model, out),
+        Format::Dat => Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
+            .with_cure("write it by coface yin, which makes a set of polygons")),
     }
 }
 
@@ -279,12 +395,13 @@ fn read_started(
         Format::Medit => medit::read(input)?,
         Format::Msh => msh::read(input)?,
         Format::Vtk => vtk::read(input)?,
-        Format::Json => json::read(input)?,
+        Format::Json => json::read_with(input, flatten)?,
         Format::Isosig => isosig::read(input)?,
         Format::Lines => lines_text::read(input)?,
         Format::GeoJson => geojson::read(input)?,
         Format::Wkt => wkt::read(input)?,
         Format::Svg => svg::read_with(input, flatten)?,
+        Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
     };
     Ok(model.with_format(format))
 }

@@ -1,6 +1,6 @@
 //! The formats, and telling them apart by name and by content.
 
-use super::{geojson, isosig, lines_text, wkt};
+use super::{geojson, isosig, lines_text, wkt, yin};
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
@@ -34,6 +34,8 @@ pub enum Format {
     Wkt,
     /// SVG: paths, polygons and lines.
     Svg,
+    /// Binary curves of sets in the plane.
+    Dat,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -46,7 +48,7 @@ enum Likeness {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -60,10 +62,11 @@ impl Format {
         Self::GeoJson,
         Self::Wkt,
         Self::Svg,
+        Self::Dat,
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`.
+    /// `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`.
     ///
     /// # Examples
     /// ```
@@ -96,6 +99,7 @@ impl Format {
             Self::GeoJson => &["geojson"],
             Self::Wkt => &["wkt"],
             Self::Svg => &["svg"],
+            Self::Dat => &["dat"],
         }
     }
 
@@ -121,6 +125,7 @@ impl Format {
             Self::GeoJson => "GeoJSON",
             Self::Wkt => "WKT",
             Self::Svg => "SVG",
+            Self::Dat => "binary curves",
         }
     }
 
@@ -219,6 +224,8 @@ impl Format {
             Self::Obj => obj_likeness(start),
             Self::Ply => certain_if(start.starts_with(b"ply\n") || start.starts_with(b"ply\r")),
             Self::Stl => stl_likeness(start, whole),
+            // The third number of a binary file is a keyword, 3 for the dimension.
+            Self::Medit if yin::is_dat(start, whole) => Likeness::No,
             Self::Medit => certain_if(
                 word == b"MeshVersionFormatted"
                     || word == b"MeshVersionUnformatted"
@@ -244,6 +251,7 @@ impl Format {
             Self::GeoJson => Likeness::No,
             Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
             Self::Svg => certain_if(is_svg(start)),
+            Self::Dat => certain_if(yin::is_dat(start, whole)),
         }
     }
 }
@@ -334,8 +342,8 @@ pub(super) fn check_hopeless(start: &[u8], whole: bool) -> Result<(), Error> {
         let message = if start.is_empty() { "the file is empty" } else { "the file holds only white space" };
         return Err(Error::parse(message).with_cure("write it again, or restore it from a copy"));
     }
-    // 84 zeros are a binary STL without triangles.
-    if start.iter().all(|&byte| byte == 0) && !(whole && start.len() == 84) {
+    // 84 zeros are a binary STL without triangles, 4 are no curves.
+    if start.iter().all(|&byte| byte == 0) && !(whole && matches!(start.len(), 4 | 84)) {
         return Err(Error::parse("the file holds nothing but zero bytes")
             .at_byte(0)
             .with_cure("it was not written to its end: write it again, or restore it from a copy"));
@@ -513,7 +521,7 @@ mod tests {
             Format::from_name("xyz")
                 .unwrap_err()
                 .to_string()
-                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg")
+                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg, dat")
         );
     }
 

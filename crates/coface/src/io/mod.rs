@@ -38,10 +38,14 @@ pub mod svg;
 mod values;
 pub mod vtk;
 pub mod wkt;
+pub mod yin;
 
 pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
-pub use doors::{ReadOptions, read, read_path, read_path_with, read_unknown, read_with, write, write_path};
+pub use doors::{
+    ReadOptions, read, read_boundary, read_boundary_path, read_boundary_with, read_path, read_path_with, read_unknown,
+    read_with, write, write_path,
+};
 pub(crate) use drawing::{Shape, shapes};
 pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};

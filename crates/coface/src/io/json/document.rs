@@ -1,12 +1,14 @@
 //! The outermost object or list.
 
 use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
+use super::curves::{CurveKeys, CurveList};
 use super::facets::{Facet, FacetList, HalfedgeList};
 use super::gluings::GluingList;
 use super::matrices::MatrixList;
 use super::points::{PointList, Points};
 use crate::Error;
 use crate::algebra::{RaggedArray, SparseMatrix};
+use crate::io::yin::BoundaryDrawing;
 use crate::simplicial::GluingTable;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use std::cell::RefCell;
@@ -47,6 +49,7 @@ pub(super) enum Content {
         points: Option<PointList>,
     },
     Gluings(GluingTable),
+    Boundary(BoundaryDrawing),
     /// None of these; some of the keys that stand there instead.
     Unknown(Vec<String>),
 }
@@ -152,6 +155,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
 ) -> Result<(Option<String>, Content), A::Error> {
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
+    let mut curves = CurveKeys::default();
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -160,6 +164,10 @@ fn visit_object<'de, A: MapAccess<'de>>(
             "twin" => twin = Some(map.next_value_seed(HalfedgeList { name: "twin", faults })?),
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
             "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
+            "order" => curves.order = Some(map.next_value()?),
+            "plane" => curves.plane = Some(map.next_value()?),
+            "next_vertex" => curves.next_vertex = Some(map.next_value()?),
+            "curves" => curves.curves = Some(map.next_value_seed(CurveList(faults))?),
             "vertices" => {
                 points = Some(map.next_value_seed(Points)?);
                 others.push(key);
@@ -176,23 +184,33 @@ fn visit_object<'de, A: MapAccess<'de>>(
             }
         }
     }
+    let is_other = facets.is_some() || next.is_some() || boundaries.is_some() || gluings.is_some();
+    if curves.is_some() && !is_other && coboundaries.is_empty() {
+        let drawing = curves.into_drawing().map_err(|fault| faults.raise(fault))?;
+        return Ok((name, Content::Boundary(drawing)));
+    }
+    let has_curves = curves.is_some();
     let content = match (facets, next, boundaries, gluings, coboundaries.is_empty()) {
+        _ if has_curves => return Err(several(faults)),
         (Some(facets), None, None, None, true) => Content::Facets(facets),
         (None, Some(next), None, None, true) => Content::Halfedges { next, twin },
         (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points },
         (None, None, None, Some(table), true) => Content::Gluings(table),
         (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
         (None, None, None, None, true) => Content::Unknown(others),
-        _ => {
-            return Err(faults.raise(
-                Error::parse(
-                    "one object has more than one of \"facets\", \"next\", \"boundaries\", \"d0\" and \"gluings\"",
-                )
-                .with_cure("make them objects of their own, with names, in a list"),
-            ));
-        }
+        _ => return Err(several(faults)),
     };
     Ok((name, content))
+}
+
+/// The error of an object that is several things.
+fn several<E: serde::de::Error>(faults: &Faults) -> E {
+    faults.raise(
+        Error::parse(
+            "one object has more than one of \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\" and \"curves\"",
+        )
+        .with_cure("make them objects of their own, with names, in a list"),
+    )
 }
 
 /// A name; what is no text is none.

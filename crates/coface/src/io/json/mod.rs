@@ -13,6 +13,8 @@
 //!   not given, there are as many vertices as points, and one more cell than the largest index. No place may have two values;
 //! * `{"gluings": [[[neighbor, [images of vertices]] or null, ..], ..]}`: a gluing table, a row for each simplex with an
 //!   entry for each facet, the one opposite to vertex 0 first; vertex k goes to vertex images\[k\] of the neighbor;
+//! * `{"order": 2, "curves": [{"points": [[x, y], ..], ..}, ..]}` or `{"plane": true}`: the boundary of a set in the plane, as
+//!   [`yin`](super::yin) says; in a model its curves are closed lines;
 //! * a list of such objects, each with a `"name"`, of which [`read_entry`] chooses one.
 //!
 //! Points under `"vertices"` can stand beside `"boundaries"` too. A matrix of few entries has at most 2^24 rows and columns, any
@@ -21,6 +23,7 @@
 //! Other keys are passed over. Reading is a stream: memory is what the model takes.
 
 mod coboundaries;
+mod curves;
 mod document;
 mod facets;
 mod gluings;
@@ -33,4 +36,5 @@ mod writing;
 
 pub(in crate::io) use document::Faults;
 pub use reading::{read, read_entry};
+pub(in crate::io) use reading::{read_boundary, read_with};
 pub use writing::write;

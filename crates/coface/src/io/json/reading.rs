@@ -3,10 +3,11 @@
 use super::coboundaries::boundaries;
 use super::document::{Content, Document, Faults, Root};
 use super::points::PointList;
-use crate::Error;
+use crate::{Error, ErrorKind};
 use crate::algebra::SparseMatrix;
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
+use crate::io::yin::{BoundaryDrawing, model_of_drawing};
 use crate::io::{Model, Structure};
 use serde::de::DeserializeSeed;
 use serde_json::error::Category;
@@ -37,8 +38,40 @@ const LISTED_NAMES: usize = 60;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    match parse(input, None)? {
-        Document::One(content) => to_model(content),
+    read_with(input, None)
+}
+
+/// The same with chords that are within a tolerance of curves.
+pub(in crate::io) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {
+    to_model(one(parse(input, None)?)?, tolerance)
+}
+
+/// The curves of a file, or of the object of this name in a list.
+///
+/// # Errors
+/// Those of [`read`] and [`read_entry`]; [`ErrorKind::UnsupportedFormat`](crate::ErrorKind::UnsupportedFormat) for anything but curves.
+pub(in crate::io) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<BoundaryDrawing, Error> {
+    let document = parse(input, name)?;
+    let content = match name {
+        None => one(document)?,
+        Some(name) => chosen(document, name)?,
+    };
+    let what = match content {
+        Content::Boundary(drawing) => return Ok(drawing),
+        Content::Facets(_) => "a list of facets",
+        Content::Halfedges { .. } => "permutations of halfedges",
+        Content::Boundaries { .. } | Content::Coboundaries { .. } => "a chain complex",
+        Content::Gluings(_) => "a gluing table",
+        content @ Content::Unknown(_) => return Err(to_model(content, None).expect_err("nothing is known of it")),
+    };
+    Err(Error::new(ErrorKind::UnsupportedFormat, format!("this is {what}, not a set in the plane"))
+        .with_cure("give curves or polygons: {\"order\": 2, \"curves\": [{\"points\": [[x, y], ..]}, ..]}"))
+}
+
+/// The only object of a file.
+fn one(document: Document) -> Result<Content, Error> {
+    match document {
+        Document::One(content) => Ok(content),
         Document::List { names, .. } => {
             Err(Error::invalid(format!("the file is a list of {} objects", names.len()))
                 .with_cure(format!("choose one by its name after a #: {}", listed(&names))))
@@ -65,7 +98,12 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// # Ok(()) }
 /// ```
 pub fn read_entry(input: impl Read, name: &str) -> Result<Model, Error> {
-    let (names, mut chosen) = match parse(input, Some(name))? {
+    to_model(chosen(parse(input, Some(name))?, name)?, None)
+}
+
+/// The object of a name in a list.
+fn chosen(document: Document, name: &str) -> Result<Content, Error> {
+    let (names, mut chosen) = match document {
         Document::List { names, chosen } => (names, chosen),
         Document::One(_) => {
             return Err(Error::invalid(format!("there is no entry {name}: the file is a list of facets"))
@@ -73,7 +111,7 @@ pub fn read_entry(input: impl Read, name: &str) -> Result<Model, Error> {
         }
     };
     match (chosen.pop(), chosen.len()) {
-        (Some(content), 0) => to_model(content),
+        (Some(content), 0) => Ok(content),
         (Some(_), more) => Err(Error::invalid(format!("{} entries have the name {name}", more + 1))
             .with_cure("give them names of their own")),
         (None, _) => Err(Error::invalid(format!("there is no entry {name}"))
@@ -106,13 +144,13 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
     Error::parse(message).at_line(line).with_cure(match category {
         Category::Eof => "the file was cut short: write it again",
         Category::Data => {
-            "give facets, halfedges, boundary or coboundary matrices or gluings as the documentation of the format says"
+            "give facets, halfedges, boundary or coboundary matrices, gluings or curves as the documentation of the format says"
         }
         _ => "the file must be JSON",
     })
 }
 
-fn to_model(content: Content) -> Result<Model, Error> {
+fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
     let structure = match content {
         Content::Facets(facets) => Structure::Facets(facets),
         Content::Halfedges { next, twin } => {
@@ -128,16 +166,17 @@ fn to_model(content: Content) -> Result<Model, Error> {
             return chains(boundaries(matrices, count)?, positions);
         }
         Content::Gluings(table) => Structure::Gluings(table),
+        Content::Boundary(drawing) => return model_of_drawing(&drawing, tolerance),
         Content::Unknown(keys) if keys.is_empty() => {
             return Err(Error::parse(
-                "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\"",
+                "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\", \"curves\"",
             )
             .with_cure("give one of them"));
         }
         Content::Unknown(keys) => {
             let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();
             return Err(Error::parse(format!(
-                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\"",
+                "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\", \"curves\"",
                 keys.join(", ")
             ))
             .with_cure("give one of them, or check that the file is the one meant"));

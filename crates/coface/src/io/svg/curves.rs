@@ -1,15 +1,32 @@
-//! Curves as chords, and the corners of subpaths.
+//! Curves as chords or as cubics, and the corners of subpaths.
 
 use super::transformation::Transformation;
 
 /// More chords than these for one curve are refused.
 const MOST_CHORDS: f64 = 1e6;
 
+/// Arcs that are kept as cubics are within this part of their longer half axis of them.
+const ARC_PRECISION: f64 = 1e-9;
+
 /// A subpath: its corners, transformed, and whether it is closed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Subpath {
     pub(super) corners: Vec<[f64; 2]>,
     pub(super) is_closed: bool,
+    /// The sides that are cubics, where curves are kept: the number of each, and its two inner control points.
+    pub(super) cubics: Vec<(usize, [[f64; 2]; 2])>,
+    /// How far cubics are at most from the arcs that they stand for.
+    pub(super) arc_error: f64,
+}
+
+/// What becomes of curves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Curves {
+    Refused,
+    /// Chords that are within this length.
+    Chords(f64),
+    /// Cubics between corners.
+    Kept,
 }
 
 /// Why a curve has no chords.
@@ -30,8 +47,7 @@ impl From<String> for Fault {
 /// Subpaths while they are drawn.
 pub(super) struct Pen {
     pub(super) map: Transformation,
-    /// The farthest that chords may be from their curve.
-    pub(super) tolerance: Option<f64>,
+    curves: Curves,
     pub(super) subpaths: Vec<Subpath>,
     /// Where the pen is, before the transformation.
     pub(super) at: [f64; 2],
@@ -40,8 +56,8 @@ pub(super) struct Pen {
 }
 
 impl Pen {
-    pub(super) fn new(map: Transformation, tolerance: Option<f64>) -> Self {
-        Self { map, tolerance, subpaths: Vec::new(), at: [0.0; 2], start: [0.0; 2], is_drawing: false }
+    pub(super) fn new(map: Transformation, curves: Curves) -> Self {
+        Self { map, curves, subpaths: Vec::new(), at: [0.0; 2], start: [0.0; 2], is_drawing: false }
     }
 
     /// Lifts the pen and puts it down here.
@@ -52,7 +68,7 @@ impl Pen {
 
     pub(super) fn line_to(&mut self, to: [f64; 2]) {
         self.begin();
-        self.push(self.map.point(to));
+        self.push_line(self.map.point(to));
         self.at = to;
     }
 
@@ -62,6 +78,10 @@ impl Pen {
             && let Some(subpath) = self.subpaths.last_mut()
         {
             subpath.is_closed = true;
+            let [first, last] = [subpath.corners[0], subpath.corners[subpath.corners.len() - 1]];
+            if self.curves == Curves::Kept && first != last {
+                self.push_line(first);
+            }
         }
         self.is_drawing = false;
         self.at = self.start;
@@ -69,7 +89,7 @@ impl Pen {
 
     fn begin(&mut self) {
         if !self.is_drawing {
-            self.subpaths.push(Subpath { corners: vec![self.map.point(self.at)], is_closed: false });
+            self.subpaths.push(Subpath { corners: vec![self.map.point(self.at)], ..Subpath::default() });
             self.is_drawing = true;
             self.start = self.at;
         }
@@ -81,6 +101,34 @@ impl Pen {
         }
     }
 
+    /// A line to a corner. One without length is left out where curves are kept.
+    fn push_line(&mut self, to: [f64; 2]) {
+        let from = self.subpaths.last().and_then(|subpath| subpath.corners.last());
+        if self.curves != Curves::Kept || from != Some(&to) {
+            self.push(to);
+        }
+    }
+
+    /// A cubic by its control points behind the first. One that comes back to its beginning is divided in the middle.
+    fn push_cubic(&mut self, controls: [[f64; 2]; 3], arc_error: f64) {
+        let Some(subpath) = self.subpaths.last_mut() else { return };
+        let Some(&from) = subpath.corners.last() else { return };
+        let [first, second, end] = controls;
+        subpath.arc_error = subpath.arc_error.max(arc_error);
+        if from != end {
+            subpath.cubics.push((subpath.corners.len() - 1, [first, second]));
+            return subpath.corners.push(end);
+        }
+        let middle = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|axis| f64::midpoint(a[axis], b[axis]));
+        let [a, b, c] = [middle(from, first), middle(first, second), middle(second, end)];
+        let [d, e] = [middle(a, b), middle(b, c)];
+        let center = middle(d, e);
+        if center != from {
+            self.push_cubic([a, d, center], 0.0);
+            self.push_cubic([e, c, end], 0.0);
+        }
+    }
+
     /// A Bezier curve of degree 2 or 3 by its control points behind the first.
     ///
     /// Chords between points at equal steps of the parameter are within an eighth of the square of the step times the greatest
@@ -89,6 +137,22 @@ impl Pen {
         let to = controls.last().copied().unwrap_or(self.at);
         let points: Vec<[f64; 2]> =
             [self.at].iter().chain(controls).map(|&control| self.map.point(control)).collect();
+        if self.curves == Curves::Kept {
+            self.begin();
+            let raised = |control: [f64; 2], end: [f64; 2]| {
+                [0, 1].map(|axis| (2.0 * control[axis] + end[axis]) / 3.0)
+            };
+            self.push_cubic(
+                match points[..] {
+                    [from, control, end] => [raised(control, from), raised(control, end), end],
+                    [_, first, second, end] => [first, second, end],
+                    _ => [self.map.point(to); 3],
+                },
+                0.0,
+            );
+            self.at = to;
+            return Ok(());
+        }
         let bends = points.windows(3).map(|p| {
             let bend = |axis: usize| p[0][axis] - 2.0 * p[1][axis] + p[2][axis];
             bend(0).hypot(bend(1))
@@ -116,7 +180,7 @@ impl Pen {
 
     /// How many chords of equal steps from 0 to 1 are near enough to a curve with at most this second derivative.
     fn chord_count(&self, bend: f64) -> Result<usize, Fault> {
-        let tolerance = self.tolerance.ok_or(Fault::Curve)?;
+        let Curves::Chords(tolerance) = self.curves else { return Err(Fault::Curve) };
         let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
         if count <= MOST_CHORDS {
             return Ok(count as usize);
@@ -139,6 +203,10 @@ impl Pen {
         let (uu, vv, uv) = (product(u, u), product(v, v), product(u, v));
         let reach = f64::midpoint(uu + vv, (uu - vv).hypot(2.0 * uv)).sqrt();
         let least = if to.is_none() { 3 } else { 1 };
+        if self.curves == Curves::Kept {
+            self.cubic_arcs(self.map.point(center), [u, v], reach, [from, sweep], to);
+            return Ok(());
+        }
         let count = self.chord_count(reach * sweep * sweep)?.max(least);
         let center = self.map.point(center);
         let place = |i: usize| {
@@ -148,7 +216,7 @@ impl Pen {
         match to {
             None => {
                 let corners = (0..count).map(place).collect();
-                self.subpaths.push(Subpath { corners, is_closed: true });
+                self.subpaths.push(Subpath { corners, is_closed: true, ..Subpath::default() });
             }
             Some(to) => {
                 self.begin();
@@ -160,6 +228,67 @@ impl Pen {
             }
         }
         Ok(())
+    }
+
+    /// The part of an ellipse, transformed, as cubics that touch it at equal steps of the angle.
+    ///
+    /// The cubic whose inner control points are k = 4/3 tan(s/4) half axes along the tangents is never farther than 2/27 sin^6(s/4) /
+    /// cos^2(s/4) of the longer half axis from the arc of angle s, and outside of it.
+    ///
+    /// # References
+    /// M. Goldapp, *Approximation of circular arcs by cubic polynomials* (1991).
+    fn cubic_arcs(
+        &mut self,
+        center: [f64; 2],
+        [u, v]: [[f64; 2]; 2],
+        reach: f64,
+        [from, sweep]: [f64; 2],
+        to: Option<[f64; 2]>,
+    ) {
+        let most = 4.0 * (13.5 * ARC_PRECISION).powf(1.0 / 6.0);
+        let mut count = (sweep.abs() / most).ceil().max(1.0) as usize;
+        if to.is_none() {
+            // The ends of the axes are exact then.
+            count = count.next_multiple_of(4);
+        }
+        let step = sweep / count as f64;
+        let direction = |i: usize| match (4 * i).checked_rem(count) {
+            Some(0) if to.is_none() => [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][4 * i / count % 4],
+            _ => {
+                let (sine, cosine) = (from + step * i as f64).sin_cos();
+                (cosine, sine)
+            }
+        };
+        let combine = |along: f64, across: f64, axis: usize| along * u[axis] + across * v[axis];
+        let place = |i: usize| {
+            let (cosine, sine) = direction(i);
+            [0, 1].map(|axis| center[axis] + combine(cosine, sine, axis))
+        };
+        let reach_of_tangent = 4.0 / 3.0 * (step / 4.0).tan();
+        let error = 2.0 / 27.0 * (step / 4.0).sin().powi(6) / (step / 4.0).cos().powi(2) * reach;
+        let first = match to {
+            None => {
+                self.subpaths.push(Subpath { corners: vec![place(0)], is_closed: true, ..Subpath::default() });
+                place(0)
+            }
+            Some(_) => {
+                self.begin();
+                self.map.point(self.at)
+            }
+        };
+        let end = to.map_or(first, |to| self.map.point(to));
+        let mut point = first;
+        for i in 0..count {
+            let next = if i + 1 == count { end } else { place(i + 1) };
+            let [(c0, s0), (c1, s1)] = [direction(i), direction(i + 1)];
+            let leaving = [0, 1].map(|axis| point[axis] + reach_of_tangent * combine(-s0, c0, axis));
+            let arriving = [0, 1].map(|axis| next[axis] - reach_of_tangent * combine(-s1, c1, axis));
+            self.push_cubic([leaving, arriving, next], error);
+            point = next;
+        }
+        if let Some(to) = to {
+            self.at = to;
+        }
     }
 
     /// A whole ellipse along the axes, as a subpath of its own.

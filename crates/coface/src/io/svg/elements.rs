@@ -2,6 +2,7 @@
 
 use super::curves::{Fault, Pen};
 use super::path;
+use crate::arrangement::boolean::InsideRule;
 use roxmltree::Node;
 
 /// What is inside of the rings of a path.
@@ -11,6 +12,16 @@ pub(super) enum FillRule {
     Nonzero,
     /// What they wind around an odd number of times.
     EvenOdd,
+}
+
+impl FillRule {
+    /// The same rule where sets are made.
+    pub(super) fn inside(self) -> InsideRule {
+        match self {
+            Self::Nonzero => InsideRule::Nonzero,
+            Self::EvenOdd => InsideRule::Odd,
+        }
+    }
 }
 
 /// Whether what is in an element of this name is not drawn where it stands.

@@ -14,11 +14,13 @@ mod curves;
 mod elements;
 mod path;
 mod reading;
+mod regions;
 #[cfg(test)]
 mod tests;
 mod transformation;
 mod writing;
 
 pub(super) use reading::{check_tolerance, read_with};
+pub(super) use regions::read_regions;
 pub use reading::{read, read_flattened};
 pub use writing::write;

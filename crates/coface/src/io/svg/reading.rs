@@ -1,7 +1,8 @@
 //! From a stream to a model.
 
-use super::curves::{Fault, Pen, Subpath};
+use super::curves::{Curves, Fault, Pen, Subpath};
 use super::elements::{self, FillRule};
+use super::regions::FilledPath;
 use super::transformation::Transformation;
 use crate::io::drawing::{Drawing, Place};
 use crate::io::{CellData, GroupKind, Model};
@@ -72,19 +73,9 @@ pub(in crate::io) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
 }
 
 pub(in crate::io) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {
-    let text = text_of(input)?;
-    let options = ParsingOptions { allow_dtd: true, nodes_limit: u32::MAX, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(&text, options).map_err(|error| {
-        Error::parse(shortened(&error.to_string())).at_line(u64::from(error.pos().row)).with_cure(CURE)
-    })?;
-    let root = document.root_element();
-    if root.tag_name().name() != "svg" {
-        let message = format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
-        return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
-    }
-    let mut reader =
-        Reader { tolerance, drawing: Drawing::default(), fill_rules: Vec::new(), passed_over: 0 };
-    reader.element(root, &Transformation::IDENTITY, FillRule::Nonzero, 0)?;
+    let curves = tolerance.map_or(Curves::Refused, Curves::Chords);
+    let mut reader = Reader::new(curves);
+    reader.read(input)?;
     let Reader { drawing, fill_rules, passed_over, .. } = reader;
     let mut model = drawing.finish()?;
     if passed_over > 0 {
@@ -97,6 +88,13 @@ pub(in crate::io) fn read_with(input: impl Read, tolerance: Option<f64>) -> Resu
         return Ok(model);
     }
     model.with_data(CellData::integers("fill_rule", GroupKind::Lines, 1, fill_rules)?)
+}
+
+/// The filled shapes of a drawing with their curves, and how many elements are passed over.
+pub(super) fn read_paths(input: impl Read) -> Result<(Vec<FilledPath>, usize), Error> {
+    let mut reader = Reader::new(Curves::Kept);
+    reader.read(input)?;
+    Ok((reader.paths, reader.passed_over))
 }
 
 /// The whole stream, which must be text.
@@ -140,14 +138,36 @@ fn shortened(text: &str) -> String {
 }
 
 struct Reader {
-    tolerance: Option<f64>,
+    curves: Curves,
+    /// What is drawn, unless curves are kept.
     drawing: Drawing,
+    /// What is drawn, if they are.
+    paths: Vec<FilledPath>,
     /// The rule of each line that the drawing keeps.
     fill_rules: Vec<i64>,
     passed_over: usize,
 }
 
 impl Reader {
+    fn new(curves: Curves) -> Self {
+        Self { curves, drawing: Drawing::default(), paths: Vec::new(), fill_rules: Vec::new(), passed_over: 0 }
+    }
+
+    fn read(&mut self, input: impl Read) -> Result<(), Error> {
+        let text = text_of(input)?;
+        let options = ParsingOptions { allow_dtd: true, nodes_limit: u32::MAX, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(&text, options).map_err(|error| {
+            Error::parse(shortened(&error.to_string())).at_line(u64::from(error.pos().row)).with_cure(CURE)
+        })?;
+        let root = document.root_element();
+        if root.tag_name().name() != "svg" {
+            let message =
+                format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
+            return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
+        }
+        self.element(root, &Transformation::IDENTITY, FillRule::Nonzero, 0)
+    }
+
     fn element(
         &mut self,
         node: Node<'_, '_>,
@@ -183,7 +203,7 @@ impl Reader {
             Some("nonzero") => FillRule::Nonzero,
             _ => rule,
         };
-        let mut pen = Pen::new(map, self.tolerance);
+        let mut pen = Pen::new(map, self.curves);
         match elements::draw(node, &mut pen) {
             Ok(()) => {}
             Err(Fault::Text(text)) => return Err(fault(text)),
@@ -195,10 +215,26 @@ impl Reader {
                     ));
             }
         }
-        if pen.subpaths.iter().any(|subpath| subpath.corners.iter().flatten().any(|x| !x.is_finite())) {
+        let is_finite = |subpath: &Subpath| {
+            let inner = subpath.cubics.iter().flat_map(|(_, controls)| controls);
+            subpath.corners.iter().chain(inner).flatten().all(|x| x.is_finite())
+        };
+        if !pen.subpaths.iter().all(is_finite) {
             return Err(fault("a transformed coordinate is not finite".to_owned()));
         }
-        if !pen.subpaths.is_empty() {
+        if self.curves == Curves::Kept && !pen.subpaths.is_empty() {
+            match elements::style_of(node, "fill") == Some("none") || name == "line" {
+                true => self.passed_over += 1,
+                false => self.paths.push(FilledPath {
+                    line: line_of(node),
+                    element: shortened(name),
+                    name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
+                    rule: rule.inside(),
+                    is_exterior: node.attribute("data-unbounded") == Some("true"),
+                    subpaths: pen.subpaths,
+                }),
+            }
+        } else if !pen.subpaths.is_empty() {
             self.drawing.set_name(node.attribute("id").map(str::to_owned));
             self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
             self.drawing.set_name(None);

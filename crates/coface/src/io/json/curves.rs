@@ -1,0 +1,410 @@
+//! Closed curves with kinks: boundaries of sets in the plane.
+
+use super::document::Faults;
+use crate::Error;
+use crate::io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+use crate::yin::{Curve, Order};
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde_json::Value;
+use std::fmt;
+
+/// What an object says about curves, before its order is known.
+#[derive(Default)]
+pub(super) struct CurveKeys {
+    pub(super) order: Option<Value>,
+    pub(super) plane: Option<Value>,
+    pub(super) curves: Option<Vec<RawCurve>>,
+    pub(super) next_vertex: Option<Value>,
+}
+
+/// A curve with all that stands in its object.
+#[derive(Default)]
+pub(super) struct RawCurve {
+    points: Option<Vec<[f64; 2]>>,
+    kinks: Vec<u32>,
+    vertices: Option<Vec<u32>>,
+    name: Option<Value>,
+    knots: Option<Vec<f64>>,
+    controls: Option<Vec<[f64; 2]>>,
+}
+
+impl CurveKeys {
+    /// Whether one of the keys is there that make an object one of curves.
+    pub(super) fn is_some(&self) -> bool {
+        self.curves.is_some() || self.plane.is_some()
+    }
+
+    /// The drawing.
+    pub(super) fn into_drawing(self) -> Result<BoundaryDrawing, Error> {
+        let order = match &self.order {
+            None => Order::LINEAR,
+            Some(value) => {
+                let number = value.as_u64().and_then(|order| usize::try_from(order).ok());
+                Order::new(number.unwrap_or(0)).map_err(|error| match number {
+                    Some(_) => error,
+                    None => Error::invalid("\"order\" is no natural number")
+                        .with_cure("give order 2 for polylines, or 4, 6 or 8 for splines"),
+                })?
+            }
+        };
+        let is_plane = match &self.plane {
+            None | Some(Value::Bool(false)) => false,
+            Some(Value::Bool(true)) => true,
+            Some(_) => {
+                return Err(Error::invalid("\"plane\" is neither true nor false").with_cure("give true or false"));
+            }
+        };
+        let curves = self.curves.unwrap_or_default();
+        if is_plane {
+            if !curves.is_empty() {
+                let message = format!("\"plane\" is true, but there are {} curves", curves.len());
+                return Err(Error::invalid(message).with_cure("keep to one of them"));
+            }
+            return Ok(BoundaryDrawing::plane(order));
+        }
+        let mut drawing = BoundaryDrawing::new(order);
+        if let Some(next) = self.next_vertex {
+            let next = next.as_u64().and_then(|next| u32::try_from(next).ok());
+            let next = next.ok_or_else(|| {
+                Error::invalid("\"next_vertex\" is no number of a vertex")
+                    .with_cure("give a natural number below 2^32")
+            })?;
+            drawing.set_next_kink_name(Some(next));
+        }
+        let curves: Vec<BoundaryCurve> = curves
+            .into_iter()
+            .enumerate()
+            .map(|(number, curve)| curve.into_curve(number, order))
+            .collect::<Result<_, _>>()?;
+        if !curves.is_empty() {
+            drawing.push(Filling::Left, curves);
+        }
+        drawing.check()?;
+        Ok(drawing)
+    }
+}
+
+impl RawCurve {
+    fn into_curve(self, number: usize, order: Order) -> Result<BoundaryCurve, Error> {
+        let named = |error: Error| {
+            let renamed = Error::new(error.kind(), format!("curve {number}: {}", error.message()));
+            match error.cure() {
+                Some(cure) => renamed.with_cure(cure),
+                None => renamed,
+            }
+        };
+        let degree = order.degree();
+        let points = match (&self.points, &self.controls) {
+            (Some(points), _) => points.clone(),
+            (None, Some(controls)) => controls.iter().step_by(degree).copied().collect(),
+            (None, None) => {
+                return Err(Error::invalid(format!("curve {number} has no \"points\""))
+                    .with_cure("give the points of each curve"));
+            }
+        };
+        let count = points.len();
+        if count < 2 {
+            return Err(Error::invalid(format!("curve {number} has {count} points, and bounds nothing"))
+                .with_cure("give a closed curve at least three points, or two that cubics join"));
+        }
+        if count > 2 && points[0] == points[count - 1] {
+            return Err(Error::invalid(format!("curve {number} has its first point again at its end"))
+                .with_cure("leave it out: curves are closed by themselves"));
+        }
+        let mut curve = BoundaryCurve::new(points);
+        curve.set_kinks(self.kinks);
+        if let Some(names) = self.vertices {
+            curve.set_kink_names(names);
+        }
+        curve.set_name(self.name.and_then(|name| match name {
+            Value::String(name) => Some(name),
+            _ => None,
+        }));
+        if let Some(mut controls) = self.controls {
+            if controls.len() != count * degree {
+                return Err(Error::invalid(format!(
+                    "curve {number} has {} control points for {count} points of order {order}",
+                    controls.len()
+                ))
+                .with_cure(format!("give {degree} for each point: those of its piece but the last")));
+            }
+            if let Some(at) = (0..count).find(|&at| controls[at * degree] != curve.points()[at]) {
+                return Err(Error::invalid(format!(
+                    "point {at} of curve {number} is not the control point {} that is at its place",
+                    at * degree
+                ))
+                .with_cure("make them equal, or leave the points out"));
+            }
+            controls.push(controls[0]);
+            let knots = match self.knots {
+                Some(knots) => knots,
+                None => {
+                    let mut closed = curve.points().to_vec();
+                    closed.push(closed[0]);
+                    Curve::polyline(&closed).map_err(named)?.knots().to_vec()
+                }
+            };
+            if knots.len() != count + 1 {
+                return Err(Error::invalid(format!("curve {number} has {} knots for {count} points", knots.len()))
+                    .with_cure("give one knot for each point, and one for the first again"));
+            }
+            curve.set_curve(Curve::from_controls(order, controls, knots).map_err(named)?);
+        } else if let Some(knots) = self.knots {
+            if order > Order::LINEAR {
+                return Err(Error::invalid(format!("curve {number} has \"knots\" but no \"controls\""))
+                    .with_cure("give both or neither: curves are fitted by the lengths of chords"));
+            }
+            curve.set_knots(knots);
+        }
+        Ok(curve)
+    }
+}
+
+/// The list of curves.
+pub(super) struct CurveList<'a>(pub(super) &'a Faults);
+
+impl<'de> DeserializeSeed<'de> for CurveList<'_> {
+    type Value = Vec<RawCurve>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for CurveList<'_> {
+    type Value = Vec<RawCurve>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of curves")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        let mut curves = Vec::new();
+        while let Some(curve) = list.next_element_seed(OneCurve { number: curves.len(), faults: self.0 })? {
+            curves.push(curve);
+        }
+        Ok(curves)
+    }
+}
+
+/// The object of one curve.
+struct OneCurve<'a> {
+    number: usize,
+    faults: &'a Faults,
+}
+
+impl<'de> DeserializeSeed<'de> for OneCurve<'_> {
+    type Value = RawCurve;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<RawCurve, D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for OneCurve<'_> {
+    type Value = RawCurve;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "an object with the \"points\" of curve {}", self.number)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<RawCurve, A::Error> {
+        let mut curve = RawCurve::default();
+        let list = |what: &'static str| List { what, curve: self.number, faults: self.faults };
+        while let Some(key) = map.next_key::<String>()? {
+            match key.as_str() {
+                "points" => curve.points = Some(map.next_value_seed(Points(list("point")))?),
+                "controls" => curve.controls = Some(map.next_value_seed(Points(list("control point")))?),
+                "kinks" => curve.kinks = map.next_value_seed(Indices(list("kink")))?,
+                "vertices" => curve.vertices = Some(map.next_value_seed(Indices(list("vertex")))?),
+                "knots" => curve.knots = Some(map.next_value_seed(Numbers(list("knot")))?),
+                "name" => curve.name = Some(map.next_value()?),
+                _ => drop(map.next_value::<IgnoredAny>()?),
+            }
+        }
+        Ok(curve)
+    }
+}
+
+/// What a list holds, and of which curve.
+#[derive(Clone, Copy)]
+struct List<'a> {
+    what: &'static str,
+    curve: usize,
+    faults: &'a Faults,
+}
+
+impl List<'_> {
+    fn expecting(&self, f: &mut fmt::Formatter<'_>, shape: &str) -> fmt::Result {
+        write!(f, "{shape} of each {} of curve {}", self.what, self.curve)
+    }
+}
+
+/// A list of points.
+struct Points<'a>(List<'a>);
+
+/// One point.
+struct Point<'a> {
+    list: List<'a>,
+    number: usize,
+}
+
+/// A list of numbers.
+struct Numbers<'a>(List<'a>);
+
+/// A list of natural numbers.
+struct Indices<'a>(List<'a>);
+
+/// A natural number.
+struct Index<'a> {
+    list: List<'a>,
+    number: usize,
+}
+
+impl<'de> DeserializeSeed<'de> for Points<'_> {
+    type Value = Vec<[f64; 2]>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Points<'_> {
+    type Value = Vec<[f64; 2]>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.expecting(f, "a list with two coordinates")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        let mut points = Vec::new();
+        while let Some(point) = list.next_element_seed(Point { list: self.0, number: points.len() })? {
+            points.push(point);
+        }
+        Ok(points)
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Point<'_> {
+    type Value = [f64; 2];
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<[f64; 2], D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Point<'_> {
+    type Value = [f64; 2];
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the two coordinates of {} {} of curve {}", self.list.what, self.number, self.list.curve)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<[f64; 2], A::Error> {
+        let mut point = [0.0; 2];
+        let mut count = 0;
+        while let Some(coordinate) = list.next_element::<f64>()? {
+            if let Some(place) = point.get_mut(count) {
+                *place = coordinate;
+            }
+            count += 1;
+        }
+        if count == 2 {
+            return Ok(point);
+        }
+        let List { what, curve, faults } = self.list;
+        Err(faults.raise(
+            Error::invalid(format!(
+                "{what} {} of curve {curve} has {count} coordinates, and the plane has two",
+                self.number
+            ))
+            .with_cure("give two coordinates for each point"),
+        ))
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Numbers<'_> {
+    type Value = Vec<f64>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Numbers<'_> {
+    type Value = Vec<f64>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.expecting(f, "a list with the number")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        let mut numbers = Vec::new();
+        while let Some(number) = list.next_element()? {
+            numbers.push(number);
+        }
+        Ok(numbers)
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Indices<'_> {
+    type Value = Vec<u32>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Indices<'_> {
+    type Value = Vec<u32>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.expecting(f, "a list with the natural number")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        let mut indices = Vec::new();
+        while let Some(index) = list.next_element_seed(Index { list: self.0, number: indices.len() })? {
+            indices.push(index);
+        }
+        Ok(indices)
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Index<'_> {
+    type Value = u32;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<u32, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl Index<'_> {
+    fn fault<E: serde::de::Error>(&self, value: &dyn fmt::Display) -> E {
+        let List { what, curve, faults } = self.list;
+        faults.raise(
+            Error::invalid(format!("{what} {} in the list of curve {curve} is {value}", self.number))
+                .with_cure("give natural numbers: points are numbered from 0"),
+        )
+    }
+}
+
+impl Visitor<'_> for Index<'_> {
+    type Value = u32;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a natural number: {} {} of curve {}", self.list.what, self.number, self.list.curve)
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<u32, E> {
+        u32::try_from(value).map_err(|_| self.fault(&value))
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<u32, E> {
+        Err(self.fault(&value))
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<u32, E> {
+        Err(self.fault(&value))
+    }
+}
