@@ -99,6 +99,7 @@ pub(crate) enum Verb {
     Congruence(commands::congruence::Congruence),
     Arrange(commands::arrange::Arrange),
     Boolean(commands::boolean::Boolean),
+    Yin(commands::yin::Yin),
     Generate(commands::generate::Generate),
     Convert(commands::convert::Convert),
     Completions(commands::completions::Completions),

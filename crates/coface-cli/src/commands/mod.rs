@@ -21,6 +21,7 @@ pub(crate) mod persistence;
 pub(crate) mod pi1;
 pub(crate) mod skeleton;
 pub(crate) mod star;
+pub(crate) mod yin;
 
 use crate::arguments::{Arguments, Verb};
 use crate::failure::Failure;
@@ -46,6 +47,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Congruence(verb) => verb.run(common),
         Verb::Arrange(verb) => verb.run(common),
         Verb::Boolean(verb) => verb.run(common),
+        Verb::Yin(verb) => verb.run(common),
         Verb::Generate(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),

@@ -32,6 +32,7 @@ mod simplicial;
 mod spatial;
 mod surface_model;
 mod triangulation;
+mod yin;
 
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use cycles::Term;
@@ -53,5 +54,6 @@ pub use spatial::{
 };
 pub use surface_model::SurfaceModel;
 pub use triangulation::triangulated;
+pub use yin::{KinkRequest, Picture, PlanarSet, SetRequest};
 
 use labels::Labels;

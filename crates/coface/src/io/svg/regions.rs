@@ -40,7 +40,9 @@ pub(in crate::io) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, E
         let curves: Vec<BoundaryCurve> = rings
             .map(|subpath| curve(path, subpath, order).map_err(|error| error.at_line(path.line)))
             .collect::<Result<_, _>>()?;
-        if !curves.is_empty() {
+        if curves.is_empty() && path.is_exterior {
+            drawing = BoundaryDrawing::plane(order);
+        } else if !curves.is_empty() {
             let filling = if path.is_exterior { Filling::Left } else { Filling::Stated(path.rule) };
             drawing.push(filling, curves);
         }

@@ -5,7 +5,7 @@ use crate::algebra::RaggedArray;
 use crate::arrangement::boolean::InsideRule;
 use crate::geometry::Positions;
 use crate::io::{CellData, Format, Group, GroupKind, Model};
-use crate::yin::{Curve, EndCondition, Order, fit_closed};
+use crate::yin::{Curve, EndCondition, Order};
 use crate::{Error, ErrorKind};
 use std::ops::Range;
 
@@ -47,7 +47,7 @@ impl BoundaryCurve {
         self.line = Some(line);
     }
 
-    pub(in crate::io) fn set_kinks(&mut self, kinks: Vec<u32>) {
+    pub(crate) fn set_kinks(&mut self, kinks: Vec<u32>) {
         self.kinks = kinks;
     }
 
@@ -96,7 +96,7 @@ impl BoundaryCurve {
     /// The curve: as the file has it, or fitted to its points with this order, these kinks and these ends.
     ///
     /// # Errors
-    /// Those of [`fit_closed`].
+    /// Those of [`Curve::fit_closed`].
     pub fn curve(&self, order: Order, ends: &EndCondition) -> Result<Curve<'static>, Error> {
         if let Some(curve) = &self.curve {
             return match curve.order() < order {
@@ -104,7 +104,7 @@ impl BoundaryCurve {
                 false => Ok(curve.clone()),
             };
         }
-        let curve = fit_closed(&self.points, &self.kinks, order, ends)?;
+        let curve = Curve::fit_closed(&self.points, &self.kinks, order, ends)?;
         match &self.knots {
             Some(knots) => Curve::from_controls(order, curve.controls().to_vec(), knots.clone()),
             None => Ok(curve),

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::io::decimal::{flush, push_f64, push_natural};
-use crate::yin::{Curve, EndCondition, Order, YinSet, fit_closed};
+use crate::yin::{Curve, EndCondition, Order, YinSet};
 use std::io::Write;
 
 /// Writes a set so that it is read again bit for bit, kinks and their names included. A curve has a name where `names` has one.
@@ -80,7 +80,7 @@ fn push_difference(
     kinks: &[u32],
     out: &mut impl Write,
 ) -> Result<(), Error> {
-    let fitted = fit_closed(points, kinks, curve.order(), &EndCondition::NotAKnot).ok();
+    let fitted = Curve::fit_closed(points, kinks, curve.order(), &EndCondition::NotAKnot).ok();
     let has_controls = curve.order() > Order::LINEAR
         && !fitted.as_ref().is_some_and(|fitted| same(fitted.controls(), curve.controls()));
     let has_knots = !fitted.as_ref().is_some_and(|fitted| {

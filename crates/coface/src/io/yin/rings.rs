@@ -37,10 +37,9 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
     let shapes = shapes(model);
     let bounds = |shape: &Shape| matches!(shape, Shape::Rings(_) | Shape::Face(_));
     if !shapes.iter().any(|(shape, _)| bounds(shape)) {
-        let curves = closed_walks(model)?.iter().map(|walk| {
-            BoundaryCurve::new(walk.iter().map(|&vertex| place(vertex)).collect())
-        });
-        let curves: Vec<BoundaryCurve> = curves.collect();
+        let walks = closed_walks(model)?;
+        let points = |walk: &Vec<u32>| walk.iter().map(|&vertex| place(vertex)).collect();
+        let curves: Vec<BoundaryCurve> = walks.iter().map(|walk| BoundaryCurve::new(points(walk))).collect();
         if !curves.is_empty() {
             drawing.push(Filling::Stated(InsideRule::Odd), curves);
         }
@@ -48,7 +47,7 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
     }
     let mut passed_over = 0;
     for (shape, group) in shapes {
-        let mut curve = |ring: &[u32]| {
+        let curve = |ring: &[u32]| {
             let mut curve = BoundaryCurve::new(ring.iter().map(|&vertex| place(vertex)).collect());
             curve.set_name(group.map(|group| model.groups()[group].name().to_owned()));
             curve

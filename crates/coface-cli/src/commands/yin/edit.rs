@@ -1,0 +1,76 @@
+//! `coface yin kinks`: kinks listed, inserted, erased and reset.
+
+use super::{SetOptions, give, kinks, knot};
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input;
+use crate::progress::Progress;
+use clap::Args;
+use coface::VertexId;
+use coface::report::{KinkRequest, PlanarSet};
+use coface::yin::KnotIndex;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// The kinks of a set: list, insert, erase or reset them.
+///
+/// A kink is a knot at which the boundary need not be smooth. Between kinks it is one spline: where a kink comes or goes, the splines
+/// beside it are fitted again, and everything else stays bit for bit. --reset comes first, then --erase, then --insert. If one fails,
+/// nothing is written.
+///
+/// With --json also "complex" (the kinks by their names), and "kink_points": for each its "vertex", "curve", "knot" and "point".
+#[derive(Args)]
+pub(super) struct Kinks {
+    /// The set; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    options: SetOptions,
+    /// Replace all kinks by these, as --kinks names them, and fit everything again; without a value by none
+    #[arg(long, value_name = "KINKS", num_args = 0..=1, default_missing_value = "none", value_parser = kinks)]
+    reset: Option<KinkRequest>,
+    /// Make a knot a kink: CURVE:KNOT; may be given several times
+    #[arg(long, value_name = "KNOT", value_parser = knot, value_delimiter = ',')]
+    insert: Vec<KnotIndex>,
+    /// Make the kink of this name smooth again; may be given several times
+    #[arg(long, value_name = "VERTEX", value_delimiter = ',')]
+    erase: Vec<u32>,
+}
+
+impl Kinks {
+    pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let progress = Progress::start(common.quiet);
+        let mut planar = self.options.read(&self.input, common, false, &progress)?;
+        progress.stage("fitting");
+        let name = input::name(&self.input);
+        self.change(&mut planar).map_err(|error| error.in_file(name.clone()))?;
+        let set = planar.set();
+        let points: Vec<Value> = set
+            .kinks()
+            .iter()
+            .map(|(at, vertex)| {
+                let point = set.curve(at.curve as usize).knot_point(at.knot as usize);
+                json!({"vertex": vertex.to_u32(), "curve": at.curve, "knot": at.knot, "point": point})
+            })
+            .collect();
+        let simplices: Vec<Value> = points.iter().map(|point| json!([point["vertex"]])).collect();
+        let more =
+            vec![("file", Value::from(name)), ("complex", simplices.into()), ("kink_points", points.into())];
+        give(&planar, "Kinks", more, &self.options, output, common, progress)
+    }
+
+    fn change(&self, planar: &mut PlanarSet) -> Result<(), coface::Error> {
+        if let Some(request) = &self.reset {
+            planar.reset_kinks(request)?;
+        }
+        let set = planar.set_mut();
+        for &vertex in &self.erase {
+            set.erase_kink(VertexId::from_u32(vertex))?;
+        }
+        for &at in &self.insert {
+            set.insert_kink(at)?;
+        }
+        Ok(())
+    }
+}

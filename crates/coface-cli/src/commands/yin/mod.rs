@@ -1,0 +1,288 @@
+//! `coface yin`: sets of the plane with smooth boundaries and kinks.
+
+mod combine;
+mod edit;
+mod page;
+
+use crate::arguments::Common;
+use crate::commands::arrange::{Rule, output_format};
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{print_json, print_text, remark};
+use crate::progress::Progress;
+use clap::{Args, Subcommand, ValueEnum};
+use coface::io::{self, Format, replace_file};
+use coface::report::{KinkRequest, Picture, PlanarSet, SetRequest};
+use coface::yin::{EndCondition, KnotIndex, Order};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Yin sets: regions of the plane with curved boundaries, unbounded ones too, and their Boolean algebra.
+///
+/// Inputs are our JSON {"order":2|4,"curves":[{"points":[[x,y],..],"kinks":[i,..]},..]} (closed curves, the first point not repeated,
+/// the set on their left), {"plane":true}, {"curves":[]}, the binary .dat of splines, or a drawing: GeoJSON, WKT, SVG (curves are kept),
+/// closed lines. Polygons have order 2; --order 4 makes cubics of their sides, which stay straight, and `coface yin fit` smooth splines
+/// through their corners.
+///
+/// With -o the set is written: .json keeps everything, .svg and .dat keep curves, others are polygons (--flatten for curves).
+///
+/// With --json: "empty", "plane", "bounded", "area" (null if unbounded), "perimeter", "curve_counts" (positive and negative curves, by
+/// the rule of the papers), "betti_open" and "betti_closed" (components and holes of the set and of its closure), "order", "curves" (each
+/// with "sign", "area", "length", "knots", "kinks", "vertices", "parent", "depth", "name"), "atoms", "kinks", "bounding_box".
+#[derive(Args)]
+pub(crate) struct Yin {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// What a set is: area, perimeter, components and holes, its curves and how they lie in each other
+    Info(One),
+    /// The exterior of a set: what is neither in it nor on its boundary
+    Complement(One),
+    /// The intersection of sets
+    Meet(Several),
+    /// The union of sets, with the boundary that they share
+    Join(Several),
+    /// The first set without all others
+    Difference(Several),
+    /// What lies in an odd number of sets
+    Xor(Several),
+    /// Any formula of sets, such as "(a | b) - c"
+    Combine(combine::Formula),
+    /// Splines through the knots of a set, smooth but for kinks [default: --order 4]
+    Fit(One),
+    /// The kinks of a set: list, insert, erase or reset them; what lies beside them is fitted again
+    Kinks(edit::Kinks),
+}
+
+/// A verb of one set.
+#[derive(Args)]
+struct One {
+    /// The set; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    options: SetOptions,
+}
+
+/// A verb of any number of sets.
+#[derive(Args)]
+struct Several {
+    /// The sets; - is standard input
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    #[command(flatten)]
+    options: SetOptions,
+    /// Write where each piece of the boundary comes from: .json
+    #[arg(long, value_name = "FILE")]
+    provenance: Option<PathBuf>,
+}
+
+/// How files become sets, and sets pictures.
+#[derive(Args)]
+struct SetOptions {
+    /// The order: 2 for polylines, 4 for cubics, 6, 8 [default: that of the file]
+    #[arg(long, value_name = "ORDER", value_parser = order)]
+    order: Option<Order>,
+    /// What is inside of curves that cross: they are refused without a rule, unless an SVG has one
+    #[arg(long, value_name = "RULE")]
+    rule: Option<Rule>,
+    /// The kinks: none, all, detect:DEGREES (where the polygon of the knots turns by more), or a list such as 0:3,1:5 (curve:knot)
+    #[arg(long, value_name = "KINKS", value_parser = kinks)]
+    kinks: Option<KinkRequest>,
+    /// How splines end at kinks
+    #[arg(long, value_name = "ENDS", default_value = "not-a-knot")]
+    ends: Ends,
+    /// Let each curve begin at its lowest knot, and the curves come in one order
+    #[arg(long)]
+    canonical: bool,
+    /// What an .svg of -o shows
+    #[arg(long, value_name = "WHAT", default_value = "set")]
+    picture: Shown,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Ends {
+    /// The first two and the last two polynomials are one
+    NotAKnot,
+    /// No curvature at the ends
+    Natural,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Shown {
+    /// The set, to be read again
+    Set,
+    /// The set with knots and kinks
+    Kinks,
+    /// The set with its curves numbered, and which lies in which
+    Forest,
+}
+
+fn order(text: &str) -> Result<Order, String> {
+    let number = text.parse().map_err(|_| "the order is 2, 4, 6 or 8".to_owned())?;
+    Order::new(number).map_err(|error| error.to_string())
+}
+
+/// Kinks as the command line names them.
+fn kinks(text: &str) -> Result<KinkRequest, String> {
+    match text {
+        "none" | "" => return Ok(KinkRequest::None),
+        "all" => return Ok(KinkRequest::All),
+        _ => {}
+    }
+    if let Some(degrees) = text.strip_prefix("detect:") {
+        let angle: Option<f64> = degrees.trim_end_matches("deg").parse().ok();
+        return match angle.filter(|angle| (0.0..=180.0).contains(angle)) {
+            Some(angle) => Ok(KinkRequest::Detected(angle.to_radians())),
+            None => Err(format!("\"{degrees}\" is no angle between 0 and 180 degrees")),
+        };
+    }
+    text.split([',', ' ']).filter(|word| !word.is_empty()).map(knot).collect::<Result<_, _>>().map(KinkRequest::Listed)
+}
+
+/// A knot as `curve:knot`, or as the knot of curve 0.
+fn knot(text: &str) -> Result<KnotIndex, String> {
+    let (curve, knot) = text.split_once(':').unwrap_or(("0", text));
+    match (curve.trim().parse(), knot.trim().parse()) {
+        (Ok(curve), Ok(knot)) => Ok(KnotIndex { curve, knot }),
+        _ => Err(format!("\"{text}\" is no knot: write CURVE:KNOT, both numbered from 0")),
+    }
+}
+
+impl SetOptions {
+    fn request(&self, common: &Common) -> SetRequest {
+        let mut request = SetRequest::default();
+        request.order = self.order;
+        request.rule = self.rule.map(Rule::inside);
+        request.kinks = self.kinks.clone();
+        request.ends = match self.ends {
+            Ends::NotAKnot => EndCondition::NotAKnot,
+            Ends::Natural => EndCondition::Natural,
+        };
+        request.flatten = common.flatten;
+        request.canonical = self.canonical;
+        request
+    }
+
+    /// Reads a file as these options say.
+    fn read(&self, path: &Path, common: &Common, fit: bool, progress: &Progress) -> Result<PlanarSet, Failure> {
+        let mut request = self.request(common);
+        request.fit = fit;
+        let name = input::name(path);
+        progress.stage(format!("reading {name}"));
+        let mut reading = common.reading();
+        if self.order != Some(Order::LINEAR) {
+            // Curves stay curves: it is on output that they may have to become chords.
+            reading.flatten = None;
+        }
+        let drawing = match path.as_os_str() == "-" {
+            true => io::read_boundary_with(std::io::stdin().lock(), &reading),
+            false => io::read_boundary_path(path, &reading),
+        };
+        let drawing = drawing.map_err(|error| error.in_file(name.clone()))?;
+        progress.stage("checking");
+        let set = PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name.clone()))?;
+        if !common.quiet {
+            for sentence in set.remarks() {
+                remark(&format!("{name}: {sentence}"));
+            }
+        }
+        Ok(set)
+    }
+
+    /// The file of -o and its format; pictures other than the set need an SVG.
+    fn output<'a>(&self, common: &'a Common) -> Result<Option<(&'a Path, Format)>, Failure> {
+        let output = output_format(common)?;
+        if self.picture != Shown::Set && output.is_none_or(|(_, format)| format != Format::Svg) {
+            return Err(Failure::new("--picture draws an SVG: name it with -o FILE.svg"));
+        }
+        Ok(output)
+    }
+
+    fn write(&self, set: &PlanarSet, output: Option<(&Path, Format)>, common: &Common) -> Result<(), Failure> {
+        let Some((path, format)) = output else { return Ok(()) };
+        replace_file(path, |out| match self.picture {
+            Shown::Set => set.write(out, format, common.flatten),
+            Shown::Kinks => set.draw(out, Picture::Kinks),
+            Shown::Forest => set.draw(out, Picture::Forest),
+        })?;
+        let is_lost = !matches!(format, Format::Json) && self.picture == Shown::Set && !set.set().kinks().is_empty();
+        if is_lost && !common.quiet {
+            remark(&format!("kinks are not kept by {}", format.title()));
+        }
+        Ok(())
+    }
+}
+
+/// Gives a set as the command line asks.
+fn give(
+    set: &PlanarSet,
+    title: &str,
+    more: Vec<(&str, Value)>,
+    options: &SetOptions,
+    output: Option<(&Path, Format)>,
+    common: &Common,
+    progress: Progress,
+) -> Result<(), Failure> {
+    progress.stage("measuring");
+    let mut object = set.to_json()?;
+    for (key, value) in more {
+        object[key] = value;
+    }
+    progress.stage("writing");
+    options.write(set, output, common)?;
+    drop(progress);
+    if common.json {
+        return print_json(&object);
+    }
+    if output.is_some() {
+        return Ok(());
+    }
+    print_text(&page::of(title, &object))
+}
+
+impl Yin {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        use combine::Operation;
+        match &self.task {
+            Task::Info(verb) => verb.info(common),
+            Task::Complement(verb) => verb.complement(common),
+            Task::Meet(verb) => verb.run(Operation::Meet, common),
+            Task::Join(verb) => verb.run(Operation::Join, common),
+            Task::Difference(verb) => verb.run(Operation::Difference, common),
+            Task::Xor(verb) => verb.run(Operation::Xor, common),
+            Task::Combine(verb) => verb.run(common),
+            Task::Fit(verb) => verb.fit(common),
+            Task::Kinks(verb) => verb.run(common),
+        }
+    }
+}
+
+impl One {
+    fn info(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let progress = Progress::start(common.quiet);
+        let set = self.options.read(&self.input, common, false, &progress)?;
+        let file = vec![("file", Value::from(input::name(&self.input)))];
+        give(&set, &input::name(&self.input), file, &self.options, output, common, progress)
+    }
+
+    fn complement(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let progress = Progress::start(common.quiet);
+        let set = self.options.read(&self.input, common, false, &progress)?;
+        progress.stage("turning inside out");
+        let result = PlanarSet::from_set(set.set().complement()?);
+        give(&result, "Complement", Vec::new(), &self.options, output, common, progress)
+    }
+
+    fn fit(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let progress = Progress::start(common.quiet);
+        let set = self.options.read(&self.input, common, true, &progress)?;
+        give(&set, "Fitted splines", Vec::new(), &self.options, output, common, progress)
+    }
+}

@@ -1,0 +1,407 @@
+//! From what a file says about a boundary to a set.
+
+use crate::arrangement::boolean::{BooleanFormula, InsideRule};
+use crate::io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
+use crate::yin::{Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
+use crate::{Error, ErrorKind};
+
+/// Which knots are kinks.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum KinkRequest {
+    /// None.
+    None,
+    /// All knots.
+    All,
+    /// Those at which the boundary turns by more than this angle, in radians.
+    Detected(f64),
+    /// These.
+    Listed(Vec<KnotIndex>),
+}
+
+/// How a file becomes a set.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct SetRequest {
+    /// The order; that of the file if none is said. Lines stay straight where the order rises.
+    pub order: Option<Order>,
+    /// Fit splines to the knots, instead of taking the curves of the file.
+    pub fit: bool,
+    /// Which winding numbers are inside. Without a rule, curves that cross themselves or each other are refused, unless the file has a
+    /// rule.
+    pub rule: Option<InsideRule>,
+    /// The kinks; those of the file if none are said.
+    pub kinks: Option<KinkRequest>,
+    /// The ends of splines at kinks.
+    pub ends: EndCondition,
+    /// How far chords may be from curves where the order falls to 2, in the unit of the file.
+    pub flatten: Option<f64>,
+    /// Let curves begin at their lowest knots, and come in one order whatever the file's is.
+    pub canonical: bool,
+}
+
+impl Default for SetRequest {
+    fn default() -> Self {
+        Self {
+            order: None,
+            fit: false,
+            rule: None,
+            kinks: None,
+            ends: EndCondition::NotAKnot,
+            flatten: None,
+            canonical: false,
+        }
+    }
+}
+
+/// A set of the plane that a file describes.
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, Format, ReadOptions};
+/// use coface::report::{PlanarSet, SetRequest};
+/// # fn main() -> Result<(), coface::Error> {
+/// let text = b"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))";
+/// let drawing = io::read_boundary(&text[..], Format::Wkt, &ReadOptions::default())?;
+/// let set = PlanarSet::of(&drawing, &SetRequest::default())?;
+/// assert_eq!((set.set().area(), set.set().betti_open()), (Some(80.0), [1, 1]));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct PlanarSet {
+    pub(super) set: YinSet,
+    pub(super) names: Vec<Option<String>>,
+    pub(super) remarks: Vec<String>,
+}
+
+/// A curve with its kinks.
+#[derive(Clone)]
+struct Made {
+    curve: Curve<'static>,
+    kinks: Vec<u32>,
+    /// The names of the kinks, if the file has any.
+    kink_names: Option<Vec<u32>>,
+    name: Option<String>,
+}
+
+impl Made {
+    /// The same with the other side on its left; it begins at the same knot.
+    fn reversed(&self) -> Self {
+        let count = self.curve.piece_count() as u32;
+        Self {
+            curve: self.curve.reversed(),
+            kinks: self.kinks.iter().map(|&kink| (count - kink) % count).collect(),
+            kink_names: self.kink_names.clone(),
+            name: self.name.clone(),
+        }
+    }
+}
+
+impl PlanarSet {
+    /// The set that a drawing describes.
+    ///
+    /// Curves with the set on their left are taken as they are. Of a polygon, the outer ring is turned counterclockwise and the others
+    /// clockwise. Where the file has a rule, what it says is inside. Several polygons are joined.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] with the place at which curves cross or share an arc, naming a point that is not finite, a kink that is
+    /// none of the knots, or curves that would have to be flattened; those of the fit.
+    ///
+    /// # Complexity
+    /// That of an overlay of all curves.
+    pub fn of(drawing: &BoundaryDrawing, request: &SetRequest) -> Result<Self, Error> {
+        drawing.check()?;
+        let order = match (request.order, request.fit) {
+            (Some(order), _) => order,
+            (None, true) => drawing.order().max(Order::CUBIC),
+            (None, false) => drawing.order(),
+        };
+        let mut remarks = drawing.warnings().to_vec();
+        if drawing.is_plane() || drawing.curves().is_empty() {
+            let set = if drawing.is_plane() { YinSet::plane(order) } else { YinSet::empty(order) };
+            check_listed(&set, request.kinks.as_ref())?;
+            return Ok(Self { set, names: Vec::new(), remarks });
+        }
+        let mut made = Vec::with_capacity(drawing.curves().len());
+        for (number, curve) in drawing.curves().iter().enumerate() {
+            let of_curve = make(number, curve, drawing.order(), order, request);
+            made.push(of_curve.map_err(|error| {
+                let error = named(number, &error);
+                curve.line().map_or(error.clone(), |line| error.at_line(line))
+            })?);
+        }
+        let (mut set, names) = combined(drawing, &made, request)?;
+        if set.curve_count() == 0 {
+            remarks.push("the curves bound nothing: the set has no boundary".to_owned());
+        }
+        if let Some(next) = drawing.next_kink_name() {
+            set.reserve_kink_names(next);
+        }
+        match &request.kinks {
+            // Splines are fitted with them already.
+            Some(_) if request.fit => {}
+            None => {}
+            Some(KinkRequest::None) => set = set.with_declared_kinks(Vec::new())?,
+            Some(KinkRequest::All) => {
+                let all = all_knots(&set);
+                set = set.with_declared_kinks(all)?;
+            }
+            Some(KinkRequest::Detected(angle)) => {
+                let found = set.detect_kinks(*angle)?;
+                set = set.with_declared_kinks(found)?;
+            }
+            Some(KinkRequest::Listed(knots)) => set = set.with_declared_kinks(knots.clone())?,
+        }
+        let mut planar = Self { set, names, remarks };
+        if request.canonical {
+            planar = planar.canonical();
+        }
+        Ok(planar)
+    }
+
+    /// A set without names and remarks.
+    pub fn from_set(set: YinSet) -> Self {
+        Self { set, names: Vec::new(), remarks: Vec::new() }
+    }
+
+    /// The same with the curves in canonical order; names go.
+    #[must_use]
+    pub fn canonical(self) -> Self {
+        Self { set: self.set.canonical(), names: Vec::new(), remarks: self.remarks }
+    }
+
+    /// The set.
+    pub fn set(&self) -> &YinSet {
+        &self.set
+    }
+
+    /// The set, to change its kinks: curves stay where they are, and keep their names.
+    pub fn set_mut(&mut self) -> &mut YinSet {
+        &mut self.set
+    }
+
+    /// The name of each curve; none at the end of the list are left out.
+    pub fn names(&self) -> &[Option<String>] {
+        &self.names
+    }
+
+    /// Replaces all kinks, and fits everything between them again.
+    ///
+    /// # Errors
+    /// Those of [`YinSet::reset_all_kinks`]; the set stays as it was then.
+    pub fn reset_kinks(&mut self, request: &KinkRequest) -> Result<(), Error> {
+        let knots = match request {
+            KinkRequest::None => Vec::new(),
+            KinkRequest::All => all_knots(&self.set),
+            KinkRequest::Detected(angle) => self.set.detect_kinks(*angle)?,
+            KinkRequest::Listed(knots) => knots.clone(),
+        };
+        self.set.reset_all_kinks(&knots).map(drop)
+    }
+
+    /// What was changed or passed over: one sentence each.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+}
+
+/// An error of one curve.
+fn named(number: usize, error: &Error) -> Error {
+    let message = error.message();
+    if message.contains("curve") {
+        return error.clone();
+    }
+    let renamed = Error::new(error.kind(), format!("curve {number}: {message}"));
+    match error.cure() {
+        Some(cure) => renamed.with_cure(cure),
+        None => renamed,
+    }
+}
+
+fn check_listed(set: &YinSet, kinks: Option<&KinkRequest>) -> Result<(), Error> {
+    match kinks {
+        Some(KinkRequest::Listed(knots)) if !knots.is_empty() => {
+            set.clone().with_declared_kinks(knots.clone()).map(drop)
+        }
+        _ => Ok(()),
+    }
+}
+
+fn all_knots(set: &YinSet) -> Vec<KnotIndex> {
+    (0..set.curve_count() as u32)
+        .flat_map(|curve| {
+            (0..set.curve(curve as usize).piece_count() as u32).map(move |knot| KnotIndex { curve, knot })
+        })
+        .collect()
+}
+
+/// A curve of the order that is wanted.
+fn make(
+    number: usize,
+    curve: &BoundaryCurve,
+    from: Order,
+    order: Order,
+    request: &SetRequest,
+) -> Result<Made, Error> {
+    let mut kinks = curve.kinks().to_vec();
+    let mut kink_names = curve.kink_names().map(<[u32]>::to_vec);
+    let mut made = if request.fit {
+        if let Some(asked) = &request.kinks {
+            kink_names = None;
+            kinks = match asked {
+                KinkRequest::None => Vec::new(),
+                KinkRequest::All => (0..curve.points().len() as u32).collect(),
+                KinkRequest::Detected(angle) => turning_kinks(curve.points(), *angle)?,
+                KinkRequest::Listed(knots) => {
+                    knots.iter().filter(|at| at.curve as usize == number).map(|at| at.knot).collect()
+                }
+            };
+        }
+        let mut bare = BoundaryCurve::new(curve.points().to_vec());
+        bare.set_kinks(kinks.clone());
+        bare.curve(order, &request.ends)?
+    } else if from > order {
+        let Some(tolerance) = request.flatten else {
+            return Err(Error::invalid(format!("curve {number} is of order {from}, not {order}"))
+                .with_cure("say how far chords may be from it: --flatten LENGTH"));
+        };
+        (kinks, kink_names) = (Vec::new(), None);
+        let mut corners = flattened(&curve.curve(from, &request.ends)?, tolerance)?;
+        corners.push(corners[0]);
+        Curve::polyline(&corners)?
+    } else {
+        curve.curve(from, &request.ends)?
+    };
+    if made.order() < order {
+        // Lines stay lines: they bend at every knot.
+        if from == Order::LINEAR {
+            (kinks, kink_names) = ((0..made.piece_count() as u32).collect(), None);
+        }
+        made = made.raised(order)?;
+    }
+    Ok(Made { curve: made, kinks, kink_names, name: curve.name().map(str::to_owned) })
+}
+
+/// The set of all groups, and the names of its curves.
+fn combined(
+    drawing: &BoundaryDrawing,
+    made: &[Made],
+    request: &SetRequest,
+) -> Result<(YinSet, Vec<Option<String>>), Error> {
+    let turned: Vec<Vec<Made>> = drawing
+        .groups()
+        .iter()
+        .map(|(filling, curves)| turn(*filling, &made[curves.clone()], request.rule))
+        .collect();
+    let mut sets = Vec::with_capacity(turned.len());
+    // Whether no curve was changed so far.
+    let mut are_whole = true;
+    for (number, ((filling, curves), group)) in drawing.groups().iter().zip(&turned).enumerate() {
+        let whole = set_of(group);
+        let is_bounded = whole.as_ref().is_ok_and(YinSet::is_bounded);
+        let set = match (whole, rule_of(*filling, request.rule)) {
+            // What bounds a bounded set on its left is inside by every rule; on the left alone also the unbounded.
+            (Ok(set), None) => Ok(set),
+            (Ok(set), Some(_)) if is_bounded || *filling == Filling::Left => Ok(set),
+            (Err(fault), None) => Err(with_rule_as_cure(&fault)),
+            (_, Some(rule)) => {
+                are_whole = false;
+                let bare: Vec<Curve<'_>> = group.iter().map(|made| made.curve.clone()).collect();
+                YinSet::from_curves(&bare, rule)
+            }
+        };
+        sets.push(set.map_err(|fault| {
+            let error = if turned.len() > 1 { in_polygon(number, &fault) } else { fault };
+            match drawing.curves()[curves.start].line() {
+                Some(line) => error.at_line(line),
+                None => error,
+            }
+        })?);
+    }
+    let names = |turned: Vec<Vec<Made>>| turned.into_iter().flatten().map(|made| made.name).collect();
+    if sets.len() == 1 {
+        let set = sets.pop().expect("there is one");
+        return Ok((set, if are_whole { names(turned) } else { Vec::new() }));
+    }
+    // Sets whose curves bound one together are apart: no knot is lost, and no name.
+    if are_whole {
+        let all: Vec<Made> = turned.iter().flatten().cloned().collect();
+        if let Ok(set) = set_of(&all) {
+            return Ok((set, names(turned)));
+        }
+    }
+    let operands: Vec<&YinSet> = sets.iter().collect();
+    let set = YinSet::combine(&operands, &BooleanFormula::union(operands.len()))?.into_set();
+    Ok((set, Vec::new()))
+}
+
+fn in_polygon(number: usize, fault: &Error) -> Error {
+    let error = Error::new(fault.kind(), format!("polygon {number}: {}", fault.message()));
+    match fault.cure() {
+        Some(cure) => error.with_cure(cure),
+        None => error,
+    }
+}
+
+fn with_rule_as_cure(fault: &Error) -> Error {
+    let error = Error::new(fault.kind(), fault.message());
+    let cure = "repair it by saying what is inside: --rule nonzero, evenodd or positive";
+    match (fault.kind(), fault.cure()) {
+        (ErrorKind::InvalidInput, Some(own)) => error.with_cure(format!("{own}; or {cure}")),
+        (ErrorKind::InvalidInput, None) => error.with_cure(cure),
+        (_, Some(own)) => error.with_cure(own),
+        _ => error,
+    }
+}
+
+/// The rule of a group, if it has one.
+fn rule_of(filling: Filling, asked: Option<InsideRule>) -> Option<InsideRule> {
+    match (filling, asked) {
+        (_, Some(rule)) => Some(rule),
+        (Filling::Stated(rule), None) => Some(rule),
+        _ => None,
+    }
+}
+
+/// The curves of a group turned so that they bound the set on their left, if that is in question.
+fn turn(filling: Filling, curves: &[Made], asked: Option<InsideRule>) -> Vec<Made> {
+    match filling {
+        Filling::Left => curves.to_vec(),
+        Filling::OuterWithoutHoles => curves
+            .iter()
+            .enumerate()
+            .map(|(ring, made)| {
+                let is_positive = made.curve.signed_area() > 0.0;
+                if is_positive == (ring == 0) { made.clone() } else { made.reversed() }
+            })
+            .collect(),
+        Filling::Stated(rule) => {
+            let area: f64 = curves.iter().map(|made| made.curve.signed_area()).sum();
+            // Other rules than the positive one do not ask for directions.
+            if area < 0.0 && asked.unwrap_or(rule) != InsideRule::Positive {
+                curves.iter().map(Made::reversed).collect()
+            } else {
+                curves.to_vec()
+            }
+        }
+    }
+}
+
+/// The set on the left of curves, with their kinks.
+fn set_of(curves: &[Made]) -> Result<YinSet, Error> {
+    let bare: Vec<Curve<'_>> = curves.iter().map(|made| made.curve.clone()).collect();
+    let set = YinSet::new(&bare)?;
+    let mut kinks: Vec<(KnotIndex, Option<u32>)> = Vec::new();
+    for (curve, made) in (0..).zip(curves) {
+        let from = kinks.len();
+        let name = |i: usize| made.kink_names.as_ref().map(|names| names[i]);
+        kinks.extend(made.kinks.iter().enumerate().map(|(i, &knot)| (KnotIndex { curve, knot }, name(i))));
+        kinks[from..].sort_unstable_by_key(|&(at, _)| at);
+    }
+    let knots: Vec<KnotIndex> = kinks.iter().map(|&(at, _)| at).collect();
+    if kinks.iter().all(|(_, name)| name.is_some()) && !kinks.is_empty() {
+        let names: Vec<u32> = kinks.iter().filter_map(|&(_, name)| name).collect();
+        return set.with_named_kinks(knots, names);
+    }
+    set.with_declared_kinks(knots)
+}

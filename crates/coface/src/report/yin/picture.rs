@@ -1,0 +1,350 @@
+//! Pictures of sets as SVG.
+
+use super::PlanarSet;
+use crate::Error;
+use crate::io::yin::flattened;
+use crate::yin::{Curve, Order};
+use std::fmt::Write as _;
+use std::io::Write;
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Picture {
+    /// The set alone, in its own coordinates: the file is read again as the set.
+    #[default]
+    Set,
+    /// The set with its knots, and its kinks with their names.
+    Kinks,
+    /// The set with the numbers of its curves, and the forest of curves in curves beside it.
+    Forest,
+}
+
+/// The side of a panel, in the unit of the picture.
+const SIDE: f64 = 480.0;
+const MARGIN: f64 = 28.0;
+/// So many knots and names are drawn at most.
+const MOST_DOTS: usize = 4000;
+const MOST_NAMES: usize = 200;
+/// Between neighbors of the forest.
+const STEP: f64 = 40.0;
+
+const INK: &str = "#246";
+const FILL: &str = "#9ac";
+const MARK: &str = "#c33";
+
+impl PlanarSet {
+    /// Draws the set as SVG.
+    ///
+    /// [`Picture::Set`] is one path, its numbers the coordinates of the set; browsers show the second axis pointing up. The rest of the plane
+    /// within a frame belongs to a set that is unbounded, and an attribute says so to readers. The others are pictures for the eye.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`](crate::ErrorKind::UnsupportedFormat) for the set alone if its order is above 4;
+    /// [`ErrorKind::Io`](crate::ErrorKind::Io) from the output.
+    ///
+    /// # Complexity
+    /// Linear in the pieces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::report::{Picture, PlanarSet};
+    /// use coface::yin::{Curve, YinSet};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let triangle = Curve::polyline(&[[0., 0.], [4., 0.], [0., 3.], [0., 0.]])?;
+    /// let mut text = Vec::new();
+    /// PlanarSet::from_set(YinSet::new(&[triangle])?).draw(&mut text, Picture::Set)?;
+    /// assert!(String::from_utf8_lossy(&text).contains("d=\"M0 0L4 0L0 3Z\""));
+    /// # Ok(()) }
+    /// ```
+    pub fn draw(&self, mut out: impl Write, picture: Picture) -> Result<(), Error> {
+        let text = match picture {
+            Picture::Set => self.alone()?,
+            Picture::Kinks => self.with_kinks()?,
+            Picture::Forest => self.with_forest()?,
+        };
+        out.write_all(text.as_bytes())?;
+        out.flush()?;
+        Ok(())
+    }
+
+    /// The box that is shown: that of the curves with a margin, wider around what is unbounded.
+    fn frame(&self) -> [[f64; 2]; 2] {
+        let [low, high] = self.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
+        let extent = (high[0] - low[0]).max(high[1] - low[1]);
+        let margin = if self.set.is_bounded() { 0.02 } else { 0.15 } * extent;
+        [low.map(|x| x - margin), high.map(|x| x + margin)]
+    }
+
+    fn alone(&self) -> Result<String, Error> {
+        let [low, high] = self.frame();
+        let size = [high[0] - low[0], high[1] - low[1]];
+        let mut text = String::from("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"");
+        for number in [low[0], low[1], size[0], size[1]] {
+            push(&mut text, number);
+            text.push(' ');
+        }
+        text.pop();
+        let _ = write!(
+            text,
+            "\" fill=\"{FILL}\" stroke=\"{INK}\" stroke-linejoin=\"round\" stroke-width=\""
+        );
+        push(&mut text, (0.002 * size[0].max(size[1])).max(f64::MIN_POSITIVE));
+        text.push_str("\" style=\"transform:scaleY(-1)\">\n");
+        if !self.set.is_empty() {
+            text.push_str("<path ");
+            if !self.set.is_bounded() {
+                text.push_str("data-unbounded=\"true\" ");
+            }
+            text.push_str("d=\"");
+            if !self.set.is_bounded() {
+                for (letter, [x, y]) in
+                    ["M", "L", "L", "L"].into_iter().zip([low, [high[0], low[1]], high, [low[0], high[1]]])
+                {
+                    text.push_str(letter);
+                    push(&mut text, x);
+                    text.push(' ');
+                    push(&mut text, y);
+                }
+                text.push('Z');
+            }
+            for curve in 0..self.set.curve_count() {
+                push_curve(&mut text, &self.set.curve(curve), &|point| point, &push)?;
+            }
+            text.push_str("\"/>\n");
+        }
+        text.push_str("</svg>\n");
+        Ok(text)
+    }
+
+    /// The head of a picture of this size, with the set in a panel.
+    fn panel(&self, width: f64, height: f64, view: &View) -> Result<String, Error> {
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" viewBox=\"0 0 {width:.0} {height:.0}\" \
+             font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{width:.0}\" height=\"{height:.0}\" fill=\"#fff\"/>\n"
+        );
+        let _ = write!(text, "<path fill=\"{FILL}\" stroke=\"{INK}\" stroke-width=\"1\" d=\"");
+        if !self.set.is_bounded() {
+            let [low, high] = self.frame().map(|corner| view.place(corner));
+            let _ = write!(
+                text,
+                "M{:.2} {:.2}L{:.2} {:.2}L{:.2} {:.2}L{:.2} {:.2}Z",
+                low[0], low[1], high[0], low[1], high[0], high[1], low[0], high[1]
+            );
+        }
+        for number in 0..self.set.curve_count() {
+            let curve = self.set.curve(number);
+            let place = |point| view.place(point);
+            if curve.order() > Order::CUBIC {
+                let mut corners = flattened(&curve, 0.1 / view.scale)?;
+                corners.push(corners[0]);
+                push_curve(&mut text, &Curve::polyline(&corners)?, &place, &push_short)?;
+            } else {
+                push_curve(&mut text, &curve, &place, &push_short)?;
+            }
+        }
+        text.push_str("\"/>\n");
+        Ok(text)
+    }
+
+    fn with_kinks(&self) -> Result<String, Error> {
+        let view = View::of(self.frame());
+        let mut text = self.panel(SIDE, SIDE, &view)?;
+        let knots = (0..self.set.curve_count()).map(|curve| self.set.curve(curve).piece_count()).sum::<usize>();
+        if knots <= MOST_DOTS {
+            let _ = writeln!(text, "<g fill=\"{INK}\">");
+            for curve in (0..self.set.curve_count()).map(|curve| self.set.curve(curve)) {
+                for knot in 0..curve.piece_count() {
+                    let [x, y] = view.place(curve.knot_point(knot));
+                    let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"1.5\"/>");
+                }
+            }
+            text.push_str("</g>\n");
+        }
+        let kinks = self.set.kinks();
+        let _ = writeln!(text, "<g fill=\"#fff\" stroke=\"{MARK}\" stroke-width=\"1.5\">");
+        let place = |at: crate::yin::KnotIndex| {
+            view.place(self.set.curve(at.curve as usize).knot_point(at.knot as usize))
+        };
+        for (at, _) in kinks.iter() {
+            let [x, y] = place(at);
+            let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3.5\"/>");
+        }
+        text.push_str("</g>\n");
+        if kinks.len() <= MOST_NAMES {
+            let _ = writeln!(text, "<g fill=\"{MARK}\">");
+            for (at, name) in kinks.iter() {
+                let [x, y] = place(at);
+                let _ = writeln!(text, "<text x=\"{:.2}\" y=\"{:.2}\">{name:?}</text>", x + 5.0, y - 5.0);
+            }
+            text.push_str("</g>\n");
+        }
+        text.push_str("</svg>\n");
+        Ok(text)
+    }
+
+    fn with_forest(&self) -> Result<String, Error> {
+        let view = View::of(self.frame());
+        let count = self.set.curve_count();
+        let forest = self.set.forest();
+        // Places from the left: leaves side by side, others in the middle of what lies in them; the last is what lies in no curve.
+        let mut children: Vec<Vec<usize>> = vec![Vec::new(); count + 1];
+        for curve in 0..count {
+            children[forest.parent(curve).unwrap_or(count)].push(curve);
+        }
+        let mut places = vec![0.0; count + 1];
+        let mut leaf_count = 0.0;
+        let mut stack = vec![(count, false)];
+        while let Some((node, is_done)) = stack.pop() {
+            match (children[node].first(), children[node].last()) {
+                (Some(&first), Some(&last)) if is_done => places[node] = f64::midpoint(places[first], places[last]),
+                (Some(_), _) => {
+                    stack.push((node, true));
+                    stack.extend(children[node].iter().rev().map(|&child| (child, false)));
+                }
+                _ => {
+                    places[node] = leaf_count;
+                    leaf_count += 1.0;
+                }
+            }
+        }
+        let deepest = (0..count).map(|curve| forest.depth(curve) + 1).max().unwrap_or(0);
+        let width = SIDE + (leaf_count * STEP + 2.0 * MARGIN).max(SIDE / 2.0);
+        let height = SIDE.max(deepest as f64 * 64.0 + 3.0 * MARGIN);
+        let left = SIDE + (width - SIDE - (leaf_count - 1.0) * STEP) / 2.0;
+        let node = |node: usize| {
+            let depth = if node == count { 0 } else { forest.depth(node) + 1 };
+            [left + places[node] * STEP, 1.5 * MARGIN + 64.0 * depth as f64]
+        };
+        let mut text = self.panel(width, height, &view)?;
+        let _ = writeln!(text, "<g stroke=\"{INK}\">");
+        for curve in 0..count {
+            let [[x, y], [u, v]] = [node(forest.parent(curve).unwrap_or(count)), node(curve)];
+            let _ = writeln!(text, "<path d=\"M{x:.2} {y:.2}L{u:.2} {v:.2}\"/>");
+        }
+        // What is inside of a positive curve and outside of all that lie in it is in the set.
+        for curve in 0..=count {
+            let [x, y] = node(curve);
+            let is_filled = match curve == count {
+                true => !self.set.is_bounded(),
+                false => (forest.depth(curve) % 2 == 0) == self.set.is_bounded(),
+            };
+            let fill = if is_filled { FILL } else { "#fff" };
+            match curve == count {
+                true => {
+                    let _ = writeln!(
+                        text,
+                        "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"56\" height=\"24\" fill=\"{fill}\"/>",
+                        x - 28.0,
+                        y - 12.0
+                    );
+                }
+                false => {
+                    let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"13\" fill=\"{fill}\"/>");
+                }
+            }
+        }
+        let _ = writeln!(text, "</g>\n<g fill=\"{INK}\" text-anchor=\"middle\">");
+        for curve in 0..=count {
+            let [x, y] = node(curve);
+            let name = if curve == count { "outside".to_owned() } else { curve.to_string() };
+            let _ = writeln!(text, "<text x=\"{x:.2}\" y=\"{:.2}\">{name}</text>", y + 4.0);
+        }
+        text.push_str("</g>\n");
+        if count <= MOST_NAMES {
+            let _ = writeln!(text, "<g fill=\"{MARK}\" font-weight=\"bold\" text-anchor=\"middle\">");
+            for number in 0..count {
+                let [x, y] = view.place(self.set.curve(number).knot_point(0));
+                let _ = writeln!(text, "<text x=\"{x:.2}\" y=\"{:.2}\">{number}</text>", y - 4.0);
+            }
+            text.push_str("</g>\n");
+        }
+        text.push_str("</svg>\n");
+        Ok(text)
+    }
+}
+
+/// How the plane is shown in a panel.
+struct View {
+    low: [f64; 2],
+    scale: f64,
+    offset: [f64; 2],
+}
+
+impl View {
+    fn of([low, high]: [[f64; 2]; 2]) -> Self {
+        let size = [high[0] - low[0], high[1] - low[1]];
+        let largest = size[0].max(size[1]);
+        let scale = if largest > 0.0 { (SIDE - 2.0 * MARGIN) / largest } else { 1.0 };
+        Self { low, scale, offset: size.map(|side| (SIDE - side * scale) / 2.0) }
+    }
+
+    /// The second axis points up.
+    fn place(&self, point: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|axis| self.offset[axis] + (point[axis] - self.low[axis]) * self.scale);
+        [x, SIDE - y]
+    }
+}
+
+fn push(text: &mut String, number: f64) {
+    let size = number.abs();
+    let _ = match size == 0.0 || (1e-5..1e16).contains(&size) {
+        true => write!(text, "{number}"),
+        false => write!(text, "{number:e}"),
+    };
+}
+
+fn push_short(text: &mut String, number: f64) {
+    let _ = write!(text, "{number:.2}");
+}
+
+/// A closed curve as the data of a path: lines, and cubics where it bends.
+fn push_curve(
+    text: &mut String,
+    curve: &Curve<'_>,
+    place: &dyn Fn([f64; 2]) -> [f64; 2],
+    number: &dyn Fn(&mut String, f64),
+) -> Result<(), Error> {
+    let point = |text: &mut String, point: [f64; 2]| {
+        let [x, y] = place(point);
+        number(text, x);
+        text.push(' ');
+        number(text, y);
+    };
+    let count = curve.piece_count();
+    let corners: Vec<[f64; 2]> = (0..=count).map(|knot| curve.knot_point(knot)).collect();
+    // What is straight is so bit for bit.
+    let straight = match curve.order() {
+        Order::LINEAR => None,
+        order => Curve::polyline(&corners).and_then(|line| line.raised(order)).ok(),
+    };
+    text.push('M');
+    point(text, corners[0]);
+    for piece in 0..count {
+        let controls = curve.piece(piece);
+        let is_line = curve.order() == Order::LINEAR
+            || straight.as_ref().is_some_and(|straight| straight.piece(piece) == controls);
+        match (is_line, controls) {
+            // The end of the path draws the last line.
+            (true, _) if piece + 1 == count => {}
+            (true, _) => {
+                text.push('L');
+                point(text, corners[piece + 1]);
+            }
+            (false, &[_, first, second, end]) => {
+                for (letter, control) in ["C", " ", " "].into_iter().zip([first, second, end]) {
+                    text.push_str(letter);
+                    point(text, control);
+                }
+            }
+            _ => {
+                return Err(Error::new(
+                    crate::ErrorKind::UnsupportedFormat,
+                    format!("SVG cannot hold curves of order {}", curve.order()),
+                )
+                .with_cure("say how far chords may be from them: --flatten LENGTH"));
+            }
+        }
+    }
+    text.push('Z');
+    Ok(())
+}
