@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use coface::Error;
 use coface::io::{self, CellData, Format, GroupKind, Model};
-use coface::report::{RepairRequest, repaired, triangulated};
+use coface::report::{PlanarSet, RepairRequest, SetRequest, repaired, triangulated};
 use coface::surface::{FacesAtEdge, MeshRepair};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg, dat
     #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
     to: Option<Format>,
     /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed
@@ -64,6 +64,9 @@ impl Convert {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
         }
         let progress = Progress::start(common.quiet);
+        if let Some(set) = self.planar_set(format, common, &progress)? {
+            return self.write_set(&set, format, common, progress);
+        }
         let mut loaded = input::read(&self.input, common.reading(), &progress)?;
         if self.triangulate {
             progress.stage("subdividing");
@@ -112,6 +115,66 @@ impl Convert {
             return print_json(&object);
         }
         remark_on_repair(repair.as_ref(), common);
+        Ok(())
+    }
+
+    /// The input as a set of the plane, if it is one and the format can hold its curves, or can hold nothing else.
+    fn planar_set(
+        &self,
+        format: Format,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Option<PlanarSet>, Failure> {
+        let keeps_curves = matches!(format, Format::Json | Format::Dat | Format::Svg);
+        let is_plain = !self.triangulate && self.request().is_none() && common.flatten.is_none();
+        if !keeps_curves || !is_plain || self.input.as_os_str() == "-" {
+            return Ok(None);
+        }
+        let name = input::name(&self.input);
+        let drawing = match io::read_boundary_path(&self.input, &common.reading()) {
+            Ok(drawing) => drawing,
+            Err(error) if format == Format::Dat => return Err(error.into()),
+            // Whoever reads models says what is wrong.
+            Err(_) => return Ok(None),
+        };
+        if format != Format::Dat && !matches!(drawing.format(), Some(Format::Json | Format::Dat)) {
+            return Ok(None);
+        }
+        progress.stage("checking");
+        let set = PlanarSet::of(&drawing, &SetRequest::default()).map_err(|error| error.in_file(name))?;
+        Ok(Some(set))
+    }
+
+    fn write_set(
+        &self,
+        set: &PlanarSet,
+        format: Format,
+        common: &Common,
+        progress: Progress,
+    ) -> Result<(), Failure> {
+        let Some(path) = &common.output else {
+            let mut bytes = Vec::new();
+            set.write(&mut bytes, format, None)?;
+            drop(progress);
+            return print_bytes(|out| out.write_all(&bytes));
+        };
+        progress.stage(format!("writing {}", path.display()));
+        io::replace_file(path, |out| set.write(out, format, None))?;
+        drop(progress);
+        if !common.quiet {
+            set.remarks().iter().for_each(|sentence| remark(sentence));
+            if format != Format::Json && !set.set().kinks().is_empty() {
+                remark(&format!("kinks are not kept by {}", format.title()));
+            }
+        }
+        if common.json {
+            return print_json(&json!({
+                "file": input::name(&self.input),
+                "output": path.display().to_string(),
+                "output_format": format.name(),
+                "counts": {"curves": set.set().curve_count(), "kinks": set.set().kinks().len()},
+            }));
+        }
         Ok(())
     }
 

@@ -249,34 +249,41 @@ pub fn write_dat(set: &YinSet, mut out: impl Write) -> Result<(), Error> {
         return Err(Error::new(ErrorKind::UnsupportedFormat, ".dat cannot hold the whole plane")
             .with_cure("write .json"));
     }
-    let count = |number: usize| {
-        i32::try_from(number).map(i32::to_le_bytes).map_err(|_| {
-            Error::new(ErrorKind::TooLarge, ".dat holds at most 2^31 - 1 curves and pieces of each")
-                .with_cure("write .json")
-        })
-    };
-    let mut bytes = count(set.curve_count())?.to_vec();
+    let mut bytes = word(set.curve_count())?.to_vec();
     for curve in (0..set.curve_count()).map(|curve| set.curve(curve)) {
-        bytes.extend(count(2)?);
-        bytes.extend(count(curve.order().value())?);
-        bytes.extend(count(curve.piece_count())?);
-        bytes.extend(curve.knots().iter().flat_map(|knot| knot.to_le_bytes()));
-        for piece in 0..curve.piece_count() {
-            let controls = curve.piece(piece);
-            let length = curve.knots()[piece + 1] - curve.knots()[piece];
-            for axis in 0..2 {
-                let mut bernstein = [0.0; 8];
-                controls.iter().zip(&mut bernstein).for_each(|(point, value)| *value = point[axis]);
-                let power = power_of_bernstein(&bernstein[..controls.len()], length);
-                bytes.extend(power[..controls.len()].iter().flat_map(|x| x.to_le_bytes()));
-            }
-            if bytes.len() >= 1 << 16 {
-                out.write_all(&bytes)?;
-                bytes.clear();
-            }
+        push_curve(&mut bytes, &curve)?;
+        if bytes.len() >= 1 << 16 {
+            out.write_all(&bytes)?;
+            bytes.clear();
         }
     }
     out.write_all(&bytes)?;
     out.flush()?;
+    Ok(())
+}
+
+fn word(number: usize) -> Result<[u8; 4], Error> {
+    i32::try_from(number).map(i32::to_le_bytes).map_err(|_| {
+        Error::new(ErrorKind::TooLarge, ".dat holds at most 2^31 - 1 curves and pieces of each")
+            .with_cure("write .json")
+    })
+}
+
+/// Appends a curve.
+pub(super) fn push_curve(bytes: &mut Vec<u8>, curve: &Curve<'_>) -> Result<(), Error> {
+    for number in [2, curve.order().value(), curve.piece_count()] {
+        bytes.extend(word(number)?);
+    }
+    bytes.extend(curve.knots().iter().flat_map(|knot| knot.to_le_bytes()));
+    for piece in 0..curve.piece_count() {
+        let controls = curve.piece(piece);
+        let length = curve.knots()[piece + 1] - curve.knots()[piece];
+        for axis in 0..2 {
+            let mut bernstein = [0.0; 8];
+            controls.iter().zip(&mut bernstein).for_each(|(point, value)| *value = point[axis]);
+            let power = power_of_bernstein(&bernstein[..controls.len()], length);
+            bytes.extend(power[..controls.len()].iter().flat_map(|x| x.to_le_bytes()));
+        }
+    }
     Ok(())
 }

@@ -47,7 +47,7 @@ impl PlanarSet {
                 vertices.push(vertex.to_u32());
             }
             let area = curve.signed_area();
-            let length = curve.length(tolerance)?;
+            let length = curve.length(tolerance);
             perimeter += length;
             curves.push(json!({
                 "sign": if area < 0.0 { -1 } else { 1 },

@@ -134,23 +134,20 @@ impl PlanarSet {
         if set.curve_count() == 0 {
             remarks.push("the curves bound nothing: the set has no boundary".to_owned());
         }
-        if let Some(next) = drawing.next_kink_name() {
-            set.reserve_kink_names(next);
-        }
+        set.set_ends(&request.ends);
         match &request.kinks {
             // Splines are fitted with them already.
-            Some(_) if request.fit => {}
-            None => {}
-            Some(KinkRequest::None) => set = set.with_declared_kinks(Vec::new())?,
-            Some(KinkRequest::All) => {
-                let all = all_knots(&set);
-                set = set.with_declared_kinks(all)?;
+            Some(asked) if !request.fit => {
+                let knots = knots_of(&set, asked)?;
+                set = set.with_declared_kinks(&knots, None, None)?;
             }
-            Some(KinkRequest::Detected(angle)) => {
-                let found = set.detect_kinks(*angle)?;
-                set = set.with_declared_kinks(found)?;
+            _ => {
+                if let Some(next) = drawing.next_kink_name() {
+                    let kinks: (Vec<KnotIndex>, Vec<u32>) =
+                        set.kinks().iter().map(|(at, vertex)| (at, vertex.to_u32())).unzip();
+                    set = set.with_declared_kinks(&kinks.0, Some(&kinks.1), Some(next))?;
+                }
             }
-            Some(KinkRequest::Listed(knots)) => set = set.with_declared_kinks(knots.clone())?,
         }
         let mut planar = Self { set, names, remarks };
         if request.canonical {
@@ -190,12 +187,7 @@ impl PlanarSet {
     /// # Errors
     /// Those of [`YinSet::reset_all_kinks`]; the set stays as it was then.
     pub fn reset_kinks(&mut self, request: &KinkRequest) -> Result<(), Error> {
-        let knots = match request {
-            KinkRequest::None => Vec::new(),
-            KinkRequest::All => all_knots(&self.set),
-            KinkRequest::Detected(angle) => self.set.detect_kinks(*angle)?,
-            KinkRequest::Listed(knots) => knots.clone(),
-        };
+        let knots = knots_of(&self.set, request)?;
         self.set.reset_all_kinks(&knots).map(drop)
     }
 
@@ -221,18 +213,25 @@ fn named(number: usize, error: &Error) -> Error {
 fn check_listed(set: &YinSet, kinks: Option<&KinkRequest>) -> Result<(), Error> {
     match kinks {
         Some(KinkRequest::Listed(knots)) if !knots.is_empty() => {
-            set.clone().with_declared_kinks(knots.clone()).map(drop)
+            set.clone().with_declared_kinks(knots, None, None).map(drop)
         }
         _ => Ok(()),
     }
 }
 
-fn all_knots(set: &YinSet) -> Vec<KnotIndex> {
-    (0..set.curve_count() as u32)
-        .flat_map(|curve| {
-            (0..set.curve(curve as usize).piece_count() as u32).map(move |knot| KnotIndex { curve, knot })
-        })
-        .collect()
+/// The knots of a set that are asked for.
+fn knots_of(set: &YinSet, request: &KinkRequest) -> Result<Vec<KnotIndex>, Error> {
+    Ok(match request {
+        KinkRequest::None => Vec::new(),
+        KinkRequest::All => (0..set.curve_count() as u32)
+            .flat_map(|curve| {
+                let count = set.curve(curve as usize).piece_count() as u32;
+                (0..count).map(move |knot| KnotIndex { curve, knot })
+            })
+            .collect(),
+        KinkRequest::Detected(angle) => set.detect_kinks(*angle)?,
+        KinkRequest::Listed(knots) => knots.clone(),
+    })
 }
 
 /// A curve of the order that is wanted.
@@ -306,8 +305,9 @@ fn combined(
             (Err(fault), None) => Err(with_rule_as_cure(&fault)),
             (_, Some(rule)) => {
                 are_whole = false;
-                let bare: Vec<Curve<'_>> = group.iter().map(|made| made.curve.clone()).collect();
-                YinSet::from_curves(&bare, rule)
+                let curves: Vec<(Curve<'_>, Vec<u32>)> =
+                    group.iter().map(|made| (made.curve.clone(), made.kinks.clone())).collect();
+                YinSet::by_rule(&curves, rule)
             }
         };
         sets.push(set.map_err(|fault| {
@@ -399,9 +399,6 @@ fn set_of(curves: &[Made]) -> Result<YinSet, Error> {
         kinks[from..].sort_unstable_by_key(|&(at, _)| at);
     }
     let knots: Vec<KnotIndex> = kinks.iter().map(|&(at, _)| at).collect();
-    if kinks.iter().all(|(_, name)| name.is_some()) && !kinks.is_empty() {
-        let names: Vec<u32> = kinks.iter().filter_map(|&(_, name)| name).collect();
-        return set.with_named_kinks(knots, names);
-    }
-    set.with_declared_kinks(knots)
+    let names: Option<Vec<u32>> = kinks.iter().map(|&(_, name)| name).collect();
+    set.with_declared_kinks(&knots, names.as_deref(), None)
 }
