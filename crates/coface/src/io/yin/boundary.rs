@@ -9,6 +9,9 @@ use crate::yin::{Curve, EndCondition, Order};
 use crate::{Error, ErrorKind};
 use std::ops::Range;
 
+/// The highest name that a kink may have: as many are left for those to come.
+const HIGHEST_NAME: u32 = 1 << 31;
+
 /// What is inside of some closed curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Filling {
@@ -230,6 +233,11 @@ impl BoundaryDrawing {
         if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(Error::invalid(format!("two kinks have the name {}", pair[0]))
                 .with_cure("give each kink a name of its own"));
+        }
+        let highest = names.last().copied().max(self.next_kink_name);
+        if let Some(highest) = highest.filter(|&highest| highest > HIGHEST_NAME) {
+            return Err(Error::new(ErrorKind::TooLarge, format!("the name {highest} of a kink is above 2^31"))
+                .with_cure("number kinks from 0"));
         }
         if let (Some(next), Some(&largest)) = (self.next_kink_name, names.last())
             && next <= largest

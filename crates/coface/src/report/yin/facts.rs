@@ -105,6 +105,8 @@ impl PlanarSet {
             "assumed": match decision.assumption {
                 Assumption::SamePoint => "the same point",
                 Assumption::SameArc => "the same arc",
+                Assumption::ArcOrder => "the order of arcs at a point",
+                Assumption::SmallCurve => "a curve too small to be kept",
             },
         })
     }

@@ -5,6 +5,7 @@ mod combination;
 mod curved;
 mod linear;
 mod outline;
+mod repair;
 
 pub use algebra::Normalized;
 pub(in crate::yin) use algebra::unsupported;

@@ -8,6 +8,7 @@
 //! * At order 2 kinks are names of knots and change no polynomial.
 
 mod apartness;
+mod declaration;
 mod detection;
 mod edits;
 mod fitting;

@@ -45,6 +45,22 @@ impl Kinks {
         }
     }
 
+    /// Kinks at knots that rise, with names of which none is twice; `next_name` is not below what they leave free.
+    pub(super) fn named(by_knot: Vec<(KnotIndex, u32)>, next_name: Option<u32>) -> Self {
+        let free = by_knot.iter().map(|&(_, name)| name + 1).max().unwrap_or(0);
+        Self {
+            by_name: by_knot.iter().map(|&(knot, name)| (name, knot)).collect(),
+            by_knot: by_knot.into_iter().collect(),
+            next_name: next_name.unwrap_or(0).max(free),
+            pieces: SmoothPieces::default(),
+        }
+    }
+
+    /// The first name that no kink ever had.
+    pub fn next_name(&self) -> u32 {
+        self.next_name
+    }
+
     /// The number of kinks.
     pub fn len(&self) -> usize {
         self.by_knot.len()

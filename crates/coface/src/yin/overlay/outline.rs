@@ -50,6 +50,18 @@ impl CurvedOverlay<'_> {
     ) -> Result<Combination, Error> {
         let is_unbounded: Vec<bool> = sets.iter().map(|set| !set.is_bounded()).collect();
         self.check_regions(&is_unbounded)?;
+        self.select_faces(sets, condition)
+    }
+
+    /// The same for curves that may cross and overlap within a set.
+    ///
+    /// # Errors
+    /// If a curve of the result cannot be told.
+    pub(in crate::yin) fn select_faces(
+        self,
+        sets: &[&YinSet],
+        condition: impl Fn(&[(u32, i32)]) -> bool,
+    ) -> Result<Combination, Error> {
         let is_inside = self.cells.faces_where(condition);
         let traced = self.cells.trace(&is_inside, |_| false);
         let rings: Vec<u32> = (0..traced.starts.len() as u32 - 1).collect();
