@@ -279,7 +279,8 @@ fn json_keeps_every_bit() {
     assert_eq!(value["curves"], yin(&["info", argument(&paths[0]), "-o", argument(&paths[1])])["curves"]);
     assert_eq!(bytes(&paths[0]), bytes(&paths[1]));
     let read: Value = serde_json::from_slice(&bytes(&paths[0])).unwrap();
-    assert_eq!(read["curves"][0]["controls"][1], json!([0.0, 2.1]));
+    let controls = read["curves"][0]["controls"].as_array().unwrap();
+    assert!(controls.contains(&json!([0, 2.1])) || controls.contains(&json!([0.0, 2.1])), "{read}");
 }
 
 #[test]
@@ -305,9 +306,9 @@ fn binary_curves_are_read_and_written() {
         assert_eq!(yin(&["info", argument(&complement)])["bounded"], json!(false));
         for (from, to, message) in [
             (0, &[0xff, 0xff, 0xff, 0x7f][..], "the file ends before"),
-            (0, &[0xff, 0xff, 0xff, 0xff], "binary data of another kind"),
-            (4, &[3, 0, 0, 0], "binary data of another kind"),
-            (8, &[5, 0, 0, 0], "binary data of another kind"),
+            (0, &[0xff, 0xff, 0xff, 0xff], "the name says binary curves"),
+            (4, &[3, 0, 0, 0], "the name says binary curves"),
+            (8, &[5, 0, 0, 0], "the name says binary curves"),
             (12, &[0xff, 0xff, 0xff, 0x7f], "are left"),
             (16 + 8, &f64::NAN.to_le_bytes(), "not finite"),
             (16 + 8, &(-1f64).to_le_bytes(), "not above"),
@@ -510,11 +511,13 @@ fn kinks_come_and_go() {
     assert_eq!((&value["order"], &value["kinks"]), (&json!(4), &json!(0)));
     let sharp = folder.path().join("sharp.json");
     let value = yin(&["fit", argument(&path), "--kinks", "detect:30", "-o", argument(&sharp)]);
-    assert_eq!((&value["curves"][0]["kinks"], &value["area"]), (&json!([0, 2, 4, 6]), &json!(9.0)));
+    let is_square = |value: &Value| (value["area"].as_f64().unwrap() - 9.0).abs() < 1e-14;
+    assert_eq!(value["curves"][0]["kinks"], json!([0, 2, 4, 6]));
+    assert!(is_square(&value), "{value}");
     // One kink after the other is the same as all at once.
     let edited = folder.path().join("edited.json");
     yin(&["kinks", argument(&smooth), "--insert", "0:0", "--insert", "0:2,0:4,0:6", "-o", argument(&edited)]);
-    assert_eq!(yin(&["info", argument(&edited)])["area"], json!(9.0));
+    assert!(is_square(&yin(&["info", argument(&edited)])));
     let back = folder.path().join("back.json");
     yin(&["kinks", argument(&edited), "--erase", "0,1,2,3", "-o", argument(&back)]);
     let [a, b]: [Value; 2] =
@@ -538,6 +541,33 @@ fn kinks_come_and_go() {
         assert!(text.contains(message), "{options:?}: {text}");
         assert!(!output.exists());
     }
+}
+
+#[test]
+fn cells_add_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(&folder, "a.json", &curves(2, &[&[[0., 0.], [2., 0.], [0., 2.]]]));
+    let table = folder.path().join("cells.csv");
+    let value = yin(&["cut-cells", argument(&path), "--grid", "2", "-o", argument(&table)]);
+    assert_eq!(
+        [&value["full"], &value["cut"], &value["empty"], &value["area"], &value["area_of_set"]],
+        [&json!(1), &json!(2), &json!(1), &json!(2.0), &json!(2.0)]
+    );
+    let table = std::fs::read_to_string(&table).unwrap();
+    assert!(table.starts_with("column,row,coverage,area,length\n0,0,full,1.0,2.0\n1,0,cut,0.5,"), "{table}");
+    let disk = file(&folder, "b.svg", "<svg xmlns='http://www.w3.org/2000/svg'><circle cx='.5' cy='.5' r='.25'/></svg>");
+    let cells = folder.path().join("cells.json");
+    let grid = ["--origin", "0,0", "--spacing", "0.0625", "--grid", "16x16"];
+    let value = yin(&[&["cut-cells", argument(&disk), "-o", argument(&cells)], &grid[..]].concat());
+    for (cells, set) in [("area", "area_of_set"), ("length", "perimeter_of_set")] {
+        let difference = value[cells].as_f64().unwrap() - value[set].as_f64().unwrap();
+        assert!(difference.abs() < 1e-13, "{cells}: {difference}");
+    }
+    let cells: Value = serde_json::from_slice(&std::fs::read(&cells).unwrap()).unwrap();
+    let sum: f64 = cells["cells"].as_array().unwrap().iter().map(|cell| cell["area"].as_f64().unwrap()).sum();
+    assert!((sum - value["area"].as_f64().unwrap()).abs() < 1e-13);
+    assert!(fails(&["cut-cells", argument(&path), "--spacing", "0"]).contains("positive"));
+    assert!(fails(&["cut-cells", argument(&path), "-o", "cells.svg"]).contains(".csv"));
 }
 
 #[test]
@@ -570,7 +600,7 @@ fn what_is_no_set_is_refused_with_the_place() {
         ("bow.json", curves(2, &[&[[0., 0.], [2., 2.], [2., 0.], [0., 2.]]]), "(1, 1)"),
         ("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))".to_owned(), "(1, 1)"),
         ("cross.json", curves(2, &[&square(0., 0., 2.), &square(1., 1., 2.)]), "cross"),
-        ("twice.json", curves(2, &[&[[0., 0.], [1., 0.], [1., 0.], [0., 1.]]]), "knot 2 is not above"),
+        ("twice.json", curves(2, &[&[[0., 0.], [1., 0.], [1., 0.], [0., 1.]]]), "points 1 and 2"),
         ("closed.json", curves(2, &[&[[0., 0.], [1., 0.], [0., 1.], [0., 0.]]]), "first point again"),
         ("nested.json", curves(2, &[&square(0., 0., 4.), &square(1., 1., 1.)]), "orientation"),
         ("few.json", curves(2, &[&[[0., 0.], [1., 0.]]]), "curve 0"),

@@ -1,6 +1,7 @@
 //! `coface yin`: sets of the plane with smooth boundaries and kinks.
 
 mod combine;
+mod cut_cells;
 mod edit;
 mod page;
 
@@ -55,6 +56,7 @@ enum Task {
     Fit(One),
     /// The kinks of a set: list, insert, erase or reset them; what lies beside them is fitted again
     Kinks(edit::Kinks),
+    CutCells(cut_cells::Cells),
 }
 
 /// A verb of one set.
@@ -149,6 +151,15 @@ fn knot(text: &str) -> Result<KnotIndex, String> {
     match (curve.trim().parse(), knot.trim().parse()) {
         (Ok(curve), Ok(knot)) => Ok(KnotIndex { curve, knot }),
         _ => Err(format!("\"{text}\" is no knot: write CURVE:KNOT, both numbered from 0")),
+    }
+}
+
+/// Two numbers with a comma between.
+fn pair(text: &str) -> Result<[f64; 2], String> {
+    let number = |word: &str| word.trim().parse().ok().filter(|x: &f64| x.is_finite());
+    match text.split_once(',').map(|(x, y)| (number(x), number(y))) {
+        Some((Some(x), Some(y))) => Ok([x, y]),
+        _ => Err(format!("\"{text}\" are no two numbers: write X,Y")),
     }
 }
 
@@ -257,6 +268,7 @@ impl Yin {
             Task::Combine(verb) => verb.run(common),
             Task::Fit(verb) => verb.fit(common),
             Task::Kinks(verb) => verb.run(common),
+            Task::CutCells(verb) => verb.run(common),
         }
     }
 }
