@@ -98,7 +98,14 @@ fn the_report_has_the_keys_of_the_contract() {
         .unwrap()
         .iter()
         .map(|curve| {
-            json!([curve["sign"], curve["area"], curve["knots"], curve["kinks"], curve["parent"], curve["depth"]])
+            json!([
+                curve["sign"],
+                curve["area"],
+                curve["knots"],
+                curve["kinks"],
+                curve["parent"],
+                curve["depth"]
+            ])
         })
         .collect();
     assert_eq!(
@@ -144,7 +151,10 @@ fn the_trivial_sets_are_told_apart() {
     let complement = yin(&["complement", square, "-o", argument(&outside)]);
     assert_eq!(kind(&complement), (false, false, false));
     assert_eq!((&complement["area"], &complement["perimeter"]), (&json!(null), &json!(4.0)));
-    assert_eq!((&complement["curves"][0]["sign"], &complement["curves"][0]["area"]), (&json!(-1), &json!(-1.0)));
+    assert_eq!(
+        (&complement["curves"][0]["sign"], &complement["curves"][0]["area"]),
+        (&json!(-1), &json!(-1.0))
+    );
     is_plane(&yin(&["join", argument(&outside), square]));
     is_empty(&yin(&["meet", argument(&outside), square]));
     for (set, check) in [(empty, &is_empty as &dyn Fn(&Value)), (plane, &is_plane)] {
@@ -249,11 +259,15 @@ fn json_keeps_every_bit() {
         .map(|i| f64::from(i) * std::f64::consts::TAU / 12.0)
         .map(|t| [0.1 + t.cos() * 1.7, -1e-7 + t.sin() / 3.0])
         .collect();
-    let text = json!({"order": 4, "curves": [{"points": ring, "kinks": [2, 7], "name": "leaf \"a\""}]}).to_string();
+    let text =
+        json!({"order": 4, "curves": [{"points": ring, "kinks": [2, 7], "name": "leaf \"a\""}]}).to_string();
     let first = file(&folder, "first.json", &text);
     let paths: Vec<PathBuf> = (0..4).map(|i| folder.path().join(format!("{i}.json"))).collect();
     let value = yin(&["info", argument(&first), "-o", argument(&paths[0])]);
-    assert_eq!((&value["curves"][0]["kinks"], &value["curves"][0]["name"]), (&json!([2, 7]), &json!("leaf \"a\"")));
+    assert_eq!(
+        (&value["curves"][0]["kinks"], &value["curves"][0]["name"]),
+        (&json!([2, 7]), &json!("leaf \"a\""))
+    );
     yin(&["info", argument(&paths[0]), "-o", argument(&paths[1])]);
     let bytes = |path: &Path| std::fs::read(path).unwrap();
     assert_eq!(bytes(&paths[0]), bytes(&paths[1]));
@@ -291,7 +305,8 @@ fn binary_curves_are_read_and_written() {
         .map(|t| [3.0 + t.cos(), 2.0 + t.sin()])
         .collect();
     for order in [2, 4] {
-        let json = file(&folder, "a.json", &json!({"order": order, "curves": [{"points": ring}]}).to_string());
+        let json =
+            file(&folder, "a.json", &json!({"order": order, "curves": [{"points": ring}]}).to_string());
         let [dat, again] = ["a.dat", "b.dat"].map(|name| folder.path().join(name));
         let value = yin(&["info", argument(&json), "-o", argument(&dat)]);
         let bytes = std::fs::read(&dat).unwrap();
@@ -400,7 +415,11 @@ fn the_spadjors_of_the_reference_tests_have_their_complements() {
         assert_eq!((&value["bounded"], &value["curve_counts"]), (&json!(bounded), &json!(counts)), "{id}");
         let value = yin(&["complement", argument(&path)]);
         assert!(is_near(&areas(&value), complement_areas, 0.0), "{id}: {:?}", areas(&value));
-        assert_eq!((&value["bounded"], &value["curve_counts"]), (&json!(!bounded), &json!(complement)), "{id}");
+        assert_eq!(
+            (&value["bounded"], &value["curve_counts"]),
+            (&json!(!bounded), &json!(complement)),
+            "{id}"
+        );
     }
     let pinched = yin(&["info", argument(&path("spadjor-11.input", [0., 0.]))]);
     assert_eq!((&pinched["betti_open"], &pinched["betti_closed"]), (&json!([1, 0]), &json!([1, 1])));
@@ -459,9 +478,30 @@ fn panda_and_mickey_have_their_areas_and_counts() {
         value["curves"].as_array().unwrap().iter().map(|curve| curve["depth"].as_u64().unwrap()).collect();
     assert_eq!([0, 1, 2, 3, 4].map(|depth| depths.iter().filter(|&&d| d == depth).count()), [1, 2, 4, 2, 1]);
     for (shift, expected) in [
-        (-1., [("meet", 3.65915098097378, [5, 0]), ("join", 13.7387885618784, [6, 11]), ("difference", 5.92733233145, [13, 2])]),
-        (0., [("meet", 3.87856540970183, [14, 2]), ("join", 13.5193741331503, [1, 13]), ("difference", 5.70791790272, [17, 0])]),
-        (1., [("meet", 1.85918172228191, [15, 1]), ("join", 15.5387578205703, [2, 16]), ("difference", 7.72730159014, [13, 1])]),
+        (
+            -1.,
+            [
+                ("meet", 3.65915098097378, [5, 0]),
+                ("join", 13.7387885618784, [6, 11]),
+                ("difference", 5.92733233145, [13, 2]),
+            ],
+        ),
+        (
+            0.,
+            [
+                ("meet", 3.87856540970183, [14, 2]),
+                ("join", 13.5193741331503, [1, 13]),
+                ("difference", 5.70791790272, [17, 0]),
+            ],
+        ),
+        (
+            1.,
+            [
+                ("meet", 1.85918172228191, [15, 1]),
+                ("join", 15.5387578205703, [2, 16]),
+                ("difference", 7.72730159014, [13, 1]),
+            ],
+        ),
     ] {
         let mickey = path("mickey.input", [shift, 0.]);
         for (verb, area, counts) in expected {
@@ -494,7 +534,8 @@ fn formulas_combine_any_number() {
     let value = yin(&["meet", names[0], names[1], "--provenance", argument(&sources)]);
     assert_eq!((&value["area"], &value["uncertified"]), (&json!(1.0), &json!([])));
     let sources: Value = serde_json::from_slice(&std::fs::read(&sources).unwrap()).unwrap();
-    let operands: Vec<u64> = sources["sources"][0].as_array().unwrap().iter().map(|s| s[0].as_u64().unwrap()).collect();
+    let operands: Vec<u64> =
+        sources["sources"][0].as_array().unwrap().iter().map(|s| s[0].as_u64().unwrap()).collect();
     assert_eq!(operands.iter().filter(|&&operand| operand == 0).count(), 2, "{sources}");
 }
 
@@ -555,7 +596,11 @@ fn cells_add_up() {
     );
     let table = std::fs::read_to_string(&table).unwrap();
     assert!(table.starts_with("column,row,coverage,area,length\n0,0,full,1.0,2.0\n1,0,cut,0.5,"), "{table}");
-    let disk = file(&folder, "b.svg", "<svg xmlns='http://www.w3.org/2000/svg'><circle cx='.5' cy='.5' r='.25'/></svg>");
+    let disk = file(
+        &folder,
+        "b.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg'><circle cx='.5' cy='.5' r='.25'/></svg>",
+    );
     let cells = folder.path().join("cells.json");
     let grid = ["--origin", "0,0", "--spacing", "0.0625", "--grid", "16x16"];
     let value = yin(&[&["cut-cells", argument(&disk), "-o", argument(&cells)], &grid[..]].concat());
@@ -605,13 +650,21 @@ fn what_is_no_set_is_refused_with_the_place() {
         ("nested.json", curves(2, &[&square(0., 0., 4.), &square(1., 1., 1.)]), "orientation"),
         ("few.json", curves(2, &[&[[0., 0.], [1., 0.]]]), "curve 0"),
         ("one.json", curves(2, &[&[[0., 0.]]]), "curve 0 has 1 points"),
-        ("kink.json", "{\"curves\":[{\"points\":[[0,0],[1,0],[0,1]],\"kinks\":[3]}]}".to_owned(), "kink 3 of curve 0"),
+        (
+            "kink.json",
+            "{\"curves\":[{\"points\":[[0,0],[1,0],[0,1]],\"kinks\":[3]}]}".to_owned(),
+            "kink 3 of curve 0",
+        ),
         ("again.json", "{\"curves\":[{\"points\":[[0,0],[1,0],[0,1]],\"kinks\":[1,1]}]}".to_owned(), "twice"),
         ("minus.json", "{\"curves\":[{\"points\":[[0,0],[1,0],[0,1]],\"kinks\":[-1]}]}".to_owned(), "is -1"),
         ("nan.json", "{\"curves\":[{\"points\":[[0,0],[1,NaN],[0,1]]}]}".to_owned(), "line 1"),
         ("null.json", "{\"curves\":[{\"points\":[[0,0],[1,null],[0,1]]}]}".to_owned(), "null"),
         ("huge.json", "{\"curves\":[{\"points\":[[0,0],[1,1e999],[0,1]]}]}".to_owned(), "out of range"),
-        ("three.json", "{\"curves\":[{\"points\":[[0,0,0],[1,0,0],[0,1,0]]}]}".to_owned(), "has 3 coordinates"),
+        (
+            "three.json",
+            "{\"curves\":[{\"points\":[[0,0,0],[1,0,0],[0,1,0]]}]}".to_owned(),
+            "has 3 coordinates",
+        ),
         ("order.json", "{\"order\":3,\"curves\":[{\"points\":[[0,0],[1,0],[0,1]]}]}".to_owned(), "order 3"),
         ("none.json", "{\"order\":2}".to_owned(), "curves"),
         ("both.json", "{\"plane\":true,\"curves\":[{\"points\":[[0,0],[1,0],[0,1]]}]}".to_owned(), "plane"),

@@ -243,7 +243,10 @@ pub fn read_boundary(
 /// assert!(io::read_boundary_with(&b"{\"plane\": true}"[..], &ReadOptions::default())?.is_plane());
 /// # Ok(()) }
 /// ```
-pub fn read_boundary_with(mut input: impl Read, options: &ReadOptions) -> Result<yin::BoundaryDrawing, Error> {
+pub fn read_boundary_with(
+    mut input: impl Read,
+    options: &ReadOptions,
+) -> Result<yin::BoundaryDrawing, Error> {
     options.check()?;
     let (start, whole) = start_of(&mut input)?;
     let format = match options.format {
@@ -306,8 +309,10 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::GeoJson => geojson::write(model, out),
         Format::Wkt => wkt::write(model, out),
         Format::Svg => svg::write(model, out),
-        Format::Dat => Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
-            .with_cure("write it by coface yin, which makes a set of polygons")),
+        Format::Dat => {
+            Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
+                .with_cure("write it by coface yin, which makes a set of polygons"))
+        }
     }
 }
 

@@ -74,7 +74,8 @@ impl Several {
                 text::count(decisions.len(), "decision")
             ));
         }
-        let files: Vec<String> = self.inputs.iter().map(|path: &PathBuf| input::name(Path::new(path))).collect();
+        let files: Vec<String> =
+            self.inputs.iter().map(|path: &PathBuf| input::name(Path::new(path))).collect();
         let more = vec![("files", json!(files)), ("uncertified", Value::from(decisions))];
         let result = PlanarSet::from_set(combination.into_set());
         give(&result, title, more, options, output, common, progress)

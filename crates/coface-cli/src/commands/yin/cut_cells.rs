@@ -56,7 +56,8 @@ fn size(text: &str) -> Result<[f64; 2], String> {
 
 impl Cells {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let is_table = |path: &Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+        let is_table =
+            |path: &Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
         if let Some(path) = common.output.as_deref().filter(|path| !is_table(path) && !is_json(path)) {
             return Err(Failure::new(format!("{}: cells are written as .csv or .json", path.display())));
         }
@@ -129,17 +130,19 @@ fn rows<'a>(
     cells: &'a CutCells<'_>,
     [columns, row_count]: [usize; 2],
 ) -> impl Iterator<Item = (usize, usize, &'static str, f64, f64)> + 'a {
-    (0..row_count).flat_map(move |row| (0..columns).map(move |column| (column, row))).filter_map(|(column, row)| {
-        let cell = cells.cell(column, row);
-        let length = cell.map_or(0.0, |cell| cell.length());
-        let coverage = match cells.coverage(column, row) {
-            Coverage::Full => "full",
-            Coverage::Cut => "cut",
-            Coverage::Empty if cell.is_none() => return None,
-            Coverage::Empty => "empty",
-        };
-        Some((column, row, coverage, cells.area(column, row), length))
-    })
+    (0..row_count).flat_map(move |row| (0..columns).map(move |column| (column, row))).filter_map(
+        |(column, row)| {
+            let cell = cells.cell(column, row);
+            let length = cell.map_or(0.0, |cell| cell.length());
+            let coverage = match cells.coverage(column, row) {
+                Coverage::Full => "full",
+                Coverage::Cut => "cut",
+                Coverage::Empty if cell.is_none() => return None,
+                Coverage::Empty => "empty",
+            };
+            Some((column, row, coverage, cells.area(column, row), length))
+        },
+    )
 }
 
 fn page(object: &Value) -> String {
@@ -149,8 +152,16 @@ fn page(object: &Value) -> String {
         ("full cells", whole("full"), String::new()),
         ("cut cells", whole("cut"), String::new()),
         ("empty cells", whole("empty"), String::new()),
-        ("area", real(&object["area"]), format!("of the set in the grid; of all {}", real(&object["area_of_set"]))),
-        ("length", real(&object["length"]), format!("of the boundary; of all {}", real(&object["perimeter_of_set"]))),
+        (
+            "area",
+            real(&object["area"]),
+            format!("of the set in the grid; of all {}", real(&object["area_of_set"])),
+        ),
+        (
+            "length",
+            real(&object["length"]),
+            format!("of the boundary; of all {}", real(&object["perimeter_of_set"])),
+        ),
     ];
     let facts: Vec<(String, String, String)> =
         facts.into_iter().map(|(label, value, gloss)| (label.to_owned(), value, gloss)).collect();

@@ -142,7 +142,11 @@ fn kinks(text: &str) -> Result<KinkRequest, String> {
             None => Err(format!("\"{degrees}\" is no angle between 0 and 180 degrees")),
         };
     }
-    text.split([',', ' ']).filter(|word| !word.is_empty()).map(knot).collect::<Result<_, _>>().map(KinkRequest::Listed)
+    text.split([',', ' '])
+        .filter(|word| !word.is_empty())
+        .map(knot)
+        .collect::<Result<_, _>>()
+        .map(KinkRequest::Listed)
 }
 
 /// A knot as `curve:knot`, or as the knot of curve 0.
@@ -179,7 +183,13 @@ impl SetOptions {
     }
 
     /// Reads a file as these options say.
-    fn read(&self, path: &Path, common: &Common, fit: bool, progress: &Progress) -> Result<PlanarSet, Failure> {
+    fn read(
+        &self,
+        path: &Path,
+        common: &Common,
+        fit: bool,
+        progress: &Progress,
+    ) -> Result<PlanarSet, Failure> {
         let mut request = self.request(common);
         request.fit = fit;
         let name = input::name(path);
@@ -213,14 +223,20 @@ impl SetOptions {
         Ok(output)
     }
 
-    fn write(&self, set: &PlanarSet, output: Option<(&Path, Format)>, common: &Common) -> Result<(), Failure> {
+    fn write(
+        &self,
+        set: &PlanarSet,
+        output: Option<(&Path, Format)>,
+        common: &Common,
+    ) -> Result<(), Failure> {
         let Some((path, format)) = output else { return Ok(()) };
         replace_file(path, |out| match self.picture {
             Shown::Set => set.write(out, format, common.flatten),
             Shown::Kinks => set.draw(out, Picture::Kinks),
             Shown::Forest => set.draw(out, Picture::Forest),
         })?;
-        let is_lost = !matches!(format, Format::Json) && self.picture == Shown::Set && !set.set().kinks().is_empty();
+        let is_lost =
+            !matches!(format, Format::Json) && self.picture == Shown::Set && !set.set().kinks().is_empty();
         if is_lost && !common.quiet {
             remark(&format!("kinks are not kept by {}", format.title()));
         }

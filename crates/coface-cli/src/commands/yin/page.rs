@@ -33,7 +33,11 @@ pub(super) fn of(title: &str, object: &Value) -> String {
     }
     fact("perimeter", text::number(object["perimeter"].as_f64().unwrap_or(0.0)), "");
     let (open, closed) = (pair("betti_open"), pair("betti_closed"));
-    fact("components", text::grouped(open[0]), "of the open set: parts that touch in points only are different ones");
+    fact(
+        "components",
+        text::grouped(open[0]),
+        "of the open set: parts that touch in points only are different ones",
+    );
     fact("holes", text::grouped(open[1]), "of the open set: its first Betti number");
     if open != closed {
         let value = format!("{}, {}", text::grouped(closed[0]), text::grouped(closed[1]));
@@ -41,7 +45,8 @@ pub(super) fn of(title: &str, object: &Value) -> String {
     }
     let curves = object["curves"].as_array().map_or(&[][..], Vec::as_slice);
     let positive = curves.iter().filter(|curve| curve["sign"] == 1).count();
-    let value = format!("{} positive, {} negative", text::grouped(positive), text::grouped(curves.len() - positive));
+    let value =
+        format!("{} positive, {} negative", text::grouped(positive), text::grouped(curves.len() - positive));
     fact("curves", value, "");
     let knots: usize = curves.iter().map(|curve| whole(&curve["knots"])).sum();
     fact("knots", text::grouped(knots), "");
@@ -55,8 +60,11 @@ pub(super) fn of(title: &str, object: &Value) -> String {
             None => "in no other".to_owned(),
         };
         let kinks = curve["kinks"].as_array().map_or(0, Vec::len);
-        let gloss =
-            format!("{place}; {}, {}", text::count(whole(&curve["knots"]), "knot"), text::count(kinks, "kink"));
+        let gloss = format!(
+            "{place}; {}, {}",
+            text::count(whole(&curve["knots"]), "knot"),
+            text::count(kinks, "kink")
+        );
         fact(label, value, &gloss);
     }
     if curves.len() > LISTED {

@@ -51,7 +51,9 @@ impl CurveKeys {
             None | Some(Value::Bool(false)) => false,
             Some(Value::Bool(true)) => true,
             Some(_) => {
-                return Err(Error::invalid("\"plane\" is neither true nor false").with_cure("give true or false"));
+                return Err(
+                    Error::invalid("\"plane\" is neither true nor false").with_cure("give true or false")
+                );
             }
         };
         let curves = self.curves.unwrap_or_default();
@@ -145,8 +147,11 @@ impl RawCurve {
                 }
             };
             if knots.len() != count + 1 {
-                return Err(Error::invalid(format!("curve {number} has {} knots for {count} points", knots.len()))
-                    .with_cure("give one knot for each point, and one for the first again"));
+                return Err(Error::invalid(format!(
+                    "curve {number} has {} knots for {count} points",
+                    knots.len()
+                ))
+                .with_cure("give one knot for each point, and one for the first again"));
             }
             curve.set_curve(Curve::from_controls(order, controls, knots).map_err(named)?);
         } else if let Some(knots) = self.knots {

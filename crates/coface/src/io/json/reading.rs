@@ -3,12 +3,12 @@
 use super::coboundaries::boundaries;
 use super::document::{Content, Document, Faults, Root};
 use super::points::PointList;
-use crate::{Error, ErrorKind};
 use crate::algebra::SparseMatrix;
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::io::yin::{BoundaryDrawing, model_of_drawing};
 use crate::io::{Model, Structure};
+use crate::{Error, ErrorKind};
 use serde::de::DeserializeSeed;
 use serde_json::error::Category;
 use std::io::{BufReader, Read};
@@ -62,7 +62,9 @@ pub(in crate::io) fn read_boundary(input: impl Read, name: Option<&str>) -> Resu
         Content::Halfedges { .. } => "permutations of halfedges",
         Content::Boundaries { .. } | Content::Coboundaries { .. } => "a chain complex",
         Content::Gluings(_) => "a gluing table",
-        content @ Content::Unknown(_) => return Err(to_model(content, None).expect_err("nothing is known of it")),
+        content @ Content::Unknown(_) => {
+            return Err(to_model(content, None).expect_err("nothing is known of it"));
+        }
     };
     Err(Error::new(ErrorKind::UnsupportedFormat, format!("this is {what}, not a set in the plane"))
         .with_cure("give curves or polygons: {\"order\": 2, \"curves\": [{\"points\": [[x, y], ..]}, ..]}"))

@@ -139,9 +139,8 @@ impl Pen {
             [self.at].iter().chain(controls).map(|&control| self.map.point(control)).collect();
         if self.curves == Curves::Kept {
             self.begin();
-            let raised = |control: [f64; 2], end: [f64; 2]| {
-                [0, 1].map(|axis| (2.0 * control[axis] + end[axis]) / 3.0)
-            };
+            let raised =
+                |control: [f64; 2], end: [f64; 2]| [0, 1].map(|axis| (2.0 * control[axis] + end[axis]) / 3.0);
             self.push_cubic(
                 match points[..] {
                     [from, control, end] => [raised(control, from), raised(control, end), end],
@@ -268,7 +267,11 @@ impl Pen {
         let error = 2.0 / 27.0 * (step / 4.0).sin().powi(6) / (step / 4.0).cos().powi(2) * reach;
         let first = match to {
             None => {
-                self.subpaths.push(Subpath { corners: vec![place(0)], is_closed: true, ..Subpath::default() });
+                self.subpaths.push(Subpath {
+                    corners: vec![place(0)],
+                    is_closed: true,
+                    ..Subpath::default()
+                });
                 place(0)
             }
             Some(_) => {

@@ -21,6 +21,6 @@ mod transformation;
 mod writing;
 
 pub(super) use reading::{check_tolerance, read_with};
-pub(super) use regions::read_regions;
 pub use reading::{read, read_flattened};
+pub(super) use regions::read_regions;
 pub use writing::write;

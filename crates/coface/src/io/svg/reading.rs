@@ -150,7 +150,13 @@ struct Reader {
 
 impl Reader {
     fn new(curves: Curves) -> Self {
-        Self { curves, drawing: Drawing::default(), paths: Vec::new(), fill_rules: Vec::new(), passed_over: 0 }
+        Self {
+            curves,
+            drawing: Drawing::default(),
+            paths: Vec::new(),
+            fill_rules: Vec::new(),
+            passed_over: 0,
+        }
     }
 
     fn read(&mut self, input: impl Read) -> Result<(), Error> {

@@ -141,8 +141,7 @@ impl BoundaryCurve {
         }
         let (kinks, names) = (self.kinks.len(), self.kink_names.as_ref().map(Vec::len));
         if names.is_some_and(|names| names != kinks) {
-            let message =
-                format!("curve {number} has {} names for {kinks} kinks", names.unwrap_or_default());
+            let message = format!("curve {number} has {} names for {kinks} kinks", names.unwrap_or_default());
             return fail(message, "give each kink one name");
         }
         if self.knots.as_ref().is_some_and(|knots| knots.len() != count + 1) {
@@ -236,8 +235,11 @@ impl BoundaryDrawing {
         }
         let highest = names.last().copied().max(self.next_kink_name);
         if let Some(highest) = highest.filter(|&highest| highest > HIGHEST_NAME) {
-            return Err(Error::new(ErrorKind::TooLarge, format!("the name {highest} of a kink is above 2^31"))
-                .with_cure("number kinks from 0"));
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("the name {highest} of a kink is above 2^31"),
+            )
+            .with_cure("number kinks from 0"));
         }
         if let (Some(next), Some(&largest)) = (self.next_kink_name, names.last())
             && next <= largest
@@ -322,7 +324,9 @@ pub(in crate::io) fn model_of_drawing(
         };
         doubled_area += (0..points.len())
             .map(|i| [points[i], points[(i + 1) % points.len()]])
-            .map(|[a, b]| (a[0] - points[0][0]) * (b[1] - points[0][1]) - (b[0] - points[0][0]) * (a[1] - points[0][1]))
+            .map(|[a, b]| {
+                (a[0] - points[0][0]) * (b[1] - points[0][1]) - (b[0] - points[0][0]) * (a[1] - points[0][1])
+            })
             .sum::<f64>();
         let start = (flat.len() / 2) as u32;
         flat.extend(points.as_flattened());

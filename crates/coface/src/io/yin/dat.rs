@@ -13,7 +13,9 @@ const CURE: &str = "write it again: it is damaged, or no file of curves";
 
 /// Whether these are the first bytes of such a file.
 pub(in crate::io) fn is_dat(start: &[u8], whole: bool) -> bool {
-    let word = |i: usize| start.get(4 * i..4 * i + 4).map(|bytes| i32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+    let word = |i: usize| {
+        start.get(4 * i..4 * i + 4).map(|bytes| i32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+    };
     match (word(0), word(1), word(2), word(3)) {
         (Some(0), None, ..) => whole && start.len() == 4,
         (Some(1..), Some(2), Some(2 | 4 | 6 | 8), Some(1..)) => true,
@@ -106,7 +108,10 @@ impl Words<'_> {
     fn take<const N: usize>(&mut self, what: &str) -> Result<[u8; N], Error> {
         let bytes = self.bytes.get(self.at..).and_then(|rest| rest.first_chunk::<N>());
         let found = bytes.copied().ok_or_else(|| {
-            self.fault(self.bytes.len(), format!("the file ends before {what}, which begins at byte {}", self.at))
+            self.fault(
+                self.bytes.len(),
+                format!("the file ends before {what}, which begins at byte {}", self.at),
+            )
         })?;
         self.at += N;
         Ok(found)
@@ -179,7 +184,10 @@ impl Words<'_> {
             let next = controls[(piece + 1) % count * degree];
             let gap = (end[0] - next[0]).hypot(end[1] - next[1]);
             // A gap that is no number is one.
-            if !matches!(gap.partial_cmp(&(GAP * largest)), Some(std::cmp::Ordering::Less | std::cmp::Ordering::Equal)) {
+            if !matches!(
+                gap.partial_cmp(&(GAP * largest)),
+                Some(std::cmp::Ordering::Less | std::cmp::Ordering::Equal)
+            ) {
                 let what = match piece + 1 == count {
                     true => "but the curve begins",
                     false => "but the next begins",

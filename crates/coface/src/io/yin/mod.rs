@@ -31,8 +31,8 @@ mod rings;
 #[cfg(test)]
 mod tests;
 
-pub use boundary::{BoundaryCurve, BoundaryDrawing, Filling};
 pub(in crate::io) use boundary::model_of_drawing;
+pub use boundary::{BoundaryCurve, BoundaryDrawing, Filling};
 pub(in crate::io) use dat::is_dat;
 pub use dat::{read_dat, write_dat};
 pub use flattening::flattened;

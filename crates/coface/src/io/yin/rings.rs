@@ -75,7 +75,8 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
         }
     }
     if passed_over > 0 {
-        let what = if passed_over == 1 { "line beside polygons bounds" } else { "lines beside polygons bound" };
+        let what =
+            if passed_over == 1 { "line beside polygons bounds" } else { "lines beside polygons bound" };
         drawing.warn(format!("{passed_over} {what} nothing and passed over"));
     }
     for warning in model.warnings() {

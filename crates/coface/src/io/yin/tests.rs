@@ -17,8 +17,14 @@ fn all_keys_of_json_are_kept() {
     )
     .unwrap();
     let curve = &drawing.curves()[0];
-    assert_eq!((curve.kinks(), curve.kink_names(), curve.name()), (&[2, 0][..], Some(&[8, 3][..]), Some("a")));
-    assert_eq!((drawing.order(), drawing.next_kink_name(), drawing.groups().len()), (Order::CUBIC, Some(9), 1));
+    assert_eq!(
+        (curve.kinks(), curve.kink_names(), curve.name()),
+        (&[2, 0][..], Some(&[8, 3][..]), Some("a"))
+    );
+    assert_eq!(
+        (drawing.order(), drawing.next_kink_name(), drawing.groups().len()),
+        (Order::CUBIC, Some(9), 1)
+    );
     assert!(!curve.has_pieces());
     let with_controls = json(
         r#"{"order": 4, "curves": [{"knots": [0, 2, 3], "controls": [[0, 0], [1, -1], [2, -1], [3, 0], [2, 1], [1, 1]]}]}"#,
@@ -97,7 +103,10 @@ fn paths_keep_their_curves() {
     let circle = curve(&disk);
     assert!(disk.warnings()[0].starts_with("arcs became cubics"));
     let quarter = circle.piece_count() / 4;
-    assert_eq!([0, 1, 2, 3].map(|i| circle.knot_point(i * quarter)), [[3., 0.], [1., 2.], [-1., 0.], [1., -2.]]);
+    assert_eq!(
+        [0, 1, 2, 3].map(|i| circle.knot_point(i * quarter)),
+        [[3., 0.], [1., 2.], [-1., 0.], [1., -2.]]
+    );
     for corner in flattened(&circle, 1e-11).unwrap() {
         let off = (corner[0] - 1.0).hypot(corner[1]) - 2.0;
         assert!((-1e-15..2e-9).contains(&off), "{off}");

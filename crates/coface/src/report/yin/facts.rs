@@ -86,13 +86,7 @@ impl PlanarSet {
         let set: &YinSet = combination.set();
         let mut sources = combination.sources().iter();
         let lists: Vec<Value> = (0..set.curve_count())
-            .map(|curve| {
-                sources
-                    .by_ref()
-                    .take(set.curve(curve).piece_count())
-                    .map(source_to_json)
-                    .collect()
-            })
+            .map(|curve| sources.by_ref().take(set.curve(curve).piece_count()).map(source_to_json).collect())
             .collect();
         json!({ "sources": lists })
     }

@@ -84,10 +84,7 @@ impl PlanarSet {
             text.push(' ');
         }
         text.pop();
-        let _ = write!(
-            text,
-            "\" fill=\"{FILL}\" stroke=\"{INK}\" stroke-linejoin=\"round\" stroke-width=\""
-        );
+        let _ = write!(text, "\" fill=\"{FILL}\" stroke=\"{INK}\" stroke-linejoin=\"round\" stroke-width=\"");
         push(&mut text, (0.002 * size[0].max(size[1])).max(f64::MIN_POSITIVE));
         text.push_str("\" style=\"transform:scaleY(-1)\">\n");
         if !self.set.is_empty() {
@@ -149,7 +146,8 @@ impl PlanarSet {
     fn with_kinks(&self) -> Result<String, Error> {
         let view = View::of(self.frame());
         let mut text = self.panel(SIDE, SIDE, &view)?;
-        let knots = (0..self.set.curve_count()).map(|curve| self.set.curve(curve).piece_count()).sum::<usize>();
+        let knots =
+            (0..self.set.curve_count()).map(|curve| self.set.curve(curve).piece_count()).sum::<usize>();
         if knots <= MOST_DOTS {
             let _ = writeln!(text, "<g fill=\"{INK}\">");
             for curve in (0..self.set.curve_count()).map(|curve| self.set.curve(curve)) {
@@ -196,7 +194,9 @@ impl PlanarSet {
         let mut stack = vec![(count, false)];
         while let Some((node, is_done)) = stack.pop() {
             match (children[node].first(), children[node].last()) {
-                (Some(&first), Some(&last)) if is_done => places[node] = f64::midpoint(places[first], places[last]),
+                (Some(&first), Some(&last)) if is_done => {
+                    places[node] = f64::midpoint(places[first], places[last])
+                }
                 (Some(_), _) => {
                     stack.push((node, true));
                     stack.extend(children[node].iter().rev().map(|&child| (child, false)));

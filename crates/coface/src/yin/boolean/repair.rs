@@ -29,9 +29,8 @@ impl YinSet {
         let arenas: Vec<&CurveArena> = rings.iter().map(Self::arena).collect();
         let operands: Vec<&Self> = rings.iter().collect();
         let overlay = CurvedOverlay::new(&arenas)?;
-        let is_inside = |windings: &[(u32, i32)]| {
-            rule.is_inside(windings.iter().map(|&(_, winding)| winding).sum())
-        };
+        let is_inside =
+            |windings: &[(u32, i32)]| rule.is_inside(windings.iter().map(|&(_, winding)| winding).sum());
         Ok(overlay.select_faces(&operands, is_inside)?.into_set())
     }
 }
