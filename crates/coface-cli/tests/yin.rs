@@ -555,15 +555,28 @@ fn kinks_come_and_go() {
     let is_square = |value: &Value| (value["area"].as_f64().unwrap() - 9.0).abs() < 1e-14;
     assert_eq!(value["curves"][0]["kinks"], json!([0, 2, 4, 6]));
     assert!(is_square(&value), "{value}");
-    // One kink after the other is the same as all at once.
     let edited = folder.path().join("edited.json");
-    yin(&["kinks", argument(&smooth), "--insert", "0:0", "--insert", "0:2,0:4,0:6", "-o", argument(&edited)]);
+    yin(&["kinks", argument(&smooth), "--reset", "0:0,0:2,0:4,0:6", "-o", argument(&edited)]);
     assert!(is_square(&yin(&["info", argument(&edited)])));
-    let back = folder.path().join("back.json");
-    yin(&["kinks", argument(&edited), "--erase", "0,1,2,3", "-o", argument(&back)]);
+    // Kinks that come and go leave no trace.
+    let circle: Vec<[f64; 2]> =
+        (0..16).map(|i| f64::from(i) * std::f64::consts::TAU / 16.0).map(|t| [t.cos(), t.sin()]).collect();
+    let path = file(&folder, "c.json", &json!({"order": 4, "curves": [{"points": circle}]}).to_string());
+    let [round, bent, back] = ["round.json", "bent.json", "back.json"].map(|name| folder.path().join(name));
+    yin(&["info", argument(&path), "-o", argument(&round)]);
+    let value =
+        yin(&["kinks", argument(&round), "--insert", "0:3", "--insert", "0:9,0:16", "-o", argument(&bent)]);
+    assert_eq!(
+        (&value["curves"][0]["kinks"], &value["curves"][0]["vertices"]),
+        (&json!([0, 3, 9]), &json!([2, 0, 1]))
+    );
+    yin(&["kinks", argument(&bent), "--erase", "0,1,2", "-o", argument(&back)]);
     let [a, b]: [Value; 2] =
-        [&smooth, &back].map(|path| serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap());
+        [&round, &back].map(|path| serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap());
     assert_eq!(a["curves"], b["curves"]);
+    // A change after which the boundary would cross itself is refused.
+    let text = fails(&["kinks", argument(&smooth), "--insert", "0:0"]);
+    assert!(text.contains("more than once"), "{text}");
     let reset = yin(&["kinks", argument(&edited), "--reset", "0:1,0:3"]);
     assert_eq!(reset["curves"][0]["kinks"], json!([1, 3]));
     assert_eq!(reset["complex"], json!([[0], [1]]));

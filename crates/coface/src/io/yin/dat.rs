@@ -159,6 +159,10 @@ impl Words<'_> {
         let knots: Vec<f64> = (0..=count)
             .map(|knot| self.number(&format!("knot {knot} of curve {number}")))
             .collect::<Result<_, _>>()?;
+        if let Some(at) = knots.windows(2).position(|pair| pair[0] >= pair[1]) {
+            let message = format!("knot {} of curve {number} is not above the one before it", at + 1);
+            return Err(self.fault(knots_at + 8 * (at + 1), message));
+        }
         let degree = order.degree();
         let mut controls: Vec<[f64; 2]> = Vec::with_capacity(count * degree + 1);
         // The place of each piece in the file, and where it ends by its own account.

@@ -200,7 +200,7 @@ impl PlanarSet {
 /// An error of one curve.
 fn named(number: usize, error: &Error) -> Error {
     let message = error.message();
-    if message.contains("curve") {
+    if message.contains(&format!("curve {number}")) {
         return error.clone();
     }
     let renamed = Error::new(error.kind(), format!("curve {number}: {message}"));
