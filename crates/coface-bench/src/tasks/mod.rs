@@ -10,6 +10,7 @@ mod generators;
 mod halfedges;
 mod homology;
 mod info;
+mod kinks;
 mod manifold;
 mod operators;
 mod persistence;
@@ -82,6 +83,7 @@ pub(crate) const ALL: &[Task] = &[
     planar::UNION,
     yin::MEET,
     yin::JOIN,
+    kinks::EDIT,
     solids::INTERSECTION,
     solids::UNION,
     info::TASK,

@@ -178,10 +178,10 @@ impl YinSet {
         if curves.is_empty() {
             return Ok(Self::empty(order));
         }
-        if order != Order::LINEAR {
-            if let Some(set) = Self::around_polygons(order, curves)? {
-                return Ok(set);
-            }
+        if order != Order::LINEAR
+            && let Some(set) = Self::around_polygons(order, curves)?
+        {
+            return Ok(set);
         }
         Self::new(curves)
     }
