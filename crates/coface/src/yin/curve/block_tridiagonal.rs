@@ -4,6 +4,7 @@
 
 use super::hermite::{Block, BlockRow, Columns};
 
+#[inline(always)]
 fn product<const N: usize, const M: usize>(a: &Block<N>, b: &[[f64; M]; N]) -> [[f64; M]; N] {
     let mut found = [[0.0; M]; N];
     for i in 0..N {
@@ -16,6 +17,7 @@ fn product<const N: usize, const M: usize>(a: &Block<N>, b: &[[f64; M]; N]) -> [
     found
 }
 
+#[inline(always)]
 fn less<const N: usize, const M: usize>(mut a: [[f64; M]; N], b: &[[f64; M]; N]) -> [[f64; M]; N] {
     for (row, other) in a.iter_mut().zip(b) {
         for (x, y) in row.iter_mut().zip(other) {
@@ -26,10 +28,14 @@ fn less<const N: usize, const M: usize>(mut a: [[f64; M]; N], b: &[[f64; M]; N])
 }
 
 /// The inverse by elimination with row pivots; not finite where there is none.
+#[inline(always)]
 fn inverse<const N: usize>(mut a: Block<N>) -> Block<N> {
     let mut found = [[0.0; N]; N];
     for (i, row) in found.iter_mut().enumerate() {
         row[i] = 1.0;
+    }
+    if N == 1 {
+        return [[1.0 / a[0][0]; N]; N];
     }
     for column in 0..N {
         let mut pivot = column;
@@ -87,6 +93,7 @@ pub(super) fn open_solution<const N: usize>(
 /// What is this small next to numbers of ordinary size has no effect on them.
 const NOTHING: f64 = 1e-250;
 
+#[inline(always)]
 fn is_nothing<const N: usize>(block: &Block<N>) -> bool {
     block.iter().flatten().all(|x| x.abs() < NOTHING)
 }

@@ -234,11 +234,16 @@ fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndConditio
         let [from, to] = [knot(piece), knot(piece + 1)];
         let next: &Columns<N> = derivatives.get(piece + 1).unwrap_or(&derivatives[0]);
         let length = scale * (knots[to] - knots[from]);
-        let fitted = rules.piece(length, [points[from], points[to]], [&derivatives[piece], next]);
+        let ends = [points[from], points[to]];
         if to == from + 1 {
-            controls.extend_from_slice(&fitted[..degree]);
+            rules.for_each_control(length, ends, [&derivatives[piece], next], |control| {
+                controls.push(control)
+            });
             continue;
         }
+        let mut fitted = Vec::with_capacity(degree + 1);
+        rules.for_each_control(length, ends, [&derivatives[piece], next], |control| fitted.push(control));
+        fitted.push(points[to]);
         let whole = knots[to] - knots[from];
         for i in from..to {
             let range = [(knots[i] - knots[from]) / whole, (knots[i + 1] - knots[from]) / whole];

@@ -1,7 +1,5 @@
 //! Polynomials of degree d = 2N + 1 by their values and first N derivatives at both ends.
 
-use super::bernstein::Piece;
-
 /// A column of numbers for x and one for y.
 pub(super) type Columns<const N: usize> = [[f64; 2]; N];
 /// A matrix by rows.
@@ -96,32 +94,47 @@ impl<const N: usize> HermiteRules<N> {
 
     /// The row of a knot at which the derivatives of degree N + 1 to 2N of the pieces on its sides agree, or are zero where
     /// there is no piece on one side; multiplied by powers of the shorter length, so that its numbers are neither large nor small.
-    pub(super) fn smooth_row(&self, sides: [Option<Chord>; 2]) -> BlockRow<N> {
-        let unit = sides.iter().flatten().fold(f64::INFINITY, |unit, side| unit.min(side.length));
+    #[inline(always)]
+    pub(super) fn smooth_row(&self, [before, after]: [Option<Chord>; 2]) -> BlockRow<N> {
+        let unit = match (before, after) {
+            (Some(before), Some(after)) => before.length.min(after.length),
+            (only, other) => only.or(other).map_or(1.0, |side| side.length),
+        };
         let mut row = BlockRow::empty();
-        for (side, chord) in sides.iter().enumerate() {
-            let Some(chord) = chord else { continue };
-            let ratio = unit / chord.length;
-            let mut power = ratio.powi(N as i32);
-            for r in N + 1..=2 * N {
-                power *= ratio;
-                let at = r - N - 1;
-                // The piece after the knot is the mirror image of one before it.
-                let turned = if side == 0 { 1.0 } else { -sign(r) };
-                let mut factor = power * turned;
-                let value = if side == 0 { -factor } else { factor } * self.value[at];
-                for axis in 0..2 {
-                    row.right[at][axis] += value * chord.way[axis];
-                }
-                for k in 1..=N {
-                    factor *= if side == 0 { chord.length } else { -chord.length };
-                    row.at[at][k - 1] += factor * self.near[at][k - 1];
-                    let far = if side == 0 { &mut row.before } else { &mut row.after };
-                    far[at][k - 1] = factor * self.far[at][k - 1];
-                }
-            }
+        if let Some(chord) = before {
+            self.add_side::<false>(&mut row, unit, chord);
+        }
+        if let Some(chord) = after {
+            self.add_side::<true>(&mut row, unit, chord);
         }
         row
+    }
+
+    /// Adds the terms of one side. The piece after the knot is the mirror image of one before it.
+    #[inline(always)]
+    fn add_side<const IS_AFTER: bool>(&self, row: &mut BlockRow<N>, unit: f64, chord: Chord) {
+        let ratio = unit / chord.length;
+        let mut power = ratio;
+        for _ in 1..N {
+            power *= ratio;
+        }
+        let length = if IS_AFTER { -chord.length } else { chord.length };
+        for at in 0..N {
+            // The derivative of degree r = N + 1 + at; its sign changes with the side where r is even.
+            power *= ratio;
+            let is_turned = IS_AFTER && (N + 1 + at).is_multiple_of(2);
+            let mut factor = if is_turned { -power } else { power };
+            let value = if IS_AFTER { factor } else { -factor } * self.value[at];
+            for axis in 0..2 {
+                row.right[at][axis] += value * chord.way[axis];
+            }
+            for k in 0..N {
+                factor *= length;
+                row.at[at][k] += factor * self.near[at][k];
+                let far = if IS_AFTER { &mut row.after } else { &mut row.before };
+                far[at][k] = factor * self.far[at][k];
+            }
+        }
     }
 
     /// The row of a first knot that says that the first piece runs through N points at parameters in (0, 1), given relative to
@@ -155,8 +168,15 @@ impl<const N: usize> HermiteRules<N> {
         row
     }
 
-    /// The piece of a length between two points with these derivatives there.
-    pub(super) fn piece(&self, length: f64, ends: [[f64; 2]; 2], derivatives: [&Columns<N>; 2]) -> Piece {
+    /// The piece of a length between two points with these derivatives there: its control points but the last one, in order.
+    #[inline(always)]
+    pub(super) fn for_each_control(
+        &self,
+        length: f64,
+        ends: [[f64; 2]; 2],
+        derivatives: [&Columns<N>; 2],
+        mut give: impl FnMut([f64; 2]),
+    ) {
         let mut powers = [length; N];
         for k in 1..N {
             powers[k] = powers[k - 1] * length;
@@ -172,6 +192,12 @@ impl<const N: usize> HermiteRules<N> {
             }
             point
         };
-        Piece::with(2 * N + 2, |j| if j <= N { control(j, 0) } else { control(2 * N + 1 - j, 1) })
+        give(ends[0]);
+        for j in 1..=N {
+            give(control(j, 0));
+        }
+        for j in (1..=N).rev() {
+            give(control(j, 1));
+        }
     }
 }
