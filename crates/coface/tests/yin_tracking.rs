@@ -34,17 +34,20 @@ fn a_ring_with_an_island_keeps_its_forest_and_its_area() {
 
 #[test]
 fn kinks_stay_kinks() {
-    let square: Vec<[f64; 2]> =
-        (0..40).map(|i| (i / 10, f64::from(i % 10) / 10.0)).map(|(side, s)| match side {
+    let square: Vec<[f64; 2]> = (0..40)
+        .map(|i| (i / 10, f64::from(i % 10) / 10.0))
+        .map(|(side, s)| match side {
             0 => [s, 0.0],
             1 => [1.0, s],
             2 => [1.0 - s, 1.0],
             _ => [0.0, 1.0 - s],
-        }).collect();
+        })
+        .collect();
     let corners = vec![0, 10, 20, 30];
     let set = YinSet::fit(&[square], &[corners], Order::CUBIC, &EndCondition::NotAKnot).unwrap();
     let flow = Flow::Rotation { center: [0.5, 0.5], speed: 1.0 };
-    let moved = set.advected(|p, t| flow.velocity(p, t), &TrackingOptions::new(PI / 2.0, 0.01, 0.11)).unwrap();
+    let moved =
+        set.advected(|p, t| flow.velocity(p, t), &TrackingOptions::new(PI / 2.0, 0.01, 0.11)).unwrap();
     let moved = moved.set();
     let kinks: Vec<KnotIndex> = moved.kinks().iter().map(|(knot, _)| knot).collect();
     assert_eq!(kinks.len(), 4);
@@ -65,7 +68,8 @@ fn an_island_that_shrinks_away_is_reported() {
         let speed = if r < 0.5 { (0.5 - r) * 4.0 } else { 0.0 };
         [-speed * x, -speed * y]
     };
-    let curves = [circle([0.0, 0.0], 1.0, 64, Order::CUBIC), circle([0.0, 0.0], 0.3, 32, Order::CUBIC).reversed()];
+    let curves =
+        [circle([0.0, 0.0], 1.0, 64, Order::CUBIC), circle([0.0, 0.0], 0.3, 32, Order::CUBIC).reversed()];
     let set = YinSet::new(&curves).unwrap();
     let moved = set.advected(sink, &TrackingOptions::new(6.0, 0.05, 0.1)).unwrap();
     assert_eq!((moved.set().curve_count(), moved.curves()), (1, &[0u32][..]));

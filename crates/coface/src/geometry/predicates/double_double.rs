@@ -2,7 +2,7 @@
 
 /// Whether products of four differences of such numbers, and the errors of those products, stay in the range of ordinary
 /// numbers.
-pub(crate) fn is_ordinary(x: f64) -> bool {
+pub(super) fn is_ordinary(x: f64) -> bool {
     const SMALLEST: f64 = f64::from_bits((1023 - 150) << 52);
     const LARGEST: f64 = f64::from_bits((1023 + 150) << 52);
     x == 0.0 || (SMALLEST..=LARGEST).contains(&x.abs())
@@ -44,10 +44,10 @@ fn two_product(a: f64, b: f64) -> [f64; 2] {
 /// arithmetic* (2017): sums are within 3, products within 7, quotients within 15 squares of the unit roundoff 2^-53. The
 /// bounds here are at least twice as wide, which covers their own rounding.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Approximation {
-    pub(crate) high: f64,
-    pub(crate) low: f64,
-    pub(crate) error: f64,
+pub(super) struct Approximation {
+    pub(super) high: f64,
+    pub(super) low: f64,
+    pub(super) error: f64,
 }
 
 /// Sixteen squares of the unit roundoff.
@@ -58,22 +58,22 @@ const SMALL: f64 = f64::from_bits((1023 - 850) << 52);
 
 impl Approximation {
     /// The number `high + low`, known within `error`; `high` is the nearest number to the sum.
-    pub(crate) fn known(high: f64, low: f64, error: f64) -> Self {
+    pub(super) fn known(high: f64, low: f64, error: f64) -> Self {
         Self { high, low, error }
     }
 
     /// A number that is known within `error`.
-    pub(crate) fn new(value: f64, error: f64) -> Self {
+    pub(super) fn new(value: f64, error: f64) -> Self {
         Self { high: value, low: 0.0, error }
     }
 
     /// The exact difference of two numbers.
-    pub(crate) fn difference(a: f64, b: f64) -> Self {
+    pub(super) fn difference(a: f64, b: f64) -> Self {
         let [high, low] = two_sum(a, -b);
         Self { high, low, error: 0.0 }
     }
 
-    pub(crate) fn plus(self, other: Self) -> Self {
+    pub(super) fn plus(self, other: Self) -> Self {
         let [sum, lost] = two_sum(self.high, other.high);
         let [low_sum, low_lost] = two_sum(self.low, other.low);
         let [lost, first_rest] = two_sum(lost, low_sum);
@@ -84,11 +84,11 @@ impl Approximation {
         Self { high, low, error: widened(self.error + other.error + first_rest.abs() + second_rest.abs()) }
     }
 
-    pub(crate) fn minus(self, other: Self) -> Self {
+    pub(super) fn minus(self, other: Self) -> Self {
         self.plus(Self { high: -other.high, low: -other.low, error: other.error })
     }
 
-    pub(crate) fn times(self, other: Self) -> Self {
+    pub(super) fn times(self, other: Self) -> Self {
         let [product, mut lost] = two_product(self.high, other.high);
         lost += self.high * other.low + self.low * other.high;
         let [high, low] = quick_two_sum(product, lost);
@@ -109,7 +109,7 @@ impl Approximation {
     }
 
     /// The quotient; `None` if the divisor may be small against its error.
-    pub(crate) fn over(self, divisor: Self) -> Option<Self> {
+    pub(super) fn over(self, divisor: Self) -> Option<Self> {
         let certain = divisor.high.abs() * 0.5;
         // Also false for what is not a number.
         if divisor.error < certain {
@@ -135,7 +135,7 @@ impl Approximation {
     }
 
     /// The sign, if the error leaves no doubt.
-    pub(crate) fn sign(self) -> Option<std::cmp::Ordering> {
+    pub(super) fn sign(self) -> Option<std::cmp::Ordering> {
         if self.error == 0.0 {
             return if (self.high + self.low).is_finite() { self.high.partial_cmp(&0.0) } else { None };
         }
@@ -145,7 +145,7 @@ impl Approximation {
 }
 
 /// A bound that covers the rounding of its own computation.
-pub(crate) fn widened(bound: f64) -> f64 {
+pub(super) fn widened(bound: f64) -> f64 {
     bound * (1.0 + 1.0 / 1024.0)
 }
 

@@ -34,7 +34,6 @@ mod spatial_signs;
 #[cfg(test)]
 mod spatial_tests;
 
-pub(crate) use double_double::Approximation;
 pub(crate) use dyadic::Dyadic;
 pub use orientation::{direction_turn, orientation};
 pub use planar_point::PlanarPoint;

@@ -5,7 +5,7 @@ use super::bernstein;
 use super::roots::sign_changes;
 
 /// The parameters in (0, 1) at which a coordinate of a piece turns from rising to falling or back, rising.
-pub(in crate::yin) fn turning_parameters(controls: &[[f64; 2]], axis: usize) -> Vec<f64> {
+fn turning_parameters(controls: &[[f64; 2]], axis: usize) -> Vec<f64> {
     // Control points that do not turn are those of a piece that does not.
     let turns = |pair: &[[f64; 2]]| pair[1][axis] - pair[0][axis];
     if controls.windows(2).all(|pair| turns(pair) >= 0.0)

@@ -24,7 +24,7 @@ pub enum Location {
 
 /// How often a closed curve runs around a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::yin) enum Winding {
+enum Winding {
     /// So often counterclockwise.
     Around(i32),
     /// The point is on a piece, at this parameter in [0, 1].
@@ -72,7 +72,7 @@ impl Curve<'_> {
     }
 
     /// How often the curve runs around a point.
-    pub(in crate::yin) fn winding(&self, point: [f64; 2]) -> Winding {
+    fn winding(&self, point: [f64; 2]) -> Winding {
         let mut number = 0;
         for piece in 0..self.piece_count() {
             match piece_crossings(self.piece(piece), point) {

@@ -18,10 +18,10 @@ mod power;
 pub(in crate::yin) mod roots;
 
 pub use end_condition::EndCondition;
-pub(in crate::yin) use extent::{monotone_breaks, turning_parameters};
+pub(in crate::yin) use extent::monotone_breaks;
 pub(in crate::yin) use fit::checked_chord_lengths;
 pub use location::Location;
-pub(in crate::yin) use location::{Winding, piece_crossings};
+pub(in crate::yin) use location::piece_crossings;
 pub(in crate::yin) use measures::gauss_legendre;
 pub use order::Order;
 pub use piecewise::Curve;

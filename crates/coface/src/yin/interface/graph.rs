@@ -108,8 +108,10 @@ impl InterfaceGraph {
     ) -> Result<Self, Error> {
         for (number, edge) in edges.iter().enumerate() {
             if let Some(end) = edge.ends.iter().find(|&&end| end as usize >= vertices.len()) {
-                return Err(Error::invalid(format!("edge {number} ends at vertex {end}, which there is not"))
-                    .with_cure(format!("give ends below {}", vertices.len())));
+                return Err(Error::invalid(format!(
+                    "edge {number} ends at vertex {end}, which there is not"
+                ))
+                .with_cure(format!("give ends below {}", vertices.len())));
             }
             let [left, right] = edge.phases;
             if left == right {
@@ -140,7 +142,8 @@ impl InterfaceGraph {
     ) -> Result<Self, Error> {
         let trails = trails_of(&ends, &smooth_pairs)?;
         let curves = fitted_edges(points, &trails, order)?;
-        let mut graph = Self { order, vertices, ends, phases, smooth_pairs, trails, curves, around: Vec::new() };
+        let mut graph =
+            Self { order, vertices, ends, phases, smooth_pairs, trails, curves, around: Vec::new() };
         graph.around = graph.edges_around()?;
         graph.check_sectors()?;
         Ok(graph)

@@ -54,7 +54,9 @@ impl InterfaceGraph {
                 let after = leaving[(at + 1) % leaving.len()];
                 let [left, right] = [self.left(edge), self.left(after.reversed())];
                 if left != right {
-                    let name = |phase: Option<u32>| phase.map_or("no phase".to_owned(), |phase| format!("phase {phase}"));
+                    let name = |phase: Option<u32>| {
+                        phase.map_or("no phase".to_owned(), |phase| format!("phase {phase}"))
+                    };
                     return Err(Error::invalid(format!(
                         "between edges {} and {} at vertex {vertex} there is {} by the first and {} by the second",
                         edge.edge,

@@ -63,7 +63,8 @@ impl InterfaceGraph {
         for (phase, set) in sets.iter().enumerate() {
             let phase = Some(phase as u32);
             for curve in 0..set.curve_count() {
-                let corners: Vec<u32> = set.curve(curve).controls().iter().map(|&point| number(point)).collect();
+                let corners: Vec<u32> =
+                    set.curve(curve).controls().iter().map(|&point| number(point)).collect();
                 segments.extend(corners.windows(2).map(|pair| match (pair[0], pair[1]) {
                     (a, b) if a < b => Segment { points: [a, b], sides: [phase, None] },
                     (a, b) => Segment { points: [b, a], sides: [None, phase] },
@@ -147,7 +148,11 @@ impl InterfaceGraph {
             }
             let direction = |edge: DirectedEdge| {
                 let controls = self.curves[edge.edge as usize].controls();
-                let next = if edge == DirectedEdge::along(edge.edge) { controls[1] } else { controls[controls.len() - 2] };
+                let next = if edge == DirectedEdge::along(edge.edge) {
+                    controls[1]
+                } else {
+                    controls[controls.len() - 2]
+                };
                 [0, 1].map(|axis| next[axis] - self.vertices[vertex][axis])
             };
             let mut choices: Vec<(f64, usize, usize)> = Vec::new();
@@ -202,7 +207,11 @@ fn merged(mut segments: Vec<Segment>, points: &[[f64; 2]]) -> Result<Vec<Segment
 
 /// The maximal chains of segments through points where nothing else ends and that are no kinks, each with its points and the phases on
 /// its sides; those that are closed begin at their lowest point.
-fn chains(segments: &[Segment], point_count: usize, kinks: &BTreeSet<u32>) -> Vec<(Vec<u32>, [Option<u32>; 2])> {
+fn chains(
+    segments: &[Segment],
+    point_count: usize,
+    kinks: &BTreeSet<u32>,
+) -> Vec<(Vec<u32>, [Option<u32>; 2])> {
     let mut ends: Vec<[u32; 2]> = vec![[NONE; 2]; point_count];
     let mut degrees = vec![0u32; point_count];
     for (at, segment) in segments.iter().enumerate() {

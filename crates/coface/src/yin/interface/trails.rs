@@ -30,7 +30,10 @@ pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Resul
     let mut next: Vec<Option<DirectedEdge>> = vec![None; 2 * ends.len()];
     for (number, &[from, to]) in pairs.iter().enumerate() {
         if let Some(edge) = [from, to].iter().find(|edge| edge.edge as usize >= ends.len()) {
-            return Err(Error::invalid(format!("smooth pair {number} names edge {}, which there is not", edge.edge)));
+            return Err(Error::invalid(format!(
+                "smooth pair {number} names edge {}, which there is not",
+                edge.edge
+            )));
         }
         if tail(from.reversed()) != tail(to) || from == to.reversed() {
             return Err(Error::invalid(format!(

@@ -98,9 +98,7 @@ impl InterfaceGraph {
             for edge in (0..stays.len()).filter(|&edge| !stays[edge]) {
                 vanished.push((end_time, numbers[edge]));
             }
-            graph = graph
-                .moved(vertices, &points, &stays)
-                .map_err(|error| at_time(&error, end_time))?;
+            graph = graph.moved(vertices, &points, &stays).map_err(|error| at_time(&error, end_time))?;
             let mut kept = stays.iter();
             numbers.retain(|_| *kept.next().expect("there is an entry for each edge"));
         }
@@ -108,7 +106,12 @@ impl InterfaceGraph {
     }
 
     /// The same graph with vertices and the points of edges elsewhere, and only the edges that stay.
-    fn moved(&self, vertices: Vec<[f64; 2]>, points: &[Vec<[f64; 2]>], stays: &[bool]) -> Result<Self, Error> {
+    fn moved(
+        &self,
+        vertices: Vec<[f64; 2]>,
+        points: &[Vec<[f64; 2]>],
+        stays: &[bool],
+    ) -> Result<Self, Error> {
         let mut numbers = vec![u32::MAX; stays.len()];
         let mut count = 0;
         for edge in 0..stays.len() {

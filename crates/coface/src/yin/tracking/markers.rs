@@ -37,7 +37,8 @@ pub(super) fn moved_markers(
         0.0 => map(curve.knot_point(piece as usize)),
         s => map(bernstein::value(curve.piece(piece as usize), s)),
     };
-    let images = |places: &[(u32, f64)]| -> Vec<[f64; 2]> { places.par_iter().with_min_len(512).map(image).collect() };
+    let images =
+        |places: &[(u32, f64)]| -> Vec<[f64; 2]> { places.par_iter().with_min_len(512).map(image).collect() };
     let mut places: Vec<(u32, f64)> = (0..=curve.piece_count() as u32).map(|knot| (knot, 0.0)).collect();
     let mut points = images(&places);
     if curve.is_closed() {
@@ -56,8 +57,10 @@ pub(super) fn moved_markers(
         }
         if round == ROUNDS {
             let [x, y] = points[gaps[0]];
-            return Err(Error::invalid(format!("markers near ({x}, {y}) move apart faster than they can be added"))
-                .with_cure("give a continuous velocity, shorter steps or a larger spacing"));
+            return Err(Error::invalid(format!(
+                "markers near ({x}, {y}) move apart faster than they can be added"
+            ))
+            .with_cure("give a continuous velocity, shorter steps or a larger spacing"));
         }
         let mut added: Vec<(u32, f64)> = Vec::new();
         let mut starts = Vec::with_capacity(gaps.len());

@@ -21,7 +21,8 @@ impl RungeKutta {
         time: f64,
         step: f64,
     ) -> [f64; 2] {
-        let moved = |velocity: [f64; 2], step: f64| [point[0] + step * velocity[0], point[1] + step * velocity[1]];
+        let moved =
+            |velocity: [f64; 2], step: f64| [point[0] + step * velocity[0], point[1] + step * velocity[1]];
         let (half, middle) = (0.5 * step, time + 0.5 * step);
         let first = velocity(point, time);
         let second = velocity(moved(first, half), middle);
@@ -30,7 +31,10 @@ impl RungeKutta {
         }
         let third = velocity(moved(second, half), middle);
         let fourth = velocity(moved(third, step), time + step);
-        moved([0, 1].map(|axis| (first[axis] + 2.0 * (second[axis] + third[axis]) + fourth[axis]) / 6.0), step)
+        moved(
+            [0, 1].map(|axis| (first[axis] + 2.0 * (second[axis] + third[axis]) + fourth[axis]) / 6.0),
+            step,
+        )
     }
 }
 
@@ -74,8 +78,11 @@ impl TrackingOptions {
                 .with_cure("give a positive length"));
         }
         if !(0.0..=1.0 / 3.0).contains(&self.least_ratio) {
-            return Err(Error::invalid(format!("the least ratio {} of distances cannot be kept", self.least_ratio))
-                .with_cure("give a number from 0 to 1/3"));
+            return Err(Error::invalid(format!(
+                "the least ratio {} of distances cannot be kept",
+                self.least_ratio
+            ))
+            .with_cure("give a number from 0 to 1/3"));
         }
         Ok((count as usize, if count > 0.0 { span / count } else { 0.0 }))
     }

@@ -131,7 +131,9 @@ impl YinSet {
                     continue;
                 }
                 let kinks = (0..ring.len() as u32)
-                    .filter(|&knot| moved.origins[knot as usize].is_some_and(|origin| is_kink(origin as usize)))
+                    .filter(|&knot| {
+                        moved.origins[knot as usize].is_some_and(|origin| is_kink(origin as usize))
+                    })
                     .collect();
                 front.kinks = kinks;
                 front.curve = Curve::fit_closed(ring, &front.kinks, self.order(), &EndCondition::NotAKnot)
