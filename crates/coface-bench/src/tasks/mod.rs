@@ -84,6 +84,7 @@ pub(crate) const ALL: &[Task] = &[
     yin::MEET,
     yin::JOIN,
     kinks::EDIT,
+    yin::FIT,
     solids::INTERSECTION,
     solids::UNION,
     info::TASK,

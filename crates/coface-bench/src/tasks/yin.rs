@@ -1,10 +1,10 @@
-//! Boolean combinations of Yin sets of order 2.
+//! Boolean combinations of Yin sets of order 2, and splines through points.
 
 use super::planar::drawing;
 use super::{Clock, Task, Work};
 use coface::Error;
 use coface::arrangement::boolean::{BooleanFormula, InsideRule};
-use coface::yin::YinSet;
+use coface::yin::{Curve, EndCondition, Order, YinSet};
 use std::path::Path;
 
 pub(super) const MEET: Task = Task {
@@ -21,6 +21,14 @@ pub(super) const JOIN: Task = Task {
     extension: "raw3",
     inputs: INPUTS,
     work: Work::Inside(|path, clock| combined(path, clock, "a | b")),
+};
+
+pub(super) const FIT: Task = Task {
+    name: "spline-fit",
+    about: "the periodic cubic spline through the points of a polygon",
+    extension: "raw3",
+    inputs: &["circle_250000", "circle_500000", "circle_1000000"],
+    work: Work::Inside(fitted),
 };
 
 const INPUTS: &[&str] = &["gear_100000", "random_100000", "circle_1000000", "grid_1000000"];
@@ -42,4 +50,15 @@ fn combined(path: &Path, clock: &mut Clock, formula: &str) -> Result<String, Err
     let [positive, negative] = found.set().curve_counts();
     let signed_area = found.set().signed_area();
     Ok(format!("curves {positive}+{negative} pieces {} area {signed_area:e}", found.sources().len()))
+}
+
+fn fitted(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let ring = mesh.lists.iter().next().ok_or_else(|| Error::invalid("there is no polygon"))?;
+    let mut closed: Vec<[f64; 2]> = ring.iter().map(|&point| points[point as usize]).collect();
+    closed.push(closed[0]);
+    let count = closed.len() - 1;
+    let curve = clock.time(count, || Curve::fit(&closed, Order::CUBIC, &EndCondition::Periodic))?;
+    Ok(format!("pieces {} area {:e}", curve.piece_count(), curve.signed_area()))
 }

@@ -72,10 +72,10 @@ impl Curve<'static> {
                 _ => spline::<3>(points, &knots, ends),
             }
         };
-        if !controls.iter().flatten().all(|x| x.is_finite()) {
+        let Some(controls) = controls else {
             return Err(Error::invalid("a spline through these points leaves the range of numbers")
                 .with_cure("give points whose distances and coordinates are of similar size"));
-        }
+        };
         Ok(Self::from_trusted(order, controls, knots))
     }
 }
@@ -126,8 +126,8 @@ fn is_line(points: &[[f64; 2]]) -> bool {
     })
 }
 
-/// The control points of all pieces, where they are one polynomial whose degree is the number of pieces.
-fn one_polynomial(points: &[[f64; 2]], knots: &[f64], order: Order) -> Vec<[f64; 2]> {
+/// The control points of all pieces, if they are finite, where they are one polynomial whose degree is the number of pieces.
+fn one_polynomial(points: &[[f64; 2]], knots: &[f64], order: Order) -> Option<Vec<[f64; 2]>> {
     let degree = points.len() - 1;
     let whole = knots[degree];
     let inner = degree - 1;
@@ -169,14 +169,14 @@ fn one_polynomial(points: &[[f64; 2]], knots: &[f64], order: Order) -> Vec<[f64;
         controls.extend_from_slice(&piece[..order.degree()]);
     }
     controls.push(points[degree]);
-    controls
+    controls.as_flattened().iter().all(|x| x.is_finite()).then_some(controls)
 }
 
-/// The control points of a spline of order 2N + 2.
+/// The control points of a spline of order 2N + 2, if they are finite.
 ///
 /// With [`EndCondition::NotAKnot`] the first N + 1 pieces are one from the start, and the points within are conditions on it; so are
 /// the last.
-fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndCondition) -> Vec<[f64; 2]> {
+fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndCondition) -> Option<Vec<[f64; 2]>> {
     let rules = HermiteRules::<N>::new();
     let last = points.len() - 1;
     // Powers of lengths stay in range when lengths are about one; the factor is a power of two.
@@ -230,6 +230,7 @@ fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndConditio
     };
     let degree = 2 * N + 1;
     let mut controls = Vec::with_capacity(last * degree + 1);
+    let mut is_finite = true;
     for piece in 0..piece_count {
         let [from, to] = [knot(piece), knot(piece + 1)];
         let next: &Columns<N> = derivatives.get(piece + 1).unwrap_or(&derivatives[0]);
@@ -237,13 +238,15 @@ fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndConditio
         let ends = [points[from], points[to]];
         if to == from + 1 {
             rules.for_each_control(length, ends, [&derivatives[piece], next], |control| {
-                controls.push(control)
+                is_finite &= control[0].is_finite() & control[1].is_finite();
+                controls.push(control);
             });
             continue;
         }
         let mut fitted = Vec::with_capacity(degree + 1);
         rules.for_each_control(length, ends, [&derivatives[piece], next], |control| fitted.push(control));
         fitted.push(points[to]);
+        is_finite &= fitted.as_flattened().iter().all(|x| x.is_finite());
         let whole = knots[to] - knots[from];
         for i in from..to {
             let range = [(knots[i] - knots[from]) / whole, (knots[i + 1] - knots[from]) / whole];
@@ -252,5 +255,5 @@ fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndConditio
         }
     }
     controls.push(points[last]);
-    controls
+    is_finite.then_some(controls)
 }
