@@ -57,12 +57,12 @@ impl Frame {
     }
 
     /// A point in this frame.
-    pub(super) fn to_local(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(super) fn to_local(self, point: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| point[axis] * self.factor - self.center[axis])
     }
 
     /// A point of this frame in coordinates of the input.
-    pub(super) fn to_world(&self, point: [f64; 2]) -> [f64; 2] {
+    pub(super) fn to_world(self, point: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| (point[axis] + self.center[axis]) / self.factor)
     }
 }

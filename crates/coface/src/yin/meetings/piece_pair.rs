@@ -3,7 +3,7 @@
 use super::contacts::{Contact, clusters};
 use super::overlaps::{foot, overlaps_of};
 use super::polynomial::{is_apart, is_near, size};
-use super::roots::{Transversal, transversal_root};
+use super::roots::{IMAGE, Transversal, transversal_root};
 use super::search::Found;
 use super::segments::meet_segments;
 use super::{Meeting, Overlap, Pieces, Polynomial};
@@ -27,6 +27,25 @@ struct Root {
     at: [f64; 2],
     parameters: [[f64; 2]; 2],
     point: [f64; 2],
+}
+
+impl Root {
+    /// Whether the boxes of two roots have a point in common.
+    fn is_beside(&self, other: &Self) -> bool {
+        (0..2).all(|k| {
+            let [x, y] = [self.parameters[k], other.parameters[k]];
+            x[0] <= y[1] && y[0] <= x[1]
+        })
+    }
+
+    /// Whether this root is proven to be another one: it lies in the box in which there is no more than that.
+    fn is_same(&self, other: &Self) -> bool {
+        (0..2).all(|k| {
+            let [low, high] = self.parameters[k];
+            let radius = 0.5 * (high - low) * IMAGE;
+            other.parameters[k][0] <= self.at[k] - radius && self.at[k] + radius <= other.parameters[k][1]
+        })
+    }
 }
 
 /// Meets pieces, with storage that is used again.
@@ -193,20 +212,17 @@ impl<'a> PairSolver<'a> {
         }
         roots.sort_by(|x, y| x.at[0].total_cmp(&y.at[0]).then(x.at[1].total_cmp(&y.at[1])));
         let mut kept: Vec<(Root, bool)> = Vec::with_capacity(roots.len());
-        for root in roots.iter() {
+        for root in &roots {
             let same = kept.iter_mut().rev().find(|(known, _)| {
-                is_near(known.point, root.point, 2.0 * resolution)
-                    && self.is_short(&p, known.at[0], root.at[0])
-                    && self.is_short(&q, known.at[1], root.at[1])
+                known.is_beside(root)
+                    || is_near(known.point, root.point, 2.0 * resolution)
+                        && self.is_short(&p, known.at[0], root.at[0])
+                        && self.is_short(&q, known.at[1], root.at[1])
             });
             match same {
                 // Found from two sides of a cut, or two that are not to be told apart.
                 Some((known, is_one)) => {
-                    let is_same = (0..2).all(|k| {
-                        let [x, y] = [known.parameters[k], root.parameters[k]];
-                        x[0] <= y[1] && y[0] <= x[1]
-                    });
-                    *is_one &= is_same;
+                    *is_one &= known.is_same(root) || root.is_same(known);
                     for k in 0..2 {
                         known.parameters[k][0] = known.parameters[k][0].min(root.parameters[k][0]);
                         known.parameters[k][1] = known.parameters[k][1].max(root.parameters[k][1]);
@@ -287,24 +303,15 @@ impl<'a> PairSolver<'a> {
     /// Moves a crossing to an end of a piece that is within the resolution. It stays certified when the ends of both pieces are there
     /// and equal.
     fn snap(&self, meeting: &mut Meeting, parameters: [[f64; 2]; 2]) {
-        let mut ends: [Option<usize>; 2] = [None; 2];
-        for k in 0..2 {
+        let ends: [Option<usize>; 2] = [0, 1].map(|k| {
             let piece = self.pieces.polynomial(meeting.pieces[k] as usize);
-            let t = meeting.at[k];
-            ends[k] = if t <= 0.5 && self.is_within(&piece, t, 0.0) {
-                Some(0)
-            } else if t > 0.5 && self.is_within(&piece, t, 1.0) {
-                Some(1)
-            } else {
-                None
-            };
-        }
+            let end = usize::from(meeting.at[k] > 0.5);
+            self.is_within(&piece, meeting.at[k], end as f64).then_some(end)
+        });
         let points = [0, 1].map(|k| ends[k].map(|end| self.pieces.ends(meeting.pieces[k] as usize)[end]));
-        for k in 0..2 {
-            if let Some(end) = ends[k] {
-                meeting.at[k] = end as f64;
-                meeting.parameters[k] = [end as f64; 2];
-            }
+        for (k, end) in ends.into_iter().enumerate().filter_map(|(k, end)| Some((k, end? as f64))) {
+            meeting.at[k] = end;
+            meeting.parameters[k] = [end; 2];
         }
         match points {
             [None, None] => {

@@ -10,6 +10,11 @@ const STEPS: usize = 14;
 /// How far beyond the ends of a piece the iteration may go.
 const OUTSIDE: f64 = 0.25;
 
+/// The part of a piece that a root is told up to at least.
+const LARGEST_RADIUS: f64 = 1.0 / 32.0;
+/// The part of a proven box in which the root lies; in all of it there is no other.
+pub(super) const IMAGE: f64 = 0.75;
+
 /// What is known of the common points of two pieces without parallel tangents.
 pub(super) enum Transversal {
     /// There is one, with parameters that are proven to lie within these distances; it may be beyond an end by less than the
@@ -62,9 +67,10 @@ pub(super) fn transversal_root(a: &Polynomial, b: &Polynomial, resolution: f64) 
     let radii = [2.0 * error * size(e) / turn.abs(), 2.0 * error * size(d) / turn.abs()];
     // The second derivatives may be larger beyond the ends, up to (1 + 2 OUTSIDE)^(degree - 2).
     let bend = |piece: &Polynomial, radius: f64| 8.0 * piece.largest_second_derivative() * radius * radius;
-    // Also false for what is not a number.
-    let is_proven = bend(a, radii[0]) + bend(b, radii[1]) <= error;
-    if !is_proven {
+    // Also false for what is not a number. The image of the box is three quarters of it or less.
+    let is_proven = bend(a, radii[0]) + bend(b, radii[1]) <= 0.5 * error;
+    // Where a root may be anywhere on the pieces, nothing is told.
+    if !is_proven || radii.iter().any(|&radius| radius > LARGEST_RADIUS) {
         return Transversal::Unknown;
     }
     let beyond = [t, s].map(|x| (-x).max(x - 1.0).max(0.0));
