@@ -3,9 +3,9 @@
 use super::Combination;
 use super::curved::combine_curved;
 use super::linear::{Membership, combine_linear, linear_overlay};
+use crate::Error;
 use crate::arrangement::boolean::BooleanFormula;
 use crate::yin::{Order, YinSet};
-use crate::{Error, ErrorKind};
 
 impl YinSet {
     /// A Boolean combination of sets, with where its boundary comes from. Operand i of the formula is set i: `a & b` is the meet,
@@ -19,7 +19,8 @@ impl YinSet {
     /// pieces of one that are no neighbors on it, and where an operand has a kink.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if the formula names a set that is not there; [`ErrorKind::TooLarge`] beyond 2^31 pieces.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) if the formula names a set that is not there;
+    /// [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) beyond 2^31 pieces.
     ///
     /// # Complexity
     /// $O(n + k \log k)$ for n pieces that meet k times, and the search for pairs of pieces that come near each other; and the length
@@ -179,7 +180,7 @@ impl YinSet {
     /// again, until there is no fault. Coordinates of knots that stay do not change.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if that does not come to an end within a hundred rounds.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) if that does not come to an end within a hundred rounds.
     ///
     /// # Complexity
     /// That of an overlay for each round; most sets need one, which finds nothing to do.
@@ -233,10 +234,4 @@ fn select(sets: &[&YinSet], condition: impl Fn(&[(u32, i32)]) -> bool) -> Result
         Order::LINEAR => combine_linear(sets, condition),
         _ => combine_curved(sets, condition),
     }
-}
-
-/// What sets of an order cannot be asked yet.
-pub(in crate::yin) fn unsupported(order: Order) -> Error {
-    Error::new(ErrorKind::InvalidInput, format!("curves of order {order} cannot be laid over each other"))
-        .with_cure("take polylines, which are curves of order 2")
 }

@@ -8,7 +8,6 @@ mod outline;
 mod repair;
 
 pub use algebra::Normalized;
-pub(in crate::yin) use algebra::unsupported;
 pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision};
 pub(in crate::yin) use curved::curved_jordan_rings;
 pub(in crate::yin) use linear::{combine_rings, linear_overlay};
