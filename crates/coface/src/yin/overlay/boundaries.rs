@@ -199,8 +199,13 @@ impl<'a> Boundaries<'a> {
 
     /// Whether the way from one position to another, which is not the same, stays within the resolution.
     pub(super) fn is_tiny(&self, from: Position, to: Position) -> bool {
+        self.is_within(from, to, self.resolution)
+    }
+
+    /// Whether the way from one position to another, which is not the same, stays in a box with sides up to a limit.
+    pub(super) fn is_within(&self, from: Position, to: Position, limit: f64) -> bool {
         let [a, b] = [from, to].map(|position| self.point(position));
-        if (0..2).any(|axis| (a[axis] - b[axis]).abs() > self.resolution) {
+        if (0..2).any(|axis| (a[axis] - b[axis]).abs() > limit) {
             return false;
         }
         let [mut low, mut high] = [a, a];
@@ -209,7 +214,7 @@ impl<'a> Boundaries<'a> {
             for axis in 0..2 {
                 low[axis] = low[axis].min(own_low[axis]);
                 high[axis] = high[axis].max(own_high[axis]);
-                if high[axis] - low[axis] > self.resolution {
+                if high[axis] - low[axis] > limit {
                     return false;
                 }
             }

@@ -2,10 +2,21 @@
 
 use super::boundaries::{Boundaries, Position};
 use crate::algebra::UnionFind;
+use crate::yin::curve::bernstein;
 use crate::yin::meetings::{Meeting, Overlap};
 use crate::yin::{Assumption, UncertifiedDecision};
 use rayon::prelude::*;
 use std::cmp::Ordering;
+
+/// Parameters of meetings that are known no better than this are found anew.
+const WIDE: f64 = 1e-10;
+
+/// Two arcs between the same nodes that are shorter than this many times the resolution are contracted: they are within the
+/// resolution of each other.
+const SHORT: f64 = 4096.0;
+
+/// How often two pieces are brought nearer to each other.
+const MOST_STEPS: usize = 40;
 
 /// A place where a curve comes to a node.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +90,18 @@ impl Nodes {
             events: Vec::with_capacity(2 * meetings.len() + 4 * overlaps.len()),
             classes: UnionFind::new(meetings.len() + 2 * overlaps.len()),
         };
-        for meeting in meetings {
+        for (number, meeting) in meetings.iter().enumerate() {
+            let mut meeting = *meeting;
+            if is_explained(&meeting, number, meetings) {
+                continue;
+            }
+            let is_wide = meeting.parameters.iter().any(|[low, high]| high - low > WIDE);
+            if (is_wide || !meeting.is_certified)
+                && !refine(boundaries, &mut meeting)
+                && !meeting.is_certified
+            {
+                continue;
+            }
             if !meeting.is_certified {
                 let parts = [0, 1].map(|side| (meeting.pieces[side], meeting.parameters[side]));
                 report.push(tell(boundaries, Assumption::SamePoint, meeting.point, parts));
@@ -121,6 +143,58 @@ impl Nodes {
 
 pub(super) fn compare(a: &Position, b: &Position) -> Ordering {
     a.piece.cmp(&b.piece).then(a.parameter.total_cmp(&b.parameter))
+}
+
+/// Whether a certified meeting of the same pieces is known better and is where this one may be; meetings are sorted by pieces.
+fn is_explained(meeting: &Meeting, number: usize, all: &[Meeting]) -> bool {
+    let is_of_pair = |other: &&Meeting| other.pieces == meeting.pieces;
+    let before = all[..number].iter().rev().take_while(is_of_pair);
+    let width = |own: &Meeting| own.parameters.iter().map(|[low, high]| high - low).sum::<f64>();
+    before.chain(all[number + 1..].iter().take_while(is_of_pair)).any(|other| {
+        other.is_certified
+            && width(other) < width(meeting)
+            && (0..2).all(|side| {
+                let [low, high] = meeting.parameters[side];
+                low <= other.at[side] && other.at[side] <= high
+            })
+    })
+}
+
+/// Puts an uncertified meeting where its pieces come nearest to each other: whether that is within the resolution.
+fn refine(boundaries: &Boundaries<'_>, meeting: &mut Meeting) -> bool {
+    let offset = |at: [f64; 2]| {
+        let [p, q] = [0, 1].map(|side| bernstein::value(boundaries.controls(meeting.pieces[side]), at[side]));
+        ([p[0] - q[0], p[1] - q[1]], p)
+    };
+    let length = |[x, y]: [f64; 2]| x.hypot(y);
+    let derivatives = meeting.pieces.map(|piece| bernstein::derivative(boundaries.controls(piece)));
+    let mut at = meeting.at;
+    let mut distance = length(offset(at).0);
+    for _ in 0..MOST_STEPS {
+        if distance <= boundaries.rounding {
+            break;
+        }
+        let [x, y] = offset(at).0;
+        let [u, v] = [0, 1].map(|side| bernstein::value(&derivatives[side], at[side]));
+        // Least squares of offset + s u - t v, held back a little where the two are nearly parallel.
+        let (uu, uv, vv) = (u[0] * u[0] + u[1] * u[1], u[0] * v[0] + u[1] * v[1], v[0] * v[0] + v[1] * v[1]);
+        let held = 1e-9 * (uu + vv);
+        let (a, b) = (-(u[0] * x + u[1] * y), v[0] * x + v[1] * y);
+        let determinant = (uu + held) * (vv + held) - uv * uv;
+        let step = [(a * (vv + held) + uv * b) / determinant, ((uu + held) * b + uv * a) / determinant];
+        let next = [0, 1].map(|side| (at[side] + step[side]).clamp(0.0, 1.0));
+        let found = length(offset(next).0);
+        if found.is_nan() || found >= distance {
+            break;
+        }
+        (at, distance) = (next, found);
+    }
+    if length(offset(meeting.at).0) > boundaries.resolution {
+        meeting.at = at;
+        meeting.parameters = at.map(|own| [own; 2]);
+        meeting.point = offset(at).1;
+    }
+    distance <= boundaries.resolution
 }
 
 impl Gathering<'_> {
@@ -184,7 +258,34 @@ impl Gathering<'_> {
                 self.classes.unite(own[at].site, own[(at + 1) % own.len()].site);
             }
         }
+        self.contract_bigons(&mut is_tiny);
         is_tiny
+    }
+
+    /// Contracts short arcs of which two run between the same sites.
+    fn contract_bigons(&mut self, is_tiny: &mut [bool]) {
+        let boundaries = self.boundaries;
+        let mut short: Vec<([u32; 2], u32)> = Vec::new();
+        let curve_of = |event: &Event| boundaries.curve_of(event.position.piece);
+        let mut first = 0;
+        for own in self.events.chunk_by(|a, b| curve_of(a) == curve_of(b)) {
+            for (at, from) in own.iter().enumerate() {
+                let to = &own[(at + 1) % own.len()];
+                let is_short = !is_tiny[first + at]
+                    && from.position != to.position
+                    && boundaries.is_within(from.position, to.position, SHORT * boundaries.resolution);
+                if is_short {
+                    let [a, b] = [from, to].map(|event| self.classes.find(event.site));
+                    short.push(([a.min(b), a.max(b)], (first + at) as u32));
+                }
+            }
+            first += own.len();
+        }
+        short.sort_unstable();
+        for group in short.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1) {
+            self.classes.unite(group[0].0[0], group[0].0[1]);
+            group.iter().for_each(|&(_, at)| is_tiny[at as usize] = true);
+        }
     }
 
     /// Adds to each side of overlaps what the other has: whether there was anything to add.
