@@ -109,7 +109,7 @@ impl<'a> Nester<'a> {
         while !pending.is_empty() {
             let mut answers = Vec::new();
             for (component, below) in pending.drain(..) {
-                match below.and_then(|halfedge| other_outside(halfedge)) {
+                match below.and_then(&other_outside) {
                     Some(other) => {
                         let own = [component, other].map(|member| known[groups.find(member) as usize]);
                         groups.unite(component, other);

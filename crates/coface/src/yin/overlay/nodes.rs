@@ -96,10 +96,9 @@ impl Nodes {
                 continue;
             }
             let is_wide = meeting.parameters.iter().any(|[low, high]| high - low > WIDE);
-            if (is_wide || !meeting.is_certified)
-                && !refine(boundaries, &mut meeting)
-                && !meeting.is_certified
-            {
+            let is_near =
+                if is_wide || !meeting.is_certified { refine(boundaries, &mut meeting) } else { true };
+            if !is_near && !meeting.is_certified {
                 continue;
             }
             if !meeting.is_certified {
