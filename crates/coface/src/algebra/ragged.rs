@@ -236,6 +236,28 @@ impl RaggedArray {
         assert!(u32::try_from(self.items.len()).is_ok(), "a ragged array holds fewer than 2^32 items");
     }
 
+    /// Appends the lists of another array, each item with a number added.
+    ///
+    /// # Panics
+    /// Beyond 2^32 - 1 items, or if an item leaves the range.
+    pub(crate) fn append_moved(&mut self, other: &Self, by: u32) {
+        let width =
+            other.uniform_width().filter(|&width| self.is_empty() || self.uniform_width() == Some(width));
+        let moved = |&item: &u32| item.checked_add(by).expect("items stay below 2^32");
+        if let Some(width) = width {
+            self.starts = Starts::Uniform(width);
+            self.items.extend(other.items.iter().map(moved));
+            assert!(u32::try_from(self.items.len()).is_ok(), "a ragged array holds fewer than 2^32 items");
+            return;
+        }
+        let mut list = Vec::new();
+        for own in other.iter() {
+            list.clear();
+            list.extend(own.iter().map(moved));
+            self.push(&list);
+        }
+    }
+
     /// Writes the starts out and appends the one after a list of length `added`.
     fn listed_starts(&mut self, added: usize) {
         if let Starts::Uniform(width) = self.starts {

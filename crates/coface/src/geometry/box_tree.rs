@@ -21,6 +21,51 @@ pub(crate) fn boxes_meet(a: &AxisBox, b: &AxisBox) -> bool {
 /// How many boxes, and how many nodes, are under one node.
 const WIDTH: usize = 4;
 
+/// The level of the nodes that [`BoxTree::pairs_of_group`] goes by. Under a node of the lowest level are four boxes.
+const GROUP_LEVEL: usize = 3;
+
+/// Four boxes, coordinate by coordinate, so that they are compared with another one at once. Those that are not there meet none.
+#[derive(Clone, Copy, Debug)]
+struct Four {
+    low: [[f64; WIDTH]; 3],
+    high: [[f64; WIDTH]; 3],
+}
+
+impl Four {
+    const EMPTY: Self = Self { low: [[f64::INFINITY; WIDTH]; 3], high: [[f64::NEG_INFINITY; WIDTH]; 3] };
+
+    fn new(boxes: impl Iterator<Item = AxisBox>) -> Self {
+        let mut four = Self::EMPTY;
+        for (place, own) in boxes.enumerate() {
+            for (axis, [low, high]) in own.into_iter().enumerate() {
+                four.low[axis][place] = low;
+                four.high[axis][place] = high;
+            }
+        }
+        four
+    }
+
+    fn get(&self, place: usize) -> AxisBox {
+        [0, 1, 2].map(|axis| [self.low[axis][place], self.high[axis][place]])
+    }
+
+    fn around(&self) -> AxisBox {
+        (0..WIDTH).fold(EMPTY_BOX, |whole, place| box_around(&whole, &self.get(place)))
+    }
+
+    /// A bit for each of the boxes that meets this one.
+    #[inline]
+    fn meeting(&self, other: &AxisBox) -> u32 {
+        let mut meets = [true; WIDTH];
+        for ((low, high), [least, most]) in self.low.iter().zip(&self.high).zip(other) {
+            for (place, meets) in meets.iter_mut().enumerate() {
+                *meets &= (low[place] <= *most) & (*least <= high[place]);
+            }
+        }
+        (0..WIDTH).map(|place| u32::from(meets[place]) << place).sum()
+    }
+}
+
 /// Boxes sorted along a space-filling curve, with the boxes around each four of them, around each four of those, and so on.
 ///
 /// The order of answers depends on the boxes alone.
@@ -28,9 +73,8 @@ const WIDTH: usize = 4;
 pub(crate) struct BoxTree {
     /// The box at each place.
     order: Vec<u32>,
-    boxes: Vec<AxisBox>,
-    /// Boxes around four, the lowest level first; the last level has one.
-    levels: Vec<Vec<AxisBox>>,
+    /// What is under each node, the lowest level, with the boxes themselves, first; the last level has one node.
+    levels: Vec<Vec<Four>>,
 }
 
 impl BoxTree {
@@ -39,11 +83,17 @@ impl BoxTree {
     /// # Complexity
     /// $O(n \log n)$ time and $O(n)$ space.
     pub(crate) fn new(boxes: &[AxisBox]) -> Self {
-        let whole = boxes.iter().fold(EMPTY_BOX, |whole, own| box_around(&whole, own));
+        Self::of(boxes.len(), |i| boxes[i])
+    }
+
+    /// The same for boxes that a function tells.
+    pub(crate) fn of(count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> Self {
+        let around = |a: AxisBox, b: AxisBox| box_around(&a, &b);
+        let whole = (0..count).into_par_iter().map(&box_at).reduce(|| EMPTY_BOX, around);
         // Halved, so that no difference leaves the range.
         let origin = whole.map(|ends| ends[0] / 2.0);
         let extent = whole.map(|ends| ends[1] / 2.0 - ends[0] / 2.0).into_iter().fold(0.0, f64::max);
-        let place = |own: &AxisBox| {
+        let place = |own: AxisBox| {
             let mut code = 0;
             for axis in 0..3 {
                 let middle = own[axis][0] / 4.0 + own[axis][1] / 4.0;
@@ -54,76 +104,112 @@ impl BoxTree {
             code
         };
         let mut order: Vec<(u64, u32)> =
-            boxes.par_iter().enumerate().map(|(i, own)| (place(own), i as u32)).collect();
+            (0..count).into_par_iter().map(|i| (place(box_at(i)), i as u32)).collect();
         order.par_sort_unstable();
         let order: Vec<u32> = order.into_iter().map(|(_, i)| i).collect();
-        let boxes: Vec<AxisBox> = order.iter().map(|&i| boxes[i as usize]).collect();
-        let around = |inner: &[AxisBox]| -> Vec<AxisBox> {
-            inner
-                .chunks(WIDTH)
-                .map(|own| own.iter().fold(EMPTY_BOX, |whole, own| box_around(&whole, own)))
-                .collect()
-        };
-        let mut levels = vec![around(&boxes)];
+        let lowest = order.par_chunks(WIDTH).map(|own| Four::new(own.iter().map(|&i| box_at(i as usize))));
+        let mut levels: Vec<Vec<Four>> = vec![lowest.collect()];
         while let Some(last) = levels.last().filter(|last| last.len() > 1) {
-            levels.push(around(last));
+            levels.push(last.chunks(WIDTH).map(|own| Four::new(own.iter().map(Four::around))).collect());
         }
-        Self { order, boxes, levels }
+        Self { order, levels }
     }
 
-    /// The number of groups that [`Self::pairs_of_group`] goes by.
+    /// The level of the groups: lower for few boxes.
+    fn group_level(&self) -> usize {
+        GROUP_LEVEL.min(self.levels.len() - 1)
+    }
+
+    /// The number of groups that [`Self::pairs_of_group`] goes by: there are up to 256 boxes in each.
     pub(crate) fn group_count(&self) -> usize {
-        self.levels[0].len()
+        self.levels[self.group_level()].len()
     }
 
     /// Calls for pairs of boxes that meet, of which the one that comes first in the tree is in this group: over all groups, each
     /// pair once.
     pub(crate) fn pairs_of_group(&self, group: usize, mut visit: impl FnMut(u32, u32)) {
-        let own = group * WIDTH..((group + 1) * WIDTH).min(self.boxes.len());
-        let around = &self.levels[0][group];
-        self.visit_groups(around, group, |other| {
-            for j in other * WIDTH..((other + 1) * WIDTH).min(self.boxes.len()) {
-                if !boxes_meet(around, &self.boxes[j]) {
-                    continue;
-                }
-                for i in own.start..own.end.min(j) {
-                    if boxes_meet(&self.boxes[i], &self.boxes[j]) {
-                        visit(self.order[i], self.order[j]);
-                    }
-                }
+        let level = self.group_level();
+        let around = self.levels[level][group].around();
+        let mut others = Vec::new();
+        self.visit_nodes(&around, level, group, |node| others.push(node as u32));
+        self.join(level, group, &others, &mut vec![Vec::new(); level], &mut visit);
+    }
+
+    /// Calls for the pairs of boxes that meet, the first under this node, the second under one of these of the same level and after
+    /// it. `lists` has room for each level below.
+    fn join(
+        &self,
+        level: usize,
+        node: usize,
+        others: &[u32],
+        lists: &mut [Vec<u32>],
+        visit: &mut impl FnMut(u32, u32),
+    ) {
+        let nodes = &self.levels[level];
+        for place in 0..WIDTH {
+            let inner = node * WIDTH + place;
+            let query = nodes[node].get(place);
+            // Nodes come after themselves, boxes do not.
+            let first = inner + usize::from(level == 0);
+            let found = others.iter().flat_map(|&other| {
+                let start = other as usize * WIDTH;
+                let before = first.saturating_sub(start).min(WIDTH);
+                Bits(nodes[other as usize].meeting(&query) >> before << before)
+                    .map(move |place| start + place as usize)
+            });
+            let Some((list, lower)) = lists.split_last_mut() else {
+                found.for_each(|other| visit(self.order[inner], self.order[other]));
+                continue;
+            };
+            list.clear();
+            list.extend(found.map(|other| other as u32));
+            if !list.is_empty() {
+                self.join(level - 1, inner, list, lower, visit);
             }
-        });
+        }
     }
 
     /// Calls for each box that meets this one.
     pub(crate) fn visit(&self, query: &AxisBox, mut visit: impl FnMut(u32)) {
-        self.visit_groups(query, 0, |group| {
-            for i in group * WIDTH..((group + 1) * WIDTH).min(self.boxes.len()) {
-                if boxes_meet(query, &self.boxes[i]) {
-                    visit(self.order[i]);
-                }
-            }
+        self.visit_nodes(query, 0, 0, |node| {
+            Bits(self.levels[0][node].meeting(query))
+                .for_each(|place| visit(self.order[node * WIDTH + place as usize]));
         });
     }
 
-    /// Calls for the groups from `first` on whose boxes meet this one.
-    fn visit_groups(&self, query: &AxisBox, first: usize, mut visit: impl FnMut(usize)) {
+    /// Calls for the nodes of a level from `first` on that may have something under them that meets this box, rising.
+    fn visit_nodes(&self, query: &AxisBox, level: usize, first: usize, mut visit: impl FnMut(usize)) {
+        if self.order.is_empty() {
+            return;
+        }
         let mut pending = vec![(self.levels.len() - 1, 0)];
-        while let Some((level, node)) = pending.pop() {
-            if !self.levels[level].get(node).is_some_and(|around| boxes_meet(query, around)) {
-                continue;
-            }
-            if level == 0 {
+        while let Some((at, node)) = pending.pop() {
+            if at == level {
                 visit(node);
                 continue;
             }
-            for inner in (node * WIDTH..((node + 1) * WIDTH).min(self.levels[level - 1].len())).rev() {
-                // The last group under the node.
-                if ((inner + 1) << (2 * (level - 1))) > first {
-                    pending.push((level - 1, inner));
+            let meeting = self.levels[at][node].meeting(query);
+            for place in (0..WIDTH).rev().filter(|place| meeting >> place & 1 != 0) {
+                let inner = node * WIDTH + place;
+                // The last node of the level under it.
+                if ((inner + 1) << (2 * (at - 1 - level))) > first {
+                    pending.push((at - 1, inner));
                 }
             }
         }
+    }
+}
+
+/// The positions of the bits of a number that are set, rising.
+struct Bits(u32);
+
+impl Iterator for Bits {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        let place = self.0.trailing_zeros();
+        self.0 &= self.0.wrapping_sub(1);
+        (place < u32::BITS).then_some(place)
     }
 }
 
@@ -147,7 +233,7 @@ mod tests {
             Just([-f64::MAX, f64::MAX]),
             Just([1e-300, 2e-300]),
         ];
-        prop::collection::vec(prop::array::uniform3(ends), 0..80)
+        prop::collection::vec(prop::array::uniform3(ends), 0..300)
     }
 
     proptest! {

@@ -3,6 +3,7 @@
 use crate::algebra::{Column, SparseMatrix};
 use crate::chains::ChainComplex;
 use crate::{CellId, Error, ErrorKind};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// So many cells are named in a message.
@@ -51,9 +52,12 @@ impl InputRim {
             ));
         }
         let Some(ridges) = complex.boundary_matrix(degree) else { return Ok(Vec::new()) };
-        let mut sum = vec![0i64; ridges.row_count()];
-        let rims = inputs.columns().enumerate().filter_map(|(input, column)| {
-            let open = boundary(ridges, column, &mut sum);
+        // A few long runs, as each has sums of its own.
+        let columns =
+            (0..inputs.column_count()).into_par_iter().with_min_len(inputs.column_count().div_ceil(4));
+        let no_sums = || vec![0i64; ridges.row_count()];
+        let rims = columns.map_init(no_sums, |sum, input| {
+            let open = boundary(ridges, inputs.column(input), sum);
             if open.is_empty() {
                 return None;
             }
@@ -64,7 +68,7 @@ impl InputRim {
             };
             Some(Self { input, ridges: open, walk: walk.into_iter().map(CellId::from_u32).collect() })
         });
-        Ok(rims.collect())
+        Ok(rims.flatten_iter().collect())
     }
 
     /// The number of the input.
@@ -128,16 +132,15 @@ fn boundary(ridges: &SparseMatrix, chain: Column<'_>, sum: &mut [i64]) -> Vec<(C
             touched.push(ridge as u32);
         }
     }
+    if touched.len() >= sum.len() / 16 {
+        let open = (0..).zip(sum).map(|(ridge, sum)| (CellId::from_u32(ridge), std::mem::take(sum)));
+        return open.filter(|&(_, coefficient)| coefficient != 0).collect();
+    }
     touched.sort_unstable();
     touched.dedup();
-    let mut open = Vec::new();
-    for ridge in touched {
-        let coefficient = std::mem::take(&mut sum[ridge as usize]);
-        if coefficient != 0 {
-            open.push((CellId::from_u32(ridge), coefficient));
-        }
-    }
-    open
+    let own =
+        touched.into_iter().map(|ridge| (CellId::from_u32(ridge), std::mem::take(&mut sum[ridge as usize])));
+    own.filter(|&(_, coefficient)| coefficient != 0).collect()
 }
 
 /// A walk along edges that are the support of a cycle, from the first of them until it comes back to where it was.

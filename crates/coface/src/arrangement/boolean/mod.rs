@@ -12,6 +12,7 @@
 mod formula;
 mod generalized_winding;
 mod input_rim;
+mod pinches;
 mod selection;
 mod selection_mesh;
 mod winding;

@@ -1,8 +1,9 @@
 //! Cells that a formula selects, and their boundary.
 
+use super::pinches::Pinches;
 use super::winding::sides_of_facets;
 use super::{BooleanFormula, InsideRule, WindingNumbers};
-use crate::algebra::{RaggedArray, Sign, UnionFind};
+use crate::algebra::Sign;
 use crate::chains::ChainComplex;
 use crate::{CellId, Error, ErrorKind};
 
@@ -18,8 +19,7 @@ pub struct CellSelection {
 pub struct SelectionBoundary {
     facets: Vec<(CellId, Sign)>,
     walls: Vec<CellId>,
-    pinched_ridges: Vec<CellId>,
-    pinched_vertices: Vec<CellId>,
+    pinches: Pinches,
 }
 
 impl CellSelection {
@@ -119,6 +119,16 @@ impl CellSelection {
     /// # Ok(()) }
     /// ```
     pub fn boundary(&self, complex: &ChainComplex) -> Result<SelectionBoundary, Error> {
+        let mut boundary = self.boundary_without_pinches(complex)?;
+        boundary.find_pinches(complex);
+        Ok(boundary)
+    }
+
+    /// The same with pinches still to be found.
+    pub(crate) fn boundary_without_pinches(
+        &self,
+        complex: &ChainComplex,
+    ) -> Result<SelectionBoundary, Error> {
         let degree = complex.degree_count().saturating_sub(1);
         let boundaries = complex.boundary_matrix(degree);
         let Some(boundaries) = boundaries.filter(|matrix| matrix.column_count() == self.cells.len()) else {
@@ -142,12 +152,16 @@ impl CellSelection {
                 _ => {}
             }
         }
-        let (pinched_ridges, pinched_vertices) = pinches(complex, degree, &facets);
-        Ok(SelectionBoundary { facets, walls, pinched_ridges, pinched_vertices })
+        Ok(SelectionBoundary { facets, walls, pinches: Pinches::default() })
     }
 }
 
 impl SelectionBoundary {
+    /// Finds the pinches in the complex that this is a boundary in.
+    pub(crate) fn find_pinches(&mut self, complex: &ChainComplex) {
+        self.pinches = Pinches::new(complex, self.facets.iter().map(|facet| facet.0));
+    }
+
     /// The facets with a selected cell on one side only, with plus where it is behind: a cycle. Rising.
     pub fn facets(&self) -> &[(CellId, Sign)] {
         &self.facets
@@ -161,73 +175,17 @@ impl SelectionBoundary {
     /// The cells of two degrees less than the selection - vertices in the plane, edges in space - with more than two facets of the
     /// boundary, rising.
     pub fn pinched_ridges(&self) -> &[CellId] {
-        &self.pinched_ridges
+        &self.pinches.ridges
     }
 
     /// The vertices at which the boundary of a selection in space falls apart into several fans of facets, rising. In the plane
     /// these are the pinched ridges.
     pub fn pinched_vertices(&self) -> &[CellId] {
-        &self.pinched_vertices
+        &self.pinches.vertices
     }
 
     /// Whether the boundary is a closed curve or surface near each of its points.
     pub fn is_manifold(&self) -> bool {
-        self.pinched_ridges.is_empty() && self.pinched_vertices.is_empty()
+        self.pinches == Pinches::default()
     }
-}
-
-/// Ridges with more than two facets of a boundary, and vertices with more than one fan.
-fn pinches(complex: &ChainComplex, degree: usize, facets: &[(CellId, Sign)]) -> (Vec<CellId>, Vec<CellId>) {
-    let Some(ridges) = degree.checked_sub(1).and_then(|below| complex.boundary_matrix(below)) else {
-        return (Vec::new(), Vec::new());
-    };
-    let mut around = RaggedArray::new();
-    facets.iter().for_each(|(facet, _)| around.push(ridges.column(facet.index()).rows()));
-    // The positions of the facets at each ridge.
-    let at_ridge = around.transposed(ridges.row_count());
-    let pinched: Vec<CellId> = (0..)
-        .zip(at_ridge.iter())
-        .filter(|(_, facets)| facets.len() > 2)
-        .map(|(ridge, _)| CellId::from_u32(ridge))
-        .collect();
-    if degree == 2 {
-        return (pinched.clone(), pinched);
-    }
-    let (3, Some(ends)) = (degree, complex.boundary_matrix(1)) else { return (pinched, Vec::new()) };
-    // Corners of facets are numbered through; those on both sides of an edge are in one fan.
-    let mut corners = RaggedArray::new();
-    let mut list = Vec::new();
-    for edges in around.iter() {
-        list.clear();
-        list.extend(edges.iter().flat_map(|&edge| ends.column(edge as usize).rows()));
-        list.sort_unstable();
-        list.dedup();
-        corners.push(&list);
-    }
-    let corner = |facet: u32, vertex: u32| {
-        let place = corners.list(facet as usize).binary_search(&vertex).expect("sides have corners");
-        (corners.start(facet as usize) + place) as u32
-    };
-    let mut fans = UnionFind::new(corners.item_count());
-    for (edge, facets) in at_ridge.iter().enumerate() {
-        let Some((&first, others)) = facets.split_first() else { continue };
-        for &vertex in ends.column(edge).rows() {
-            others.iter().for_each(|&other| {
-                fans.unite(corner(first, vertex), corner(other, vertex));
-            });
-        }
-    }
-    const NONE: u32 = u32::MAX;
-    let mut first = vec![NONE; complex.cell_count(0)];
-    let mut is_split = vec![false; first.len()];
-    for (corner, &vertex) in (0..).zip(corners.items()) {
-        let known = &mut first[vertex as usize];
-        if *known == NONE {
-            *known = corner;
-        } else if !fans.same(*known, corner) {
-            is_split[vertex as usize] = true;
-        }
-    }
-    let split = is_split.iter().enumerate().filter(|(_, is_split)| **is_split);
-    (pinched, split.map(|(vertex, _)| CellId::new(vertex)).collect())
 }

@@ -55,28 +55,42 @@ impl SelectionMesh {
     /// # Panics
     /// From 2^32 corners on.
     pub fn new(facets: &[(CellId, Sign)], pieces: impl Fn(CellId, &mut dyn FnMut(&[u32]))) -> Self {
-        let (mut starts, mut items, mut own) = (vec![0u32], Vec::new(), Vec::with_capacity(facets.len()));
-        for &(facet, sign) in facets {
-            pieces(facet, &mut |polygon| {
-                match sign {
-                    Sign::Plus => items.extend_from_slice(polygon),
-                    Sign::Minus => items.extend(polygon.iter().rev()),
-                }
-                starts.push(u32::try_from(items.len()).expect("corners are fewer than 2^32"));
-                own.push((facet, sign));
-            });
+        let mut mesh = Self { polygons: RaggedArray::new(), facets: Vec::new(), vertex_sources: Vec::new() };
+        mesh.facets.reserve(facets.len());
+        for &facet in facets {
+            pieces(facet.0, &mut |polygon| mesh.push(facet, polygon));
         }
-        let count = items.iter().max().map_or(0, |&last| last as usize + 1);
+        mesh.number_vertices();
+        mesh
+    }
+
+    /// The mesh of these polygons, each with its facet and in the direction of the facet, the facets one after the other.
+    pub(crate) fn of_pieces<'a>(pieces: impl Iterator<Item = ((CellId, Sign), &'a [u32])>) -> Self {
+        let mut mesh = Self { polygons: RaggedArray::new(), facets: Vec::new(), vertex_sources: Vec::new() };
+        pieces.for_each(|(facet, polygon)| mesh.push(facet, polygon));
+        mesh.number_vertices();
+        mesh
+    }
+
+    fn push(&mut self, facet: (CellId, Sign), polygon: &[u32]) {
+        let start = self.polygons.item_count();
+        self.polygons.push(polygon);
+        if facet.1 == Sign::Minus {
+            self.polygons.items_mut()[start..].reverse();
+        }
+        self.facets.push(facet);
+    }
+
+    /// Numbers the vertices of the arrangement that polygons have.
+    fn number_vertices(&mut self) {
+        let count = self.polygons.items().iter().max().map_or(0, |&last| last as usize + 1);
         let mut numbers = vec![u32::MAX; count];
-        items.iter().for_each(|&vertex| numbers[vertex as usize] = 0);
-        let mut vertex_sources = Vec::new();
+        self.polygons.items().iter().for_each(|&vertex| numbers[vertex as usize] = 0);
         for (vertex, number) in numbers.iter_mut().enumerate().filter(|(_, number)| **number == 0) {
-            *number = vertex_sources.len() as u32;
-            vertex_sources.push(CellId::new(vertex));
+            *number = self.vertex_sources.len() as u32;
+            self.vertex_sources.push(CellId::new(vertex));
         }
-        items.iter_mut().for_each(|vertex| *vertex = numbers[*vertex as usize]);
-        let polygons = RaggedArray::from_parts(starts, items).expect("starts rise to the number of items");
-        Self { polygons, facets: own, vertex_sources }
+        self.polygons.items_mut().iter_mut().for_each(|vertex| *vertex = numbers[*vertex as usize]);
     }
 
     /// The polygons, counterclockwise seen from outside the selection.

@@ -96,6 +96,11 @@ impl WindingNumbers {
         Self::counted(complex, inputs, Count::Whole)
     }
 
+    /// The same for inputs that are known to have no rims.
+    pub(crate) fn of_cycles(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        Self::carried(complex, inputs, Count::Whole)
+    }
+
     /// The winding numbers modulo 2, as 0 and 1. They need no directions: inputs whose facets do not run coherently have them,
     /// as long as an even number of facets meets in each ridge.
     ///
@@ -124,14 +129,22 @@ impl WindingNumbers {
     }
 
     fn counted(complex: &ChainComplex, inputs: &SparseMatrix, count: Count) -> Result<Self, Error> {
-        let degree = complex.degree_count().saturating_sub(1);
-        let Some(boundaries) = complex.boundary_matrix(degree) else {
+        if complex.degree_count() < 2 {
             return Err(Error::new(ErrorKind::Shape, "a complex of points has no facets"));
-        };
+        }
         let rims = InputRim::of_inputs(complex, inputs)?;
         if let Some(rim) = rims.iter().find(|rim| count == Count::Whole || !rim.is_even()) {
             return Err(rim.error(complex));
         }
+        Self::carried(complex, inputs, count)
+    }
+
+    /// Carries the numbers of inputs that are closed from the exterior across the facets.
+    fn carried(complex: &ChainComplex, inputs: &SparseMatrix, count: Count) -> Result<Self, Error> {
+        let degree = complex.degree_count().saturating_sub(1);
+        let Some(boundaries) = complex.boundary_matrix(degree) else {
+            return Err(Error::new(ErrorKind::Shape, "a complex of points has no facets"));
+        };
         let sides = sides_of_facets(boundaries)?;
         let (cell_count, input_count) = (boundaries.column_count(), inputs.column_count());
         let jumps = inputs.transpose();

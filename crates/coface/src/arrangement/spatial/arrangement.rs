@@ -119,8 +119,8 @@ impl SpatialArrangement {
         options: &SpatialOptions,
     ) -> Result<Self, Error> {
         let cut = CutTriangles::new(positions, triangles, &CutOptions { max_cells: options.max_cells })?;
-        let cells = cut.cells()?;
-        let patches_of_face = patches.of_faces(&cut);
+        let (cells, patches_of_face) = rayon::join(|| cut.cells(), || patches.of_faces(&cut));
+        let cells = cells?;
         let predicates = cut.predicates();
         let around = cells.radial_order();
         let rules =
@@ -316,11 +316,9 @@ impl SpatialArrangement {
     /// [`TooLarge`](crate::ErrorKind::TooLarge) beyond 2^32 - 1 entries in a matrix.
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         let complex = self.complex();
-        ChainComplex::new(vec![
-            complex.edge_boundaries()?,
-            complex.face_boundaries()?,
-            self.cell_boundaries()?,
-        ])
+        let (faces, (edges, cells)) =
+            rayon::join(|| complex.face_boundaries(), || (complex.edge_boundaries(), self.cell_boundaries()));
+        Ok(ChainComplex::from_trusted_boundaries(vec![edges?, faces?, cells?]))
     }
 
     /// The volume of each cell, without its voids, in the cube of the unit of the positions, rounded.

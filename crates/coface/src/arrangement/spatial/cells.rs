@@ -5,13 +5,14 @@ use super::face_planes::face_planes;
 use super::nesting::parents;
 use super::polygonal_complex::sign_of;
 use super::predicates::{GivenPoints, SpatialPredicates};
-use super::radial_order::RadialOrder;
+use super::radial_order::{RadialOrder, SidesAtEdges};
 use super::shells::Shells;
 use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::chains::ChainComplex;
 use crate::geometry::{Positions, Scaled, Sum};
 use crate::{CellId, EdgeId, Error, FaceId};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The exterior, where cells are numbered.
 const EXTERIOR: u32 = u32::MAX;
@@ -55,7 +56,7 @@ const EXTERIOR: u32 = u32::MAX;
 /// ```
 #[derive(Clone, Debug)]
 pub struct SpatialCells {
-    complex: PolygonalComplex,
+    complex: Arc<PolygonalComplex>,
     order: RadialOrder,
     shells: Shells,
     /// The cell of each shell, or the exterior.
@@ -90,11 +91,14 @@ impl SpatialCells {
     /// # Errors
     /// As [`Self::new`].
     pub fn with_predicates(
-        complex: PolygonalComplex,
+        complex: impl Into<Arc<PolygonalComplex>>,
         predicates: &impl SpatialPredicates,
     ) -> Result<Self, Error> {
-        let planes = face_planes(&complex, predicates)?;
-        let order = RadialOrder::new(&complex, predicates, &planes)?;
+        let complex = complex.into();
+        let (planes, sides) =
+            rayon::join(|| face_planes(&complex, predicates), || SidesAtEdges::new(&complex));
+        let planes = planes?;
+        let order = RadialOrder::new(&complex, predicates, &planes, sides)?;
         let shells = Shells::new(&complex, predicates, &planes, &order);
         let parents = parents(&complex, predicates, &planes, &shells)?;
         let mut cell_of_shell = vec![EXTERIOR; shells.shell_count];
@@ -248,11 +252,12 @@ impl SpatialCells {
     /// # Errors
     /// [`crate::ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        ChainComplex::new(vec![
+        // The sides of a shell follow each other around each edge, so that shells are cycles.
+        Ok(ChainComplex::from_trusted_boundaries(vec![
             self.complex.edge_boundaries()?,
             self.complex.face_boundaries()?,
             self.cell_boundaries()?,
-        ])
+        ]))
     }
 
     /// The volume that each shell encloses, in the cube of the unit of the positions, rounded: positive for outer shells of
@@ -261,29 +266,37 @@ impl SpatialCells {
     /// # Errors
     /// [`crate::ErrorKind::Shape`] unless there are three coordinates for each vertex.
     pub fn shell_volumes(&self, positions: &Positions) -> Result<Vec<f64>, Error> {
+        let shells: Vec<u32> = (0..self.shell_count() as u32).collect();
+        self.volumes_of_shells(positions, &shells)
+    }
+
+    fn volumes_of_shells(&self, positions: &Positions, shells: &[u32]) -> Result<Vec<f64>, Error> {
         self.complex.check_positions(positions)?;
         let scaled = Scaled::new(positions);
-        let volume = |shell: usize| {
-            let half_faces = self.half_faces.list(shell);
-            let tail = |half: u32| {
-                let first = self.complex.packed_sides().list((half >> 1) as usize)[0];
-                self.complex.side_ends(first)[0]
-            };
+        let tail = |half: u32| {
+            let first = self.complex.packed_sides().list((half >> 1) as usize)[0];
+            self.complex.side_ends(first)[0]
+        };
+        let volume = |&shell: &u32| {
+            let half_faces = self.half_faces.list(shell as usize);
             // An apex on the shell: no volume that cancels is larger than the shell itself.
             let origin = half_faces.first().map_or([0.0; 3], |&half| scaled.origin_at(tail(half)));
-            let mut sum = Sum::default();
-            for &half in half_faces {
-                let top = scaled.relative(tail(half), origin);
+            let sum = Sum::of(half_faces.len(), |i| {
+                let (half, apex) = (half_faces[i], tail(half_faces[i]));
                 let mut cone = Sum::default();
                 for &side in self.complex.packed_sides().list((half >> 1) as usize) {
-                    let [a, b] = self.complex.side_ends(side).map(|end| scaled.relative(end, origin));
-                    cone.add(determinant(top, a, b));
+                    let [a, b] = self.complex.side_ends(side);
+                    // Sides at the apex span nothing with it.
+                    if a != apex && b != apex {
+                        let [top, a, b] = [apex, a, b].map(|vertex| scaled.relative(vertex, origin));
+                        cone.add(determinant(top, a, b));
+                    }
                 }
-                sum.add(f64::from(sign_of(half).to_i32()) * cone.value());
-            }
-            scaled.unscaled(sum.value() / 6.0, 3)
+                f64::from(sign_of(half).to_i32()) * cone.value()
+            });
+            scaled.unscaled(sum / 6.0, 3)
         };
-        Ok((0..self.shell_count()).into_par_iter().map(volume).collect())
+        Ok(shells.par_iter().map(volume).collect())
     }
 
     /// The volume of each cell, without its voids, in the cube of the unit of the positions, rounded.
@@ -291,13 +304,28 @@ impl SpatialCells {
     /// # Errors
     /// As [`Self::shell_volumes`].
     pub fn volumes(&self, positions: &Positions) -> Result<Vec<f64>, Error> {
-        let shells = self.shell_volumes(positions)?;
-        let sum = |own: &[u32]| {
+        let cells: Vec<CellId> = (0..self.cell_count()).map(CellId::new).collect();
+        self.volumes_of(positions, &cells)
+    }
+
+    /// The same for some cells, in their order.
+    ///
+    /// # Errors
+    /// As [`Self::shell_volumes`].
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub(crate) fn volumes_of(&self, positions: &Positions, cells: &[CellId]) -> Result<Vec<f64>, Error> {
+        let own = cells.iter().map(|cell| self.shells_of_cell.list(cell.index()));
+        let shells: Vec<u32> = own.clone().flatten().copied().collect();
+        let volumes = self.volumes_of_shells(positions, &shells)?;
+        let mut rest = volumes.into_iter();
+        let sums = own.map(|own| {
             let mut sum = Sum::default();
-            own.iter().for_each(|&shell| sum.add(shells[shell as usize]));
+            rest.by_ref().take(own.len()).for_each(|volume| sum.add(volume));
             sum.value()
-        };
-        Ok(self.shells_of_cell.iter().map(sum).collect())
+        });
+        Ok(sums.collect())
     }
 }
 

@@ -95,6 +95,9 @@ impl SpatialArrangement {
     /// # Panics
     /// If there is no such face.
     pub fn triangulated(&self, face: FaceId) -> Result<Vec<[u32; 3]>, Error> {
+        if let Some(corners) = self.single_triangle(face) {
+            return Ok(vec![corners]);
+        }
         let fine = self.first_fine_face(face);
         if self.patches.fold(self.patches_of_face.list(fine.index())).is_none() {
             let paths = self.paths(face);
@@ -111,6 +114,24 @@ impl SpatialArrangement {
             all.extend(own);
         }
         Ok(all)
+    }
+
+    /// The corners of a face that is drawn as it is, since it is a triangle with nothing along its sides: the first side, and the corner
+    /// opposite to it.
+    pub(crate) fn single_triangle(&self, face: FaceId) -> Option<[u32; 3]> {
+        let &[x, y, z] = self.complex().packed_sides().list(face.index()) else { return None };
+        if self.patches.fold(self.patches_of_face.list(self.first_fine_face(face).index())).is_some() {
+            return None;
+        }
+        let fine = |side: u32| match &self.merged {
+            None => Some(side),
+            Some(merged) => match merged.edges.list((side >> 1) as usize) {
+                &[own] => Some(own ^ (side & 1)),
+                _ => None,
+            },
+        };
+        let ends = |side: u32| Some(self.cut.complex().side_ends(fine(side)?));
+        corners_of_walk([ends(x)?, ends(y)?, ends(z)?])
     }
 
     /// The triangles to draw all faces with.
@@ -133,13 +154,10 @@ impl SpatialArrangement {
 
     /// Triangles within the plane of a fine face.
     fn triangles(&self, sides: &[[u32; 2]], fine: FaceId) -> Result<Vec<[u32; 3]>, Error> {
-        if let [[a, b], [c, d], [e, f]] = *sides {
-            if b == c && d == e && f == a {
-                return Ok(vec![[a, b, d]]);
-            }
-            if b == e && f == c && d == a {
-                return Ok(vec![[a, b, f]]);
-            }
+        if let &[x, y, z] = sides
+            && let Some(corners) = corners_of_walk([x, y, z])
+        {
+            return Ok(vec![corners]);
         }
         let (view, predicates) = (self.plane_view(fine), self.cut.predicates());
         let compare = |a: u32, b: u32| view.compare(&predicates, a, b);
@@ -183,6 +201,15 @@ impl SpatialArrangement {
                 [complex.side_ends(first)[0], complex.side_ends(last)[1]]
             })
             .collect()
+    }
+}
+
+/// The corners of a triangle with these sides, the first side first; `None` if they are no closed walk.
+fn corners_of_walk([[a, b], [c, d], [e, f]]: [[u32; 2]; 3]) -> Option<[u32; 3]> {
+    if b == c && d == e && f == a {
+        Some([a, b, d])
+    } else {
+        (b == e && f == c && d == a).then_some([a, b, f])
     }
 }
 

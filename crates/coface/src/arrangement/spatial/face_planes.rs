@@ -66,10 +66,8 @@ fn face_plane(
     neighbors: &mut Vec<(u32, bool)>,
 ) -> Result<FacePlane, Error> {
     if let Some(corners) = predicates.corners_of_plane(face as u32) {
-        let (axis, front) = (0..3)
-            .map(|axis| (axis, predicates.normal_sign(axis, corners)))
-            .find(|(_, front)| front.is_ne())
-            .expect("the corners of a plane are not on one line");
+        let (axis, front) =
+            predicates.axis_of_plane(face as u32).expect("the corners of a plane are not on one line");
         let front = if front.is_gt() { Sign::Plus } else { Sign::Minus };
         return Ok(FacePlane { corners, axis: axis as u8, front });
     }

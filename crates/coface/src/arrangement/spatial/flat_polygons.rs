@@ -104,6 +104,10 @@ impl PolygonTriangles {
         let lists = walks.items().as_chunks::<3>().0;
         let has_area: Vec<bool> =
             lists.par_iter().map(|&own| (0..3).any(|axis| points.normal_sign(axis, own).is_ne())).collect();
+        if !has_area.contains(&false) {
+            let polygon_of_triangle = (0..lists.len() as u32).collect();
+            return Self { triangles: lists.to_vec(), polygon_of_triangle, ..Self::default() };
+        }
         let mut all = Self::default();
         for ((polygon, &own), has_area) in (0..).zip(lists).zip(has_area) {
             if has_area {

@@ -17,17 +17,34 @@ impl SpatialArrangement {
     }
 
     fn chains_of(&self, is_wanted: impl Fn(usize) -> bool) -> Result<SparseMatrix, Error> {
-        let mut entries = Vec::new();
-        for face in 0..self.complex().face_count() {
-            let fine = self.first_fine_face(FaceId::new(face));
+        // For each input its faces, which rise, with multiplicities.
+        let mut columns: Vec<Vec<(u32, i32)>> = vec![Vec::new(); self.input_count()];
+        for face in 0..self.complex().face_count() as u32 {
+            let fine = self.first_fine_face(FaceId::from_u32(face));
             self.patches.for_each_polygon(self.patches_of_face.list(fine.index()), |polygon| {
                 let input = self.input_of_polygon()[(polygon >> 1) as usize] as usize;
                 if is_wanted(input) {
-                    entries.push((face, input, 1 - 2 * i64::from(polygon & 1)));
+                    let sign = 1 - 2 * (polygon & 1) as i32;
+                    match columns[input].last_mut().filter(|last| last.0 == face) {
+                        // Polygons are fewer than 2^31.
+                        Some(last) => last.1 += sign,
+                        None => columns[input].push((face, sign)),
+                    }
                 }
             });
         }
-        SparseMatrix::from_entries(self.complex().face_count(), self.input_count(), entries)
+        let (mut starts, mut rows, mut entries) = (vec![0], Vec::new(), Vec::new());
+        for column in columns {
+            let kept = column.into_iter().filter(|&(_, multiplicity)| multiplicity != 0);
+            kept.for_each(|(face, multiplicity)| {
+                rows.push(face);
+                entries.push(multiplicity);
+            });
+            starts.push(u32::try_from(rows.len()).map_err(|_| {
+                Error::new(ErrorKind::TooLarge, "2^32 or more faces of inputs, counted for each input")
+            })?);
+        }
+        SparseMatrix::from_trusted_parts(self.complex().face_count(), starts, rows, entries)
     }
 
     /// How often each input winds around each cell.

@@ -23,12 +23,18 @@ pub(super) struct Patches {
 impl Patches {
     /// The patches of each face of the cut triangles, rising, packed with 1 for those that run the other way.
     pub(super) fn of_faces(&self, cut: &CutTriangles) -> RaggedArray {
+        let packed = |t: u32| 2 * self.patch_of_triangle[(t >> 1) as usize] + (t & 1);
+        let all = cut.triangles_of_faces();
+        if all.uniform_width() == Some(1) {
+            let own = all.items().iter().map(|&t| packed(t)).collect();
+            return RaggedArray::uniform(1, own).expect("there are as many as before");
+        }
         let mut all = RaggedArray::new();
         let mut own = Vec::new();
         for face in (0..cut.complex().face_count()).map(FaceId::new) {
             own.clear();
             let triangles = cut.triangles_of_face(face).iter();
-            own.extend(triangles.map(|&t| 2 * self.patch_of_triangle[(t >> 1) as usize] + (t & 1)));
+            own.extend(triangles.map(|&t| packed(t)));
             own.sort_unstable();
             all.push(&own);
         }

@@ -303,7 +303,8 @@ impl PolygonalComplex {
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
     pub fn edge_boundaries(&self) -> Result<SparseMatrix, Error> {
         let starts = (0..=self.edges.len() as u32).map(|edge| 2 * edge).collect();
-        let (mut rows, mut entries) = (Vec::new(), Vec::new());
+        let count = 2 * self.edges.len();
+        let (mut rows, mut entries) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for &[from, to] in &self.edges {
             rows.extend([from.min(to), from.max(to)]);
             entries.extend(if from < to { [-1, 1] } else { [1, -1] });
@@ -316,7 +317,10 @@ impl PolygonalComplex {
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
     pub fn face_boundaries(&self) -> Result<SparseMatrix, Error> {
-        let (mut starts, mut rows, mut entries) = (vec![0u32], Vec::new(), Vec::new());
+        let count = self.sides.item_count();
+        let (mut rows, mut entries) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut starts = Vec::with_capacity(self.sides.len() + 1);
+        starts.push(0u32);
         let mut own = Vec::new();
         for sides in self.sides.iter() {
             own.clear();
@@ -336,7 +340,7 @@ impl PolygonalComplex {
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        ChainComplex::new(vec![self.edge_boundaries()?, self.face_boundaries()?])
+        Ok(ChainComplex::from_trusted_boundaries(vec![self.edge_boundaries()?, self.face_boundaries()?]))
     }
 
     /// `Shape` unless the positions are points in space, one for each vertex at least.

@@ -30,6 +30,13 @@ pub trait SpatialPredicates: Sync {
         None
     }
 
+    /// An axis that is not in the plane of a face with [`Self::corners_of_plane`], and the sign of the normal along it, `Greater` where the
+    /// front is towards the far end of the axis.
+    fn axis_of_plane(&self, face: u32) -> Option<(usize, Ordering)> {
+        let corners = self.corners_of_plane(face)?;
+        (0..3).map(|axis| (axis, self.normal_sign(axis, corners))).find(|(_, front)| front.is_ne())
+    }
+
     /// Two vertices of the line of an edge, on it or not, in its direction, where they are known. Then the faces around the edge are
     /// known to leave it in different directions.
     fn points_of_line(&self, _edge: u32) -> Option<[u32; 2]> {

@@ -9,6 +9,9 @@ use crate::algebra::{RaggedArray, Sign};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
+/// The sides at so many edges are sorted at a time.
+const EDGES: usize = 1 << 10;
+
 /// Sides by faces, and around edges.
 #[derive(Clone, Debug)]
 pub(super) struct RadialOrder {
@@ -142,8 +145,35 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
     }
 }
 
+/// The sides at each edge by rising faces: those between consecutive starts.
+pub(super) struct SidesAtEdges {
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl SidesAtEdges {
+    pub(super) fn new(complex: &PolygonalComplex) -> Self {
+        let sides = complex.packed_sides();
+        let mut starts = vec![0u32; complex.edge_count() + 1];
+        sides.items().iter().for_each(|&side| starts[(side >> 1) as usize + 1] += 1);
+        for edge in 0..complex.edge_count() {
+            starts[edge + 1] += starts[edge];
+        }
+        let mut next = starts.clone();
+        let mut items = vec![0; sides.item_count()];
+        for (face, own) in (0u32..).zip(sides.iter()) {
+            for &side in own {
+                let place = &mut next[(side >> 1) as usize];
+                items[*place as usize] = face << 1 | side & 1;
+                *place += 1;
+            }
+        }
+        Self { starts, items }
+    }
+}
+
 impl RadialOrder {
-    /// Sorts the faces around each edge, by signs of determinants only.
+    /// Sorts the faces around each edge, given by their sides, by signs of determinants only.
     ///
     /// # Errors
     /// `InvalidInput` naming an edge and two faces that leave it in the same direction.
@@ -151,40 +181,39 @@ impl RadialOrder {
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
         planes: &[FacePlane],
+        sides: SidesAtEdges,
     ) -> Result<Self, Error> {
-        let sides = complex.packed_sides();
-        let mut around =
-            RaggedArray::grouped(complex.edge_count(), sides.items().iter().map(|&side| side >> 1));
-        let mut face_of_side = Vec::with_capacity(sides.item_count());
-        for face in 0..sides.len() {
-            face_of_side.resize(sides.start(face + 1), face as u32);
-        }
-        around.items_mut().par_iter_mut().for_each(|item| {
-            let at = *item as usize;
-            *item = face_of_side[at] << 1 | sides.items()[at] & 1;
-        });
-        let counts: Vec<usize> = around.iter().map(<[u32]>::len).collect();
-        let mut rest = around.items_mut();
-        let mut lists = Vec::with_capacity(counts.len());
-        for count in counts {
-            let (list, after) = rest.split_at_mut(count);
-            lists.push(list);
+        let SidesAtEdges { starts, mut items } = sides;
+        let mut blocks = Vec::with_capacity(complex.edge_count() / EDGES + 1);
+        let mut rest = &mut items[..];
+        for first in (0..complex.edge_count()).step_by(EDGES) {
+            let block = &starts[first..=(first + EDGES).min(complex.edge_count())];
+            let (own, after) = rest.split_at_mut((block[block.len() - 1] - block[0]) as usize);
+            blocks.push((first, block, own));
             rest = after;
         }
-        let faults: Vec<(usize, [u32; 2])> = lists
+        let sort = |edge: usize, list: &mut [u32], wings: &mut Vec<(u8, Wing)>| {
+            // Two sides have only one order.
+            let is_sorted = list.len() == 2 && predicates.points_of_line(edge as u32).is_some();
+            if list.len() < 2 || is_sorted || predicates.sort_around(edge as u32, list) {
+                return None;
+            }
+            let view = EdgeView::new(complex, predicates, planes, edge);
+            view.sort(list, wings).err().map(|sides| (edge, sides))
+        };
+        let faults: Vec<(usize, [u32; 2])> = blocks
             .into_par_iter()
-            .enumerate()
-            .map_init(Vec::new, |wings, (edge, list)| {
-                // Two sides have only one order.
-                let is_sorted = list.len() == 2 && predicates.points_of_line(edge as u32).is_some();
-                if list.len() < 2 || is_sorted || predicates.sort_around(edge as u32, list) {
-                    return None;
+            .map(|(first, block, own)| {
+                let (mut wings, mut faults) = (Vec::new(), Vec::new());
+                for (edge, ends) in (first..).zip(block.windows(2)) {
+                    let range = (ends[0] - block[0]) as usize..(ends[1] - block[0]) as usize;
+                    faults.extend(sort(edge, &mut own[range], &mut wings));
                 }
-                let view = EdgeView::new(complex, predicates, planes, edge);
-                view.sort(list, wings).err().map(|sides| (edge, sides))
+                faults
             })
             .flatten()
             .collect();
+        let around = RaggedArray::from_parts(starts, items).expect("starts rise to the number of sides");
         if let Some(&(edge, sides)) = faults.first() {
             let mut faces = sides.map(|side| side >> 1);
             faces.sort_unstable();

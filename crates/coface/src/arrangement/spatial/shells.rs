@@ -37,7 +37,7 @@ impl Shells {
             let sides = order.at(edge);
             for (i, &side) in sides.iter().enumerate() {
                 // Counterclockwise of a side that runs with its edge is its front, clockwise its back.
-                half_faces.unite(side ^ 1, sides[(i + 1) % sides.len()]);
+                half_faces.unite(side ^ 1, sides[if i + 1 == sides.len() { 0 } else { i + 1 }]);
             }
         }
         let shell_of = half_faces.class_numbers();
@@ -78,9 +78,14 @@ impl Shells {
             Some(self.component_of_face((side >> 1) as usize) as usize)
         };
         let mut lowest = vec![NONE; component_count];
+        // The component that each vertex was looked at in last: most are in one only.
+        let mut seen_in = vec![NONE as usize; complex.vertex_count()];
         for (edge, ends) in complex.edges().iter().enumerate() {
             let Some(component) = component_at(edge) else { continue };
             for &end in ends {
+                if std::mem::replace(&mut seen_in[end as usize], component) == component {
+                    continue;
+                }
                 let known = &mut lowest[component];
                 if *known == NONE || lexicographic(predicates, end, *known).is_lt() {
                     *known = end;

@@ -6,6 +6,7 @@ use crate::arrangement::spatial::{SpatialArrangement, SpatialOptions};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
+use std::sync::OnceLock;
 
 /// The cells that the polygons of a scene cut space into.
 ///
@@ -15,7 +16,8 @@ use crate::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 pub(super) struct Arranged {
     arrangement: SpatialArrangement,
     complex: ChainComplex,
-    volumes: Vec<f64>,
+    /// Found when they are asked for.
+    volumes: OnceLock<Vec<f64>>,
     /// Rows are faces, columns models.
     inputs: SparseMatrix,
 }
@@ -39,15 +41,18 @@ impl Arranged {
         if request.snap {
             arrangement = arrangement.snapped(&options)?;
         }
-        let (complex, volumes) = (arrangement.chain_complex()?, arrangement.volumes()?);
-        let chains = arrangement.input_chains()?;
+        let (complex, chains) = rayon::join(|| arrangement.chain_complex(), || arrangement.input_chains());
+        let (complex, chains) = (complex?, chains?);
         // Walls are inputs of their own there, after the models.
         let count = scene.names().len();
+        if chains.column_count() == count {
+            return Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs: chains });
+        }
         let columns = chains.columns().take(count).enumerate();
         let entries = columns
             .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
         let inputs = SparseMatrix::from_entries(chains.row_count(), count, entries)?;
-        Ok(Self { arrangement, complex, volumes, inputs })
+        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs })
     }
 
     pub(super) fn complex(&self) -> &ChainComplex {
@@ -65,7 +70,20 @@ impl Arranged {
     }
 
     pub(super) fn volumes(&self) -> &[f64] {
-        &self.volumes
+        self.volumes.get_or_init(|| {
+            self.arrangement.volumes().expect("vertices of an arrangement are points in space")
+        })
+    }
+
+    /// The volumes of some cells.
+    pub(super) fn volumes_of(&self, cells: &[CellId]) -> Vec<f64> {
+        match self.volumes.get() {
+            Some(all) => cells.iter().map(|cell| all[cell.index()]).collect(),
+            None => {
+                let found = self.arrangement.fine().volumes_of(self.drawn_positions(), cells);
+                found.expect("vertices of an arrangement are points in space")
+            }
+        }
     }
 
     /// The models as chains of faces: rows are faces, columns models.
@@ -81,6 +99,11 @@ impl Arranged {
     /// The walks around a face in drawn vertices, the outer one first.
     pub(super) fn walks(&self, face: CellId) -> RaggedArray {
         self.arrangement.face_outlines(FaceId::from_u32(face.to_u32()))
+    }
+
+    /// The corners of a face that is a triangle as it is.
+    pub(super) fn single_triangle(&self, face: CellId) -> Option<[u32; 3]> {
+        self.arrangement.single_triangle(FaceId::from_u32(face.to_u32()))
     }
 
     /// Triangles that make up a face, with drawn vertices.

@@ -15,10 +15,14 @@ use crate::surface::PolygonMesh;
 use crate::{CellId, Error, ErrorKind, VertexId};
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use std::cell::Cell;
+use std::sync::OnceLock;
 
 /// So many pinches of a sort are listed.
 const MOST_LISTED: usize = 100;
+/// So many faces are cut into polygons at a time.
+const CHUNK: usize = 1 << 11;
+/// A mesh has fewer corners than this.
+const MOST_CORNERS: usize = 1 << 30;
 /// Where a face has the exterior.
 const EXTERIOR: u32 = u32::MAX;
 
@@ -84,7 +88,8 @@ pub struct SolidBoolean<'a> {
     pub(super) boundary: SelectionBoundary,
     /// The boundary, with copies of vertices if pinches are split.
     pub(super) surface: SelectionMesh,
-    mesh: PolygonMesh,
+    /// Made when it is asked for.
+    mesh: OnceLock<PolygonMesh>,
     /// The numbers of vertices and edges that splitting pinches added.
     copies: [usize; 2],
     /// The cells behind and in front of each face.
@@ -122,24 +127,33 @@ impl<'a> SolidBoolean<'a> {
             CellSelection::by_membership(complex.cell_count(3), &request.formula, |cell, input| {
                 membership.is_inside(cell, input)
             });
-        let boundary = selection.boundary(complex)?;
-        let mut surface = arrangement.mesh_of(boundary.facets(), request.triangles)?;
-        let mut mesh = mesh_on(&surface)?;
+        let mut boundary = selection.boundary_without_pinches(complex)?;
+        let facets = boundary.facets().to_vec();
+        let (surface, ()) = rayon::join(
+            || arrangement.mesh_of(&facets, request.triangles),
+            || boundary.find_pinches(complex),
+        );
+        let mut surface = surface?;
+        if surface.polygons().item_count() >= MOST_CORNERS {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                "2^30 or more corners of polygons around the result",
+            ));
+        }
         let mut copies = [0; 2];
         if request.split_pinches && !boundary.is_manifold() {
             let is_drawn =
                 |vertex: u32| surface.vertex_sources().binary_search(&CellId::from_u32(vertex)).is_ok();
             let edges = arranged.drawn_edges(boundary.pinched_ridges(), is_drawn);
             let faces = arranged.faces_of_fine();
-            let [_, edge_count, _] = mesh.f_vector();
+            let edge_count = mesh_on(&surface).edge_count();
             let around = |[a, b]: [CellId; 2]| {
                 let ends = [a.to_u32(), b.to_u32()];
                 let found = edges.binary_search_by_key(&ends, |edge| edge.ends);
                 found.map_or(Vec::new(), |at| arranged.faces_around(&edges[at], &faces))
             };
             copies[0] = surface.split_pinches(around)?;
-            mesh = mesh_on(&surface)?;
-            copies[1] = mesh.edge_count() - edge_count;
+            copies[1] = mesh_on(&surface).edge_count() - edge_count;
         }
         let sides = arrangement.sides_of_faces();
         let regions = regions(&selection, &sides, complex.cell_count(3));
@@ -150,7 +164,7 @@ impl<'a> SolidBoolean<'a> {
             selection,
             boundary,
             surface,
-            mesh,
+            mesh: OnceLock::new(),
             copies,
             sides,
             regions,
@@ -174,7 +188,7 @@ impl<'a> SolidBoolean<'a> {
 
     /// The same as a mesh, for what can be asked of one.
     pub fn mesh(&self) -> &PolygonMesh {
-        &self.mesh
+        self.mesh.get_or_init(|| mesh_on(&self.surface))
     }
 
     /// The number of vertices that were copied to split pinches.
@@ -184,10 +198,13 @@ impl<'a> SolidBoolean<'a> {
 
     /// The volume of the selected cells, rounded; `None` if the exterior is among them.
     pub fn volume(&self) -> Option<f64> {
-        let volumes = self.arrangement.volumes();
+        if self.selection.has_exterior() {
+            return None;
+        }
         let mut sum = Sum::default();
-        self.selection.cells().for_each(|cell| sum.add(volumes[cell.index()]));
-        (!self.selection.has_exterior()).then(|| sum.value())
+        let cells: Vec<CellId> = self.selection.cells().collect();
+        self.arrangement.arranged.volumes_of(&cells).into_iter().for_each(|volume| sum.add(volume));
+        Some(sum.value())
     }
 
     /// Where the vertices of the surface are.
@@ -228,11 +245,11 @@ impl<'a> SolidBoolean<'a> {
     /// Those of [`Self::positions`].
     pub fn to_json(&self) -> Result<Value, Error> {
         let positions = self.positions()?;
-        let survey = self.mesh.survey();
+        let survey = self.mesh().survey();
         let verdict = survey.verdict();
         let place = |vertex: &u32| positions.point(VertexId::from_u32(*vertex)).to_vec();
         let witness = verdict.witness().map(|defect| {
-            let found = witness(&self.mesh, defect, &Labels::default());
+            let found = witness(self.mesh(), defect, &Labels::default());
             let cells = found.cells();
             let points: Vec<Vec<Vec<f64>>> =
                 cells.iter().map(|cell| cell.iter().map(place).collect()).collect();
@@ -252,7 +269,7 @@ impl<'a> SolidBoolean<'a> {
                 "closed": verdict.is_closed(),
                 "witness": witness,
             },
-            "euler_characteristic": self.mesh.euler_characteristic(),
+            "euler_characteristic": self.mesh().euler_characteristic(),
             "genus": surface.map(|surface| surface.genus()),
             "area": polygon_area(&positions, self.surface.polygons()),
             "solids": solids,
@@ -277,7 +294,7 @@ impl<'a> SolidBoolean<'a> {
     /// The numbers of vertices, edges and faces of the surface, faces with holes once; of triangles if faces are cut.
     pub fn f_vector(&self) -> [usize; 3] {
         if self.request.triangles {
-            return self.mesh.f_vector();
+            return self.mesh().f_vector();
         }
         let [vertices, edges, faces] = self.closure().map(|cells| cells.len());
         [vertices + self.copies[0], edges + self.copies[1], faces]
@@ -339,19 +356,36 @@ impl<'a> SolidBoolean<'a> {
 impl SceneArrangement {
     /// The polygons of these faces.
     pub(super) fn mesh_of(&self, facets: &[(CellId, Sign)], triangles: bool) -> Result<SelectionMesh, Error> {
-        let pieces = |&(face, _): &(CellId, Sign)| {
+        let add_pieces = |face: CellId, pieces: &mut Pieces| {
+            if let Some(corners) = self.arranged.single_triangle(face) {
+                pieces.polygons.push(&corners);
+                pieces.counts.push(1);
+                return Ok(());
+            }
             if !triangles {
                 let walks = self.arranged.walks(face);
                 if walks.len() == 1 && walks.list(0).len() >= 3 && repeated_vertex(walks.list(0)).is_none() {
-                    return Ok(walks);
+                    pieces.polygons.push(walks.list(0));
+                    pieces.counts.push(1);
+                    return Ok(());
                 }
             }
-            Ok(RaggedArray::from_lists(self.arranged.triangles(face)?))
+            let own = self.arranged.triangles(face)?;
+            own.iter().for_each(|triangle| pieces.polygons.push(triangle));
+            pieces.counts.push(own.len() as u32);
+            Ok::<_, Error>(())
         };
-        let pieces: Vec<Result<RaggedArray, Error>> = facets.par_iter().map(pieces).collect();
-        let pieces: Vec<RaggedArray> = pieces.into_iter().collect::<Result<_, _>>()?;
-        let next = Cell::new(0);
-        Ok(SelectionMesh::new(facets, |_, give| pieces[next.replace(next.get() + 1)].iter().for_each(give)))
+        let pieces_of = |facets: &[(CellId, Sign)]| {
+            let mut pieces = Pieces::default();
+            facets.iter().try_for_each(|&(face, _)| add_pieces(face, &mut pieces))?;
+            Ok(pieces)
+        };
+        let pieces: Vec<Result<Pieces, Error>> = facets.par_chunks(CHUNK).map(pieces_of).collect();
+        let pieces: Vec<Pieces> = pieces.into_iter().collect::<Result<_, _>>()?;
+        let counts = pieces.iter().flat_map(|pieces| &pieces.counts);
+        let own = facets.iter().zip(counts).flat_map(|(&facet, &count)| (0..count).map(move |_| facet));
+        let polygons = pieces.iter().flat_map(|pieces| pieces.polygons.iter());
+        Ok(SelectionMesh::of_pieces(own.zip(polygons)))
     }
 
     /// The cells behind and in front of each face.
@@ -368,8 +402,17 @@ impl SceneArrangement {
     }
 }
 
-fn mesh_on(surface: &SelectionMesh) -> Result<PolygonMesh, Error> {
+/// The polygons of some faces, one face after the other.
+#[derive(Default)]
+struct Pieces {
+    polygons: RaggedArray,
+    /// How many there are of each face.
+    counts: Vec<u32>,
+}
+
+fn mesh_on(surface: &SelectionMesh) -> PolygonMesh {
     PolygonMesh::new(surface.vertex_sources().len(), surface.polygons().clone(), &[])
+        .expect("polygons on vertices of the surface that repeat none, with fewer than 2^30 corners")
 }
 
 /// The facets of cells of one degree, rising.

@@ -94,9 +94,9 @@ impl Inputs {
             SparseMatrix::from_entries(chains.row_count(), count, kept)
         };
         let winding = if rims.iter().all(Option::is_none) {
-            WindingNumbers::new(complex, chains)?
+            WindingNumbers::of_cycles(complex, chains)?
         } else {
-            WindingNumbers::new(complex, &with(&|input| rims[input].is_none())?)?
+            WindingNumbers::of_cycles(complex, &with(&|input| rims[input].is_none())?)?
         };
         let parities = match (0..count).any(is_even) {
             true => Some(WindingNumbers::parities(complex, &with(&is_even)?)?),

@@ -71,8 +71,8 @@ impl SpatialScene {
             scene.add(name, model, walls).map_err(|error| error.in_file(name))?;
             scene.names.push(name.to_owned());
         }
-        if u32::try_from(scene.walks.item_count()).is_err() || scene.flat.len() / 3 >= 1 << 31 {
-            return Err(Error::new(ErrorKind::TooLarge, "2^31 or more vertices, or 2^32 or more corners"));
+        if u32::try_from(scene.walks.item_count()).is_err() {
+            return Err(too_large());
         }
         Ok(scene)
     }
@@ -86,8 +86,12 @@ impl SpatialScene {
             };
             return Err(Error::invalid(fault).with_cure("give points in space"));
         }
-        let first = u32::try_from(self.flat.len() / 3)
-            .map_err(|_| Error::new(ErrorKind::TooLarge, "2^32 or more vertices"))?;
+        let corners = self.walks.item_count() + model.polygons().item_count();
+        let vertices = self.flat.len() / 3 + model.positions().len();
+        if u32::try_from(corners).is_err() || vertices >= 1 << 31 {
+            return Err(too_large());
+        }
+        let first = (self.flat.len() / 3) as u32;
         self.point_starts.push(first);
         let before = self.is_wall.len();
         let (lines, points, polygons) = (model.lines().len(), model.points().len(), model.polygons().len());
@@ -101,9 +105,12 @@ impl SpatialScene {
                 .with_cure("give a mesh or a chain complex with positions"));
             }
             None if model.cells().is_empty() => {
-                for (i, polygon) in model.polygons().iter().enumerate() {
-                    self.push(i, 1, first, &[polygon]);
-                }
+                let numbers = before as u32..(before + polygons) as u32;
+                self.walks.append_moved(model.polygons(), first);
+                self.polygon_of_walk.extend(numbers);
+                self.input_of_polygon.resize(before + polygons, self.names.len() as u32);
+                self.source_of_polygon.extend(0..polygons as u32);
+                self.is_wall.resize(before + polygons, false);
             }
             None => {
                 let used = self.add_volume(model, first, walls)?;
@@ -337,6 +344,10 @@ impl SpatialScene {
         }
         triangles
     }
+}
+
+fn too_large() -> Error {
+    Error::new(ErrorKind::TooLarge, "2^31 or more vertices, or 2^32 or more corners")
 }
 
 /// Directed edges that close up, as walks that pass no vertex twice.

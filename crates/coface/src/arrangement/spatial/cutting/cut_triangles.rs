@@ -13,6 +13,7 @@ use crate::geometry::Positions;
 use crate::geometry::predicates::{SpatialPlane, SpatialPoint};
 use crate::{Error, ErrorKind, FaceId, VertexId};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Bounds on what cutting may do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,7 +78,7 @@ pub struct CutTriangles {
     sheets: Sheets,
     vertices: Vertices,
     positions: Positions,
-    complex: PolygonalComplex,
+    complex: Arc<PolygonalComplex>,
     /// The sheet of each face, or the first of those that overlap there.
     sheet_of_face: Vec<u32>,
     triangles_of_face: RaggedArray,
@@ -98,8 +99,9 @@ impl CutTriangles {
         check_input(positions, triangles)?;
         let most = options.max_cells.unwrap_or(1 << 29).min(1 << 29);
         let check = |count: usize| check_size(count, most);
-        let sheets = Sheets::new(positions, triangles);
-        let meetings = Meetings::new(&sheets, check)?;
+        let (sheets, tree) = Sheets::new(positions, triangles);
+        let meetings = Meetings::new(&sheets, &tree, check)?;
+        drop(tree);
         let point = |place: &Place| place.point(&sheets);
         let mut points: Vec<SpatialPoint> = meetings.places.par_iter().map(point).collect();
         let triples = triples(&sheets, &meetings, &points, |count| check(meetings.places.len() + count))?;
@@ -129,7 +131,7 @@ impl CutTriangles {
             sheets,
             vertices,
             positions,
-            complex,
+            complex: Arc::new(complex),
             sheet_of_face: sheet_of,
             triangles_of_face: triangles,
             supports,
@@ -161,7 +163,7 @@ impl CutTriangles {
     /// # Ok(()) }
     /// ```
     pub fn cells(&self) -> Result<SpatialCells, Error> {
-        SpatialCells::with_predicates(self.complex.clone(), &self.predicates())
+        SpatialCells::with_predicates(Arc::clone(&self.complex), &self.predicates())
     }
 
     /// Exact decisions about the vertices.
@@ -212,6 +214,11 @@ impl CutTriangles {
     /// If there is no such face.
     pub fn triangles_of_face(&self, face: FaceId) -> &[u32] {
         self.triangles_of_face.list(face.index())
+    }
+
+    /// The list of [`Self::triangles_of_face`] for each face.
+    pub(in crate::arrangement::spatial) fn triangles_of_faces(&self) -> &RaggedArray {
+        &self.triangles_of_face
     }
 
     /// The plane of a face by three given points, which run counterclockwise seen from its front.
@@ -280,24 +287,39 @@ struct Faces {
 impl Faces {
     fn new(all: &Fragmenting<'_>, overlapping: &[u32]) -> Self {
         let sheets = all.on.sheets;
-        let divided: Vec<u32> = (0..sheets.count() as u32).filter(|&sheet| !all.is_whole(sheet)).collect();
+        let whole: Vec<Option<[u32; 3]>> = (0..sheets.count() as u32)
+            .into_par_iter()
+            .with_min_len(1 << 10)
+            .map(|sheet| all.is_whole(sheet).then(|| all.whole(sheet)))
+            .collect();
+        let divided: Vec<u32> =
+            (0..).zip(&whole).filter(|(_, whole)| whole.is_none()).map(|(sheet, _)| sheet).collect();
         let fragments: Vec<Vec<Vec<u32>>> =
             divided.par_iter().with_min_len(16).map(|&sheet| all.fragments(sheet)).collect();
-        let mut fragments = divided.into_iter().zip(fragments).peekable();
-        let mut sides = RaggedArray::new();
-        let mut sheet_of = Vec::with_capacity(sheets.count());
-        for sheet in 0..sheets.count() as u32 {
-            if let Some((_, own)) = fragments.next_if(|(divided, _)| *divided == sheet) {
-                own.iter().for_each(|list| sides.push(list));
-                sheet_of.resize(sides.len(), sheet);
-            } else {
-                sides.push(&all.whole(sheet));
-                sheet_of.push(sheet);
+        let mut fragments = fragments.into_iter();
+        let (mut starts, mut items) =
+            (Vec::with_capacity(whole.len() + 1), Vec::with_capacity(3 * whole.len()));
+        let mut sheet_of = Vec::with_capacity(whole.len());
+        starts.push(0u32);
+        let mut add = |sheet: u32, list: &[u32]| {
+            items.extend_from_slice(list);
+            starts.push(u32::try_from(items.len()).expect("sides are fewer than 2^32"));
+            sheet_of.push(sheet);
+        };
+        for (sheet, own) in (0..).zip(whole) {
+            match own {
+                Some(own) => add(sheet, &own),
+                None => fragments.next().into_iter().flatten().for_each(|list| add(sheet, &list)),
             }
         }
+        let sides = RaggedArray::from_parts(starts, items).expect("starts rise to the number of sides");
         if overlapping.is_empty() {
-            let lists = sheet_of.iter().map(|&sheet| sheets.sources.list(sheet as usize));
-            let triangles = RaggedArray::from_lists(lists);
+            let triangles = if sheets.sources.uniform_width() == Some(1) {
+                let own = sheet_of.iter().map(|&sheet| sheets.sources.items()[sheet as usize]);
+                RaggedArray::uniform(1, own.collect()).expect("faces are fewer than 2^32")
+            } else {
+                RaggedArray::from_lists(sheet_of.iter().map(|&sheet| sheets.sources.list(sheet as usize)))
+            };
             return Self { sides, sheet_of, triangles };
         }
         Self::merged(sheets, &sides, &sheet_of, overlapping)

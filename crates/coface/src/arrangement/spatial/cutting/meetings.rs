@@ -65,30 +65,36 @@ pub(super) struct Meetings {
 }
 
 /// How many groups of sheets are met between two looks at the size.
-const BLOCK: usize = 1 << 11;
+const BLOCK: usize = 1 << 6;
 
 impl Meetings {
-    /// The meetings of all pairs of sheets.
+    /// The meetings of all pairs of sheets, whose boxes are in the tree.
     ///
     /// # Errors
     /// What `check` says of the number of places found so far.
-    pub(super) fn new(sheets: &Sheets, check: impl Fn(usize) -> Result<(), Error>) -> Result<Self, Error> {
-        let boxes: Vec<_> = (0..sheets.count()).into_par_iter().map(|sheet| sheets.box_of(sheet)).collect();
-        let filters =
-            (0..sheets.count() as u32).into_par_iter().map(|sheet| Filter::new(sheets, sheet)).collect();
-        let tree = BoxTree::new(&boxes);
-        let pairs = Pairs { sheets, filters };
+    pub(super) fn new(
+        sheets: &Sheets,
+        tree: &BoxTree,
+        check: impl Fn(usize) -> Result<(), Error>,
+    ) -> Result<Self, Error> {
+        let pairs = Pairs { sheets };
         let mut all = Self::default();
         let mut sorted_size = 0;
         for start in (0..tree.group_count()).step_by(BLOCK) {
             let groups: Vec<usize> = (start..(start + BLOCK).min(tree.group_count())).collect();
             let found: Vec<Self> = groups
-                .par_chunks(64)
-                .map(|groups| {
+                .par_iter()
+                .map(|&group| {
                     let mut own = Self::default();
-                    for &group in groups {
-                        tree.pairs_of_group(group, |f, g| pairs.meet(f.min(g), f.max(g), &mut own));
-                    }
+                    let mut plane: Option<Plane> = None;
+                    tree.pairs_of_group(group, |f, g| {
+                        // Many pairs have the same first sheet, one after the other.
+                        let plane = match &mut plane {
+                            Some(known) if known.sheet == f => known,
+                            other => other.insert(Plane::new(sheets, f)),
+                        };
+                        pairs.meet(plane, g, &mut own);
+                    });
                     own.sort();
                     own
                 })
@@ -171,7 +177,13 @@ fn crossing(d: u32, e: u32) -> Place {
 
 struct Pairs<'a> {
     sheets: &'a Sheets,
-    filters: Vec<Filter>,
+}
+
+/// The plane of a sheet, made ready to tell on which side of it points are.
+struct Plane {
+    sheet: u32,
+    corners: [u32; 3],
+    filter: Filter,
 }
 
 /// What tells quickly on which side of the plane of a sheet most points are.
@@ -191,46 +203,54 @@ impl Filter {
     }
 }
 
-impl Pairs<'_> {
-    fn side(&self, sheet: u32, vertex: u32) -> Ordering {
-        let point = self.sheets.point(vertex);
-        match &self.filters[sheet as usize] {
+impl Plane {
+    fn new(sheets: &Sheets, sheet: u32) -> Self {
+        Self { sheet, corners: sheets.corners[sheet as usize], filter: Filter::new(sheets, sheet) }
+    }
+
+    fn side(&self, sheets: &Sheets, vertex: u32) -> Ordering {
+        let point = sheets.point(vertex);
+        match &self.filter {
             Filter::Level(level) => {
-                let view = self.sheets.views[sheet as usize];
+                let view = sheets.views[self.sheet as usize];
                 let order = point[usize::from(view.axis)].partial_cmp(level);
                 view.seen_from_front(order.expect("coordinates are numbers"))
             }
             Filter::Slanted(filter) => filter.side_of(point).unwrap_or_else(|| {
-                let [a, b, c] = self.sheets.plane(sheet);
+                let [a, b, c] = sheets.plane(self.sheet);
                 spatial_orientation(a, b, c, point)
             }),
         }
     }
 
-    /// The sides of a sheet that the corners of another are on; `None` if they meet at most in common corners, because all other
-    /// corners are on one side.
-    fn sides(&self, sheet: u32, of: u32) -> Option<[Ordering; 3]> {
-        let own = self.sheets.corners[sheet as usize];
+    /// The sides that the corners of another sheet are on; `None` if they meet at most in common corners, because all other corners
+    /// are on one side.
+    fn sides(&self, sheets: &Sheets, of: u32) -> Option<[Ordering; 3]> {
         let mut sides = [Ordering::Equal; 3];
         let mut seen = [false; 3];
-        for (side, &corner) in sides.iter_mut().zip(&self.sheets.corners[of as usize]) {
-            if own.contains(&corner) {
+        for (side, &corner) in sides.iter_mut().zip(&sheets.corners[of as usize]) {
+            if self.corners.contains(&corner) {
                 continue;
             }
-            *side = self.side(sheet, corner);
+            *side = self.side(sheets, corner);
             seen[(*side as i8 + 1) as usize] = true;
         }
         (seen[1] || seen[0] == seen[2]).then_some(sides)
     }
+}
 
-    /// Adds the meetings of two sheets.
-    fn meet(&self, f: u32, g: u32, found: &mut Meetings) {
-        let Some(g_sides) = self.sides(f, g) else { return };
-        if g_sides == [Ordering::Equal; 3] {
+impl Pairs<'_> {
+    /// Adds the meetings of a sheet, which has this plane, and another one.
+    fn meet(&self, plane: &Plane, other: u32, found: &mut Meetings) {
+        let Some(other_sides) = plane.sides(self.sheets, other) else { return };
+        let [f, g] = [plane.sheet.min(other), plane.sheet.max(other)];
+        if other_sides == [Ordering::Equal; 3] {
             self.meet_in_plane(f, g, found);
             return;
         }
-        let Some(f_sides) = self.sides(g, f) else { return };
+        let Some(own_sides) = Plane::new(self.sheets, other).sides(self.sheets, plane.sheet) else { return };
+        let [f_sides, g_sides] =
+            if f == plane.sheet { [own_sides, other_sides] } else { [other_sides, own_sides] };
         let mut contacts = Contacts::default();
         self.meet_with([f, g], f_sides, 0, &mut contacts, found);
         self.meet_with([g, f], g_sides, 1, &mut contacts, found);

@@ -71,6 +71,11 @@ impl SpatialPredicates for CutPredicates<'_> {
         Some(self.sheets.corners[self.sheet_of_face[face as usize] as usize])
     }
 
+    fn axis_of_plane(&self, face: u32) -> Option<(usize, Ordering)> {
+        let view = self.sheets.views[self.sheet_of_face[face as usize] as usize];
+        Some((usize::from(view.axis), view.front))
+    }
+
     fn points_of_line(&self, edge: u32) -> Option<[u32; 2]> {
         Some(match self.supports[edge as usize] {
             Support::Corners(ends) => ends,

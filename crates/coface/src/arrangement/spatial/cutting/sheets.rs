@@ -2,7 +2,7 @@
 
 use crate::algebra::RaggedArray;
 use crate::geometry::predicates::{SpatialLine, SpatialPlane, plane_axis};
-use crate::geometry::{AxisBox, Positions};
+use crate::geometry::{AxisBox, BoxTree, Positions};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -56,12 +56,12 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
-    /// The sheets of triangles whose corners are points in space.
-    pub(super) fn new(positions: &Positions, triangles: &[[u32; 3]]) -> Self {
+    /// The sheets of triangles whose corners are points in space, and the boxes around them.
+    pub(super) fn new(positions: &Positions, triangles: &[[u32; 3]]) -> (Self, BoxTree) {
         let welded = Welded::new(positions);
         let (points, vertex_of_point) = (&welded.points, &welded.vertex_of_point);
         let triangles: Vec<[u32; 3]> =
-            triangles.iter().map(|triangle| triangle.map(|point| vertex_of_point[point as usize])).collect();
+            triangles.par_iter().map(|own| own.map(|point| vertex_of_point[point as usize])).collect();
         let views: Vec<Option<View>> = triangles
             .par_iter()
             .map(|&[a, b, c]| {
@@ -72,30 +72,56 @@ impl Sheets {
                 front.is_ne().then_some(View { axis: axis as u8, front })
             })
             .collect();
-        let first = first_alike(points.len(), &triangles);
-        let mut sheet_of = vec![0; triangles.len()];
-        let (mut corners, mut own_views, mut degenerate) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut keys, mut packed) = (Vec::new(), Vec::new());
-        for (triangle, view) in views.into_iter().enumerate() {
-            let Some(view) = view else {
-                degenerate.push(triangle as u32);
-                continue;
-            };
-            let representative = first[triangle] as usize;
-            if representative == triangle {
-                sheet_of[triangle] = corners.len() as u32;
-                corners.push(triangles[triangle]);
-                own_views.push(view);
+        // The triangles with area.
+        let mut numbers: Vec<u32> = Vec::with_capacity(triangles.len());
+        let (mut corners, mut own_views) = (Vec::with_capacity(triangles.len()), Vec::new());
+        own_views.reserve(triangles.len());
+        let mut degenerate = Vec::new();
+        for ((number, view), own) in (0..).zip(views).zip(triangles) {
+            match view {
+                None => degenerate.push(number),
+                Some(view) => {
+                    numbers.push(number);
+                    corners.push(own);
+                    own_views.push(view);
+                }
             }
-            keys.push(sheet_of[representative]);
-            let against = !is_rotated(triangles[representative], triangles[triangle]);
-            packed.push((triangle as u32) << 1 | u32::from(against));
         }
-        let mut sources = RaggedArray::grouped(corners.len(), keys.iter().copied());
-        sources.items_mut().iter_mut().for_each(|item| *item = packed[*item as usize]);
-        let (edges, edges_of) = edges(points.len(), &corners);
+        let tree = |corners: &[[u32; 3]]| BoxTree::of(corners.len(), |i| box_around(points, corners[i]));
+        let (found, mut boxes) = rayon::join(|| Edges::new(points.len(), &corners), || tree(&corners));
+        let Edges { ends: edges, of: mut edges_of, twins } = found;
+        let sources = if twins.is_empty() {
+            let packed = numbers.into_iter().map(|number| number << 1).collect();
+            RaggedArray::uniform(1, packed).expect("triangles are fewer than 2^29")
+        } else {
+            let mut first: Vec<u32> = (0..corners.len() as u32).collect();
+            twins.iter().for_each(|&[later, earlier]| first[later as usize] = earlier);
+            let mut sheet_of = vec![0; corners.len()];
+            let (mut keys, mut packed) = (Vec::new(), Vec::new());
+            let mut count = 0;
+            for i in 0..corners.len() {
+                let earlier = first[i] as usize;
+                if earlier == i {
+                    sheet_of[i] = count as u32;
+                    (corners[count], own_views[count], edges_of[count]) =
+                        (corners[i], own_views[i], edges_of[i]);
+                    count += 1;
+                }
+                let sheet = sheet_of[earlier];
+                keys.push(sheet);
+                let against = !is_rotated(corners[sheet as usize], corners[i]);
+                packed.push(numbers[i] << 1 | u32::from(against));
+            }
+            corners.truncate(count);
+            own_views.truncate(count);
+            edges_of.truncate(count);
+            boxes = tree(&corners);
+            let mut sources = RaggedArray::grouped(count, keys.iter().copied());
+            sources.items_mut().iter_mut().for_each(|item| *item = packed[*item as usize]);
+            sources
+        };
         let Welded { points, first_points, vertex_of_point, by_place } = welded;
-        Self {
+        let sheets = Self {
             points,
             first_points,
             vertex_of_point,
@@ -106,7 +132,8 @@ impl Sheets {
             edges,
             edges_of,
             degenerate,
-        }
+        };
+        (sheets, boxes)
     }
 
     pub(super) fn count(&self) -> usize {
@@ -126,17 +153,18 @@ impl Sheets {
         self.edges[edge as usize].map(|end| self.point(end))
     }
 
-    pub(super) fn box_of(&self, sheet: usize) -> AxisBox {
-        let [a, b, c] = self.corners[sheet].map(|corner| self.point(corner));
-        [0, 1, 2].map(|axis| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])])
-    }
-
     /// The vertex at a place, if there is one.
     pub(super) fn vertex_at(&self, place: [f64; 3]) -> Option<u32> {
         let found =
             self.by_place.binary_search_by(|&vertex| compare_places(&self.point(vertex), &place)).ok()?;
         Some(self.by_place[found])
     }
+}
+
+/// The box around a triangle.
+fn box_around(points: &[[f64; 3]], corners: [u32; 3]) -> AxisBox {
+    let [a, b, c] = corners.map(|corner| points[corner as usize]);
+    [0, 1, 2].map(|axis| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])])
 }
 
 /// The lexicographic order of coordinates; both zeros are one.
@@ -188,58 +216,90 @@ impl Welded {
     }
 }
 
-/// For each triangle the first with the same corners.
-fn first_alike(vertex_count: usize, triangles: &[[u32; 3]]) -> Vec<u32> {
-    let sorted = |triangle: u32| {
-        let mut corners = triangles[triangle as usize];
-        corners.sort_unstable();
-        corners
-    };
-    let least = triangles.iter().map(|&[a, b, c]| a.min(b).min(c));
-    let mut groups = RaggedArray::grouped(vertex_count, least);
-    let mut first: Vec<u32> = (0..triangles.len() as u32).collect();
-    let ends: Vec<usize> = (0..=vertex_count).map(|vertex| groups.start(vertex)).collect();
-    let items = groups.items_mut();
-    for own in ends.windows(2).filter(|own| own[1] - own[0] > 1) {
-        let own = &mut items[own[0]..own[1]];
-        own.sort_unstable_by_key(|&triangle| (sorted(triangle), triangle));
-        for pair in 1..own.len() {
-            if sorted(own[pair - 1]) == sorted(own[pair]) {
-                first[own[pair] as usize] = first[own[pair - 1] as usize];
-            }
-        }
-    }
-    first
-}
-
 /// Whether two orders of the same three corners run the same way.
 fn is_rotated(a: [u32; 3], b: [u32; 3]) -> bool {
     let at = a.iter().position(|&corner| corner == b[0]).expect("the corners are the same");
     a[(at + 1) % 3] == b[1]
 }
 
-/// The edges of sheets by rising ends, and those of each sheet.
-fn edges(vertex_count: usize, corners: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
-    let ends = |side: u32| {
-        let own = corners[side as usize / 3];
-        let [a, b] = [own[side as usize % 3], own[(side as usize + 1) % 3]];
-        [a.min(b), a.max(b)]
-    };
-    let sides = 0..3 * corners.len() as u32;
-    let mut groups = RaggedArray::grouped(vertex_count, sides.map(|side| ends(side)[0]));
-    let starts: Vec<usize> = (0..=vertex_count).map(|vertex| groups.start(vertex)).collect();
-    let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * corners.len() / 2);
-    let mut edges_of = vec![[0; 3]; corners.len()];
-    let items = groups.items_mut();
-    for own in starts.windows(2) {
-        let own = &mut items[own[0]..own[1]];
-        own.sort_unstable_by_key(|&side| (ends(side)[1], side));
-        for &side in &*own {
-            if edges.last() != Some(&ends(side)) {
-                edges.push(ends(side));
-            }
-            edges_of[side as usize / 3][side as usize % 3] = edges.len() as u32 - 1;
+/// The edges of triangles.
+struct Edges {
+    /// The lower and the higher end of each, rising.
+    ends: Vec<[u32; 2]>,
+    /// The edges of each triangle: edge i goes from corner i to the next.
+    of: Vec<[u32; 3]>,
+    /// Triangles that have the same corners as earlier ones, each with the first of those.
+    twins: Vec<[u32; 2]>,
+}
+
+/// Sides at so many vertices are sorted at a time.
+const VERTICES: usize = 1 << 10;
+
+impl Edges {
+    /// The edges of triangles with three different corners.
+    fn new(vertex_count: usize, corners: &[[u32; 3]]) -> Self {
+        // Sides by their lower ends, then by their higher ends.
+        let mut starts = vec![0usize; vertex_count + 1];
+        let sides = |own: &[u32; 3]| {
+            let [a, b, c] = *own;
+            [[a, b], [b, c], [c, a]].map(|[from, to]| [from.min(to), from.max(to)])
+        };
+        for [low, _] in corners.iter().flat_map(sides) {
+            starts[low as usize + 1] += 1;
         }
+        for vertex in 0..vertex_count {
+            starts[vertex + 1] += starts[vertex];
+        }
+        let mut next = starts.clone();
+        let mut keys = vec![0u64; 3 * corners.len()];
+        for (side, [low, high]) in (0u64..).zip(corners.iter().flat_map(sides)) {
+            let place = &mut next[low as usize];
+            keys[*place] = u64::from(high) << 32 | side;
+            *place += 1;
+        }
+        drop(next);
+        let mut rest = &mut keys[..];
+        let mut blocks = Vec::new();
+        for block in starts.windows(VERTICES + 1).step_by(VERTICES) {
+            let (own, after) = rest.split_at_mut(block[VERTICES] - block[0]);
+            blocks.push((block, own));
+            rest = after;
+        }
+        blocks.push((&starts[vertex_count / VERTICES * VERTICES..], rest));
+        blocks.into_par_iter().for_each(|(block, own)| {
+            for ends in block.windows(2) {
+                own[ends[0] - block[0]..ends[1] - block[0]].sort_unstable();
+            }
+        });
+        let mut edges = Self {
+            ends: Vec::with_capacity(3 * corners.len() / 2),
+            of: vec![[0; 3]; corners.len()],
+            twins: Vec::new(),
+        };
+        let mut thirds = Vec::new();
+        for (low, range) in (0..).zip(starts.windows(2)) {
+            for same in keys[range[0]..range[1]].chunk_by(|a, b| a >> 32 == b >> 32) {
+                let high = (same[0] >> 32) as u32;
+                let edge = edges.ends.len() as u32;
+                edges.ends.push([low, high]);
+                thirds.clear();
+                for &key in same {
+                    let (triangle, side) = (key as u32 / 3, key as u32 % 3);
+                    edges.of[triangle as usize][side as usize] = edge;
+                    let third = corners[triangle as usize][(side as usize + 2) % 3];
+                    if third > high {
+                        thirds.push((third, triangle));
+                    }
+                }
+                // Each triangle comes up at one of its edges: the one opposite to its last corner.
+                if thirds.len() > 1 {
+                    thirds.sort_unstable();
+                    for alike in thirds.chunk_by(|a, b| a.0 == b.0) {
+                        edges.twins.extend(alike[1..].iter().map(|&(_, later)| [later, alike[0].1]));
+                    }
+                }
+            }
+        }
+        edges
     }
-    (edges, edges_of)
 }

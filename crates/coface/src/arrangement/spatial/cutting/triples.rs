@@ -89,14 +89,12 @@ impl Crossing<'_> {
         let tree = BoxTree::new(&boxes);
         let at = |i: u32| range.start + i as usize;
         let groups: Vec<usize> = (0..tree.group_count()).collect();
-        for block in groups.chunks(1 << 8) {
+        for block in groups.chunks(4) {
             let own: Vec<Vec<[u32; 3]>> = block
-                .par_chunks(4)
-                .map(|groups| {
+                .par_iter()
+                .map(|&group| {
                     let mut own = Vec::new();
-                    for &group in groups {
-                        tree.pairs_of_group(group, |i, j| own.extend(self.triple(at(i), at(j))));
-                    }
+                    tree.pairs_of_group(group, |i, j| own.extend(self.triple(at(i), at(j))));
                     own
                 })
                 .collect();
