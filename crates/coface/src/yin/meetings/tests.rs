@@ -61,9 +61,8 @@ fn two_circles_cross_twice() {
         assert!(
             (meeting.point[0] - 0.5).abs() < 1e-4 && (meeting.point[1].abs() - 0.75f64.sqrt()).abs() < 1e-4
         );
-        let curves = meeting.pieces.map(|piece| pieces.polynomial(piece as usize));
-        for k in 0..2 {
-            let at = pieces.frame.to_world(curves[k].at(meeting.at[k]));
+        for (k, piece) in meeting.pieces.into_iter().enumerate() {
+            let at = pieces.frame.to_world(pieces.polynomial(piece as usize).at(meeting.at[k]));
             assert!((0..2).all(|axis| (at[axis] - meeting.point[axis]).abs() < 1e-14));
             assert!(meeting.parameters[k][0] < meeting.at[k] && meeting.at[k] < meeting.parameters[k][1]);
             assert!(meeting.parameters[k][1] - meeting.parameters[k][0] < 1e-11);
@@ -346,7 +345,7 @@ proptest! {
     #[test]
     fn nothing_depends_on_order_direction_scale_and_place(a in piece(4), b in piece(4), power in -40i32..40) {
         let [c, d] = [&a, &b].map(|piece| closed_by_segment(piece));
-        let [first, second] = [&c, &d].map(|controls| arena(4, &[controls.clone()]));
+        let [first, second] = [&c, &d].map(|controls| arena(4, std::slice::from_ref(controls)));
         let plain = of(&[&first, &second]);
         let expected = summary(&plain, |piece, at| (piece, at));
         let swapped = summary(&of(&[&second, &first]), |piece, at| ((piece + 2) % 4, at));
