@@ -171,14 +171,14 @@ impl Words<'_> {
             let at = self.at;
             let length = knots[piece + 1] - knots[piece];
             let mut points = [[0.0; 2]; 8];
-            for axis in 0..2 {
+            for axis in [0, 1] {
                 let mut power = [0.0; 8];
                 for coefficient in &mut power[..=degree] {
                     *coefficient =
                         self.number(&format!("a coefficient of piece {piece} of curve {number}"))?;
                 }
                 let bernstein = bernstein_of_power(&power[..=degree], length);
-                (0..=degree).for_each(|j| points[j][axis] = bernstein[j]);
+                points.iter_mut().zip(bernstein).for_each(|(point, value)| point[axis] = value);
             }
             controls.extend_from_slice(&points[..degree]);
             ends.push((at, points[degree]));
@@ -239,8 +239,8 @@ fn power_of_bernstein(bernstein: &[f64], length: f64) -> [f64; 8] {
     differences[..=degree].copy_from_slice(bernstein);
     let mut scale = 1.0;
     let mut power = [0.0; 8];
-    for k in 0..=degree {
-        power[k] = binomial(degree, k) * differences[0] / scale;
+    for (k, coefficient) in power[..=degree].iter_mut().enumerate() {
+        *coefficient = binomial(degree, k) * differences[0] / scale;
         scale *= length;
         for j in 0..degree - k {
             differences[j] = differences[j + 1] - differences[j];

@@ -195,7 +195,7 @@ impl PlanarSet {
         while let Some((node, is_done)) = stack.pop() {
             match (children[node].first(), children[node].last()) {
                 (Some(&first), Some(&last)) if is_done => {
-                    places[node] = f64::midpoint(places[first], places[last])
+                    places[node] = f64::midpoint(places[first], places[last]);
                 }
                 (Some(_), _) => {
                     stack.push((node, true));
@@ -226,7 +226,7 @@ impl PlanarSet {
             let [x, y] = node(curve);
             let is_filled = match curve == count {
                 true => !self.set.is_bounded(),
-                false => (forest.depth(curve) % 2 == 0) == self.set.is_bounded(),
+                false => forest.depth(curve).is_multiple_of(2) == self.set.is_bounded(),
             };
             let fill = if is_filled { FILL } else { "#fff" };
             match curve == count {
