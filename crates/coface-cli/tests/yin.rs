@@ -583,7 +583,7 @@ fn kinks_come_and_go() {
     assert_eq!(reset["kink_points"][1], json!({"vertex": 1, "curve": 0, "knot": 3, "point": [3.0, 1.5]}));
     assert_eq!(yin(&["kinks", argument(&edited), "--reset"])["kinks"], json!(0));
     for (options, message) in [
-        (&["--insert", "0:8"][..], "8"),
+        (&["--insert", "0:9"][..], "9"),
         (&["--insert", "1:0"], "1"),
         (&["--insert", "0:2"], "kink"),
         (&["--erase", "9"], "9"),
@@ -629,6 +629,58 @@ fn cells_add_up() {
 }
 
 #[test]
+fn sets_move() {
+    let folder = tempfile::tempdir().unwrap();
+    let circle: Vec<[f64; 2]> = (0..32)
+        .map(|i| f64::from(i) * std::f64::consts::TAU / 32.0)
+        .map(|t| [0.5 + 0.15 * t.cos(), 0.75 + 0.15 * t.sin()])
+        .collect();
+    let path = file(&folder, "a.json", &json!({"order": 4, "curves": [{"points": circle}]}).to_string());
+    let area = yin(&["info", argument(&path)])["area"].as_f64().unwrap();
+    let moved = folder.path().join("moved.json");
+    let value = yin(&[
+        "advect",
+        argument(&path),
+        "--flow",
+        "translation",
+        "--velocity",
+        "-1,2",
+        "--time",
+        "0.5",
+        "--spacing",
+        "0.05",
+        "-o",
+        argument(&moved),
+    ]);
+    assert_eq!((&value["steps"], &value["vanished"]), (&json!(100), &json!([])));
+    assert!((value["area"].as_f64().unwrap() - area).abs() < 1e-12);
+    let low = yin(&["info", argument(&moved)])["bounding_box"][0].clone();
+    assert!((low[0].as_f64().unwrap() + 0.15).abs() < 1e-4 && (low[1].as_f64().unwrap() - 1.6).abs() < 1e-4);
+    // There and back in a vortex, with the way in pictures.
+    let picture = folder.path().join("way.svg");
+    let value = yin(&[
+        "advect",
+        argument(&path),
+        "--flow",
+        "vortex",
+        "--period",
+        "2",
+        "--step",
+        "0.02",
+        "--spacing",
+        "0.02",
+        "--frames",
+        "2",
+        "-o",
+        argument(&picture),
+    ]);
+    assert!((value["area"].as_f64().unwrap() - area).abs() < 1e-4, "{value}");
+    assert_eq!(value["frames"].as_array().unwrap().len(), 2);
+    assert!(folder.path().join("way-001.svg").exists() && picture.exists());
+    assert!(fails(&["advect", argument(&path), "--flow", "vortex", "--spacing", "0"]).contains("spacing"));
+}
+
+#[test]
 fn pictures_are_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let mut hole = square(1., 1., 1.);
@@ -670,7 +722,7 @@ fn what_is_no_set_is_refused_with_the_place() {
         ),
         ("again.json", "{\"curves\":[{\"points\":[[0,0],[1,0],[0,1]],\"kinks\":[1,1]}]}".to_owned(), "twice"),
         ("minus.json", "{\"curves\":[{\"points\":[[0,0],[1,0],[0,1]],\"kinks\":[-1]}]}".to_owned(), "is -1"),
-        ("nan.json", "{\"curves\":[{\"points\":[[0,0],[1,NaN],[0,1]]}]}".to_owned(), "line 1"),
+        ("nan.json", "{\"curves\":[{\"points\":[[0,0],[1,NaN],[0,1]]}]}".to_owned(), "expected value"),
         ("null.json", "{\"curves\":[{\"points\":[[0,0],[1,null],[0,1]]}]}".to_owned(), "null"),
         ("huge.json", "{\"curves\":[{\"points\":[[0,0],[1,1e999],[0,1]]}]}".to_owned(), "out of range"),
         (

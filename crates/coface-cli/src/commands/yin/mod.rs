@@ -1,5 +1,6 @@
 //! `coface yin`: sets of the plane with smooth boundaries and kinks.
 
+mod advect;
 mod combine;
 mod cut_cells;
 mod edit;
@@ -57,6 +58,7 @@ enum Task {
     /// The kinks of a set: list, insert, erase or reset them; what lies beside them is fitted again
     Kinks(edit::Kinks),
     CutCells(cut_cells::Cells),
+    Advect(advect::Advect),
 }
 
 /// A verb of one set.
@@ -285,6 +287,7 @@ impl Yin {
             Task::Fit(verb) => verb.fit(common),
             Task::Kinks(verb) => verb.run(common),
             Task::CutCells(verb) => verb.run(common),
+            Task::Advect(verb) => verb.run(common),
         }
     }
 }

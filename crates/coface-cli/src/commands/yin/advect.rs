@@ -1,0 +1,138 @@
+//! `coface yin advect`: a set that moves with a velocity field.
+
+use super::{SetOptions, give, pair};
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input;
+use crate::progress::Progress;
+use clap::{Args, ValueEnum};
+use coface::report::PlanarSet;
+use coface::yin::{Flow, TrackingOptions, YinSet};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Move a set with a velocity field: its knots are mapped, and splines fitted anew (MARS).
+///
+/// Where neighbors come to lie farther apart than --spacing, knots are added; where they come closer than a tenth of it, knots are left
+/// out. Kinks stay. Polylines are best fitted before: `coface yin fit`.
+///
+/// With --json also "time", "steps", "added" and "removed" (knots), "vanished" (curves that became too short, each with its time),
+/// "area_before" and "frames".
+#[derive(Args)]
+pub(super) struct Advect {
+    /// The set; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    options: SetOptions,
+    /// The velocity field
+    #[arg(long, value_name = "FLOW")]
+    flow: Field,
+    /// The time at the end [default: the period of a vortex or deformation, else 1]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    time: Option<f64>,
+    /// The longest step of time [default: a hundredth of the time]
+    #[arg(long, value_name = "TIME")]
+    step: Option<f64>,
+    /// The greatest distance of neighboring knots [default: a hundredth of the box around the set]
+    #[arg(long, value_name = "LENGTH")]
+    spacing: Option<f64>,
+    /// The period of a vortex or deformation
+    #[arg(long, value_name = "TIME", default_value = "4")]
+    period: f64,
+    /// The number of vortices of a deformation in each direction of the unit square
+    #[arg(long, value_name = "N", default_value = "4")]
+    vortices: u32,
+    /// The velocity of a translation: X,Y
+    #[arg(long, value_name = "VECTOR", default_value = "1,0", value_parser = pair, allow_hyphen_values = true)]
+    velocity: [f64; 2],
+    /// The center of a rotation: X,Y
+    #[arg(long, value_name = "POINT", default_value = "0,0", value_parser = pair, allow_hyphen_values = true)]
+    center: [f64; 2],
+    /// The speed of a rotation in radians per time, counterclockwise
+    #[arg(long, value_name = "SPEED", default_value = "1", allow_hyphen_values = true)]
+    speed: f64,
+    /// Write so many files of the way, at equal times: NAME-001, NAME-002, .. for -o NAME
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=10000))]
+    frames: u16,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Field {
+    /// A single vortex in the unit square, there and back in a period
+    Vortex,
+    /// Rows of vortices in the unit square, there and back in a period
+    Deformation,
+    /// A rigid rotation
+    Rotation,
+    /// All points move alike
+    Translation,
+}
+
+impl Advect {
+    pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let progress = Progress::start(common.quiet);
+        let mut planar = self.options.read(&self.input, common, false, &progress)?;
+        let before = planar.set().area();
+        let [low, high] = planar.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
+        let spacing = self.spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
+        let end = self.time.unwrap_or(match self.flow {
+            Field::Vortex | Field::Deformation => self.period,
+            Field::Rotation | Field::Translation => 1.0,
+        });
+        let step = self.step.unwrap_or(end.abs() / 100.0).max(f64::MIN_POSITIVE);
+        let flow = self.flow();
+        let count = usize::from(self.frames);
+        let (mut steps, mut added, mut removed) = (0, 0, 0);
+        let (mut vanished, mut frames) = (Vec::new(), Vec::new());
+        for frame in 1..=count {
+            progress.stage(format!("moving, part {frame} of {count}"));
+            let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
+            tracking.start = end * (frame - 1) as f64 / count as f64;
+            let set: &YinSet = planar.set();
+            let moved = set.advected(|point, time| flow.velocity(point, time), &tracking);
+            let moved = moved.map_err(|error| error.in_file(input::name(&self.input)))?;
+            let counts = moved.counts();
+            steps += counts.steps;
+            added += counts.added;
+            removed += counts.removed;
+            vanished.extend(
+                moved.vanished().iter().map(|curve| json!({"time": curve.time, "curve": curve.curve})),
+            );
+            planar = PlanarSet::from_set(moved.into_set());
+            if let Some((path, format)) = output.filter(|_| count > 1) {
+                let path = numbered(path, frame);
+                self.options.write(&planar, Some((&path, format)), common)?;
+                frames.push(Value::from(path.display().to_string()));
+            }
+        }
+        let more = vec![
+            ("file", Value::from(input::name(&self.input))),
+            ("time", end.into()),
+            ("steps", steps.into()),
+            ("added", added.into()),
+            ("removed", removed.into()),
+            ("vanished", vanished.into()),
+            ("area_before", json!(before)),
+            ("frames", frames.into()),
+        ];
+        give(&planar, "Moved set", more, &self.options, output, common, progress)
+    }
+
+    fn flow(&self) -> Flow {
+        match self.flow {
+            Field::Vortex => Flow::Vortex { period: self.period },
+            Field::Deformation => Flow::Deformation { period: self.period, vortices: self.vortices },
+            Field::Rotation => Flow::Rotation { center: self.center, speed: self.speed },
+            Field::Translation => Flow::Translation { velocity: self.velocity },
+        }
+    }
+}
+
+/// `a/b.svg` with a number: `a/b-007.svg`.
+fn numbered(path: &Path, number: usize) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}-{number:03}.{extension}"))
+}
