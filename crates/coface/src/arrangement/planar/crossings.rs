@@ -115,6 +115,14 @@ impl Meetings {
     }
 
     fn meet(&mut self, soup: &Soup, [s, t]: [u32; 2], [[a, b], [c, d]]: [PlanarLine; 2]) {
+        let [ends_s, ends_t] = [s, t].map(|segment| soup.segments[segment as usize]);
+        // One side that goes on from the other, or two from one point, in different directions: they meet nowhere else.
+        let shared = (0..4).find(|i| ends_s[i / 2] == ends_t[i % 2]);
+        if let Some(i) = shared
+            && orientation(a, b, if i % 2 == 0 { d } else { c }).is_ne()
+        {
+            return;
+        }
         let of_t = [orientation(a, b, c), orientation(a, b, d)];
         if of_t[0] == of_t[1] && of_t[0].is_ne() {
             return;
@@ -135,7 +143,6 @@ impl Meetings {
             return;
         }
         let [touch_count, equal_count] = [self.touches.len(), self.equal_points.len()];
-        let [ends_s, ends_t] = [s, t].map(|segment| soup.segments[segment as usize]);
         for (p, at_p) in ends_s.into_iter().zip([a, b]) {
             for (q, at_q) in ends_t.into_iter().zip([c, d]) {
                 if p != q && at_p == at_q {

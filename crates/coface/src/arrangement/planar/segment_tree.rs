@@ -4,6 +4,9 @@
 //! tree stands on that order. Each node has the box along the axes, exactly, and a box along a direction of its own, with a margin
 //! for rounding: so long thin segments that lie side by side are told apart, as spikes of a star are, and nothing depends on the
 //! sizes of the segments being alike. What is near is only a hint; predicates decide.
+//!
+//! A run on which one coordinate rises or falls strictly meets itself in its corners only, so its segments are not compared with each other,
+//! nor with those of the run that goes on from it the same way.
 
 use crate::geometry::predicates::PlanarLine;
 use rayon::prelude::*;
@@ -23,8 +26,34 @@ pub(super) struct SegmentTree {
     order: Vec<u32>,
     /// The ends of the segments, in this order.
     lines: Vec<PlanarLine>,
+    /// What is known of the segments in each leaf.
+    runs: Vec<Run>,
     /// The boxes around [`LEAF`] places each, then around two boxes each, up to one box.
     levels: Vec<Vec<Bounds>>,
+}
+
+/// Whether the segments of a leaf follow each other on a polyline, and which ways all of them go.
+#[derive(Clone, Copy)]
+struct Run {
+    /// One bit each for going right, left, up and down strictly; none if the segments do not follow each other.
+    ways: u8,
+    /// Whether the first segment begins where the one before it ends.
+    is_joined: bool,
+}
+
+impl Run {
+    /// The run of the segments of a leaf, which are `lines`.
+    fn of_leaf(segments: &[u32], lines: &[PlanarLine], is_joined: impl Fn(usize) -> bool) -> Self {
+        let follows = segments.windows(2).all(|pair| pair[0] + 1 == pair[1] && is_joined(pair[1] as usize));
+        let ways = |[p, q]: &PlanarLine| {
+            let ways = [p[0] < q[0], p[0] > q[0], p[1] < q[1], p[1] > q[1]];
+            (0..4).fold(0, |bits, i| bits | u8::from(ways[i]) << i)
+        };
+        Self {
+            ways: if follows { lines.iter().fold(15, |common, line| common & ways(line)) } else { 0 },
+            is_joined: is_joined(segments[0] as usize),
+        }
+    }
 }
 
 /// A node by its level and its number on it.
@@ -205,7 +234,7 @@ impl SegmentTree {
     pub(super) fn new(
         count: usize,
         line: impl Fn(usize) -> PlanarLine + Sync,
-        is_joined: impl Fn(usize) -> bool,
+        is_joined: impl Fn(usize) -> bool + Sync,
     ) -> Self {
         let corners = (0..count).into_par_iter().with_min_len(4096).map(|s| {
             let [p, q] = line(s);
@@ -249,6 +278,9 @@ impl SegmentTree {
         let lines: Vec<PlanarLine> = order.par_iter().with_min_len(4096).map(|&s| line(s as usize)).collect();
         let leaves: Vec<Bounds> =
             lines.par_chunks(LEAF).with_min_len(256).map(|leaf| Bounds::of_leaf(leaf, factor)).collect();
+        let runs = (order.par_chunks(LEAF).zip(lines.par_chunks(LEAF)).with_min_len(256))
+            .map(|(segments, lines)| Run::of_leaf(segments, lines, &is_joined))
+            .collect();
         let mut levels = vec![leaves];
         while let Some(below) = levels.last().filter(|below| below.len() > 1) {
             let above = below.par_chunks(2).with_min_len(256).map(|pair| match pair {
@@ -258,7 +290,7 @@ impl SegmentTree {
             let above = above.collect();
             levels.push(above);
         }
-        Self { factor, order, lines, levels }
+        Self { factor, order, lines, runs, levels }
     }
 
     fn bounds(&self, node: Node) -> &Bounds {
@@ -339,7 +371,22 @@ impl SegmentTree {
         first..(first + LEAF).min(self.order.len())
     }
 
+    /// Whether the segments of two leaves, or of one, are known to meet in common corners only.
+    fn is_run(&self, [a, b]: [Node; 2]) -> bool {
+        let [run_a, run_b] = [a, b].map(|leaf| self.runs[leaf.index as usize]);
+        if run_a.ways & run_b.ways == 0 {
+            return false;
+        }
+        let [of_a, of_b] = [a, b].map(|leaf| &self.order[self.leaf(leaf)]);
+        a == b
+            || (run_b.is_joined && of_a[of_a.len() - 1] + 1 == of_b[0])
+            || (run_a.is_joined && of_b[of_b.len() - 1] + 1 == of_a[0])
+    }
+
     fn meet_leaves(&self, [a, b]: [Node; 2], found: &mut impl FnMut([u32; 2], [PlanarLine; 2])) {
+        if self.is_run([a, b]) {
+            return;
+        }
         let mut meet = |i: usize, j: usize| {
             let (s, t) = (self.lines[i], self.lines[j]);
             let is_apart = (0..2).any(|axis| {
@@ -435,7 +482,10 @@ mod tests {
         #[test]
         fn every_pair_whose_segments_meet_is_found_once(lines in lines()) {
             use crate::geometry::predicates::orientation;
-            let tree = SegmentTree::new(lines.len(), |s| lines[s], |s| s % 3 != 0);
+            let mut lines = lines;
+            let is_joined = |s: usize| s % 5 != 0;
+            (0..lines.len()).filter(|&s| is_joined(s)).for_each(|s| lines[s][0] = lines[s - 1][1]);
+            let tree = SegmentTree::new(lines.len(), |s| lines[s], is_joined);
             let mut found = Vec::new();
             for part in tree.parts() {
                 tree.search(part, |pair, ends| {
@@ -454,7 +504,11 @@ mod tests {
                     let boxes_apart = (0..2).any(|x| {
                         a[x].max(b[x]) < c[x].min(d[x]) || c[x].max(d[x]) < a[x].min(b[x])
                     });
-                    if !boxes_apart && !apart(a, b, c, d) && !apart(c, d, a, b) {
+                    // What goes on the same way on an axis meets what it goes on from in their corner only.
+                    let goes_on = j == i + 1 && is_joined(j) && (0..2).any(|x| {
+                        (a[x] < b[x] && c[x] < d[x]) || (a[x] > b[x] && c[x] > d[x])
+                    });
+                    if !goes_on && !boxes_apart && !apart(a, b, c, d) && !apart(c, d, a, b) {
                         prop_assert!(set.contains(&[i as u32, j as u32]));
                     }
                 }
