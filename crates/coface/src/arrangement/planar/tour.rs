@@ -2,13 +2,13 @@
 
 use super::faces::{Faces, NONE, Orbits};
 
-/// What happens on a tour.
+/// What happens on a tour. An edge is crossed from what is right of the halfedge `across` to what is left of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
-    /// An edge is crossed, from what is right of this halfedge to what is left of it.
-    Across(u32),
-    /// The tour is in this bounded face for the first time; the edge into it has been crossed.
-    Into(u32),
+    /// Into a bounded face for the first time.
+    Into { face: u32, across: u32 },
+    /// Back to the face from which this edge was crossed before; [`NONE`] for the unbounded one.
+    Back { face: u32, across: u32 },
 }
 
 /// A face on the way from the unbounded one.
@@ -54,14 +54,14 @@ pub(super) fn tour(orbits: &Orbits, faces: &Faces, mut step: impl FnMut(Step)) {
         if let Some(halfedge) = found {
             let face = faces.of_orbit[orbits.orbit_of[halfedge as usize] as usize];
             is_known[face as usize] = true;
-            step(Step::Across(halfedge));
-            step(Step::Into(face));
+            step(Step::Into { face, across: halfedge });
             path.push(visit(face, halfedge));
         } else {
-            if here.entered != NONE {
-                step(Step::Across(here.entered ^ 1));
-            }
+            let entered = here.entered;
             path.pop();
+            if let Some(before) = path.last() {
+                step(Step::Back { face: before.face, across: entered ^ 1 });
+            }
         }
     }
 }

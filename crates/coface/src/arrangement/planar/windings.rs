@@ -26,16 +26,19 @@ impl Windings {
         let mut found = Self { numbers: Vec::new(), ranges: vec![[NONE; 2]; faces.orbits.len()] };
         let (mut across_edge, mut here) = (Vec::new(), Vec::new());
         tour(orbits, faces, |at| match at {
-            Step::Across(halfedge) => {
-                step(halfedge, &mut across_edge);
+            Step::Into { face, across } => {
+                step(across, &mut across_edge);
                 across_edge.drain(..).for_each(|(region, by)| add(&mut here, region, by));
+                if u32::try_from(found.numbers.len()).is_ok() {
+                    let start = found.numbers.len();
+                    found.numbers.extend_from_slice(&here);
+                    found.ranges[face as usize] = [start, found.numbers.len()].map(|at| at as u32);
+                }
             }
-            Step::Into(face) if u32::try_from(found.numbers.len()).is_ok() => {
-                let start = found.numbers.len();
-                found.numbers.extend_from_slice(&here);
-                found.ranges[face as usize] = [start, found.numbers.len()].map(|at| at as u32);
+            Step::Back { face, .. } => {
+                here.clear();
+                here.extend_from_slice(found.of_face(face));
             }
-            Step::Into(_) => {}
         });
         if u32::try_from(found.numbers.len()).is_err() {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"));
@@ -46,8 +49,8 @@ impl Windings {
     /// The numbers around a face; none around the unbounded one.
     pub(crate) fn of_face(&self, face: u32) -> &[(u32, i32)] {
         match self.ranges.get(face as usize) {
-            Some(&[start, end]) => &self.numbers[start as usize..end as usize],
-            None => &[],
+            Some(&[start, end]) if start != NONE => &self.numbers[start as usize..end as usize],
+            _ => &[],
         }
     }
 }

@@ -96,8 +96,11 @@ impl DrawingArrangement {
         };
         let mut search = ContainmentSearch::new(&drawing, request.rule, arrangement.face_count());
         arrangement.tour(|step| match step {
-            Step::Across(halfedge) => sides.across(halfedge, |ring, by| search.wind(ring, by)),
-            Step::Into(face) => search.enter(face),
+            Step::Into { face, across } => {
+                sides.across(across, |ring, by| search.wind(ring, by));
+                search.enter(face);
+            }
+            Step::Back { across, .. } => sides.across(across, |ring, by| search.wind(ring, by)),
         });
         let containment = search.finish();
         Ok(Self { drawing, arrangement, sources, segments_of_edge, snap_rounds, containment })

@@ -321,8 +321,11 @@ impl RegionBoolean {
 fn containment(drawing: &PlanarDrawing, overlay: &PlanarOverlay, rule: Option<InsideRule>) -> Containment {
     let mut search = ContainmentSearch::new(drawing, rule, overlay.face_count());
     overlay.tour(|step| match step {
-        Step::Across(halfedge) => overlay.across(halfedge, |ring, by| search.wind(ring, by)),
-        Step::Into(face) => search.enter(face),
+        Step::Into { face, across } => {
+            overlay.across(across, |ring, by| search.wind(ring, by));
+            search.enter(face);
+        }
+        Step::Back { across, .. } => overlay.across(across, |ring, by| search.wind(ring, by)),
     });
     search.finish()
 }
@@ -363,8 +366,11 @@ fn is_drawn_well(outline: &Outline, positions: &Positions, edge_count: usize) ->
     let [vertices, edges, _] = overlay.f_vector();
     let (mut winding, mut is_sound) = (0, [vertices, edges] == [positions.len(), edge_count]);
     overlay.tour(|step| match step {
-        Step::Across(halfedge) => overlay.across(halfedge, |_, by| winding += by),
-        Step::Into(_) => is_sound &= winding == 0 || winding == 1,
+        Step::Into { across, .. } => {
+            overlay.across(across, |_, by| winding += by);
+            is_sound &= winding == 0 || winding == 1;
+        }
+        Step::Back { across, .. } => overlay.across(across, |_, by| winding += by),
     });
     Ok(is_sound)
 }
