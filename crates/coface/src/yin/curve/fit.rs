@@ -48,15 +48,15 @@ impl Curve<'static> {
                 .with_cure("give three points and the first of them again"));
         }
         let wanted = order.value() / 2 - 1;
-        if let EndCondition::Complete { start, end } = ends {
-            if [start, end].iter().any(|given| given.len() != wanted) {
-                return Err(Error::invalid(format!(
-                    "{} and {} derivatives are given at the ends of a spline of order {order}",
-                    start.len(),
-                    end.len()
-                ))
-                .with_cure(format!("give {wanted} at each end")));
-            }
+        if let EndCondition::Complete { start, end } = ends
+            && [start, end].iter().any(|given| given.len() != wanted)
+        {
+            return Err(Error::invalid(format!(
+                "{} and {} derivatives are given at the ends of a spline of order {order}",
+                start.len(),
+                end.len()
+            ))
+            .with_cure(format!("give {wanted} at each end")));
         }
         let can_be_straight = matches!(ends, EndCondition::NotAKnot | EndCondition::Natural);
         if order == Order::LINEAR || can_be_straight && is_line(points) {
