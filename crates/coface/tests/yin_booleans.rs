@@ -1,5 +1,6 @@
 //! The Boolean algebra of Yin sets: laws bit for bit, oracles, invariance, grids, sets with known answers.
 
+#![allow(clippy::print_stdout, reason = "a test says what it skips")]
 #![allow(clippy::unwrap_used)]
 
 use coface::algebra::Rational;
@@ -51,6 +52,7 @@ fn random_set(random: &mut Random) -> YinSet {
 }
 
 /// The unique form.
+#[allow(clippy::needless_pass_by_value, reason = "sets that nothing else needs")]
 fn form(set: YinSet) -> YinSet {
     set.straightened().canonical()
 }
@@ -373,7 +375,7 @@ fn map(name: &str) -> Option<YinSet> {
             (Some(features), ..) => stack.extend(features),
             (_, geometry, _) if geometry.is_object() => stack.push(geometry),
             (_, _, Some("Polygon")) => {
-                rings.extend(value["coordinates"].as_array().unwrap().iter().map(ring))
+                rings.extend(value["coordinates"].as_array().unwrap().iter().map(ring));
             }
             (_, _, Some("MultiPolygon")) => {
                 let polygons = value["coordinates"].as_array().unwrap().iter();

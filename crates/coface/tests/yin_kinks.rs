@@ -155,7 +155,7 @@ fn smooth_pieces_that_are_no_fits_come_back_in_any_order() {
         assert_eq!(bits(&edited), before);
     }
     // Without its kink the curve is the periodic spline; with a kink there again it is what it was.
-    let mut edited = set.clone();
+    let mut edited = set;
     edited.erase_kink(VertexId::new(0)).unwrap();
     assert_eq!(edited.curve(0), fitted_from_scratch(&edited, 0));
     assert_eq!(edited.insert_kink(at(0, 30)).unwrap().index(), 1);

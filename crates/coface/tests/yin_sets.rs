@@ -73,6 +73,7 @@ fn assert_areas(set: &YinSet, expected: &[f64]) {
 /// Spec of each row: curves, whether bounded, counts, the same of the complement.
 #[test]
 fn complements_of_the_table() {
+    #[allow(clippy::type_complexity, reason = "a table")]
     let rows: [(usize, &[f64], bool, [usize; 2], [usize; 2], &[f64]); 9] = [
         (1, &[32., -4., 8.], true, [2, 1], [2, 2], &[-32., 4., -8.]),
         (2, &[-32., 16., -4.], false, [2, 2], [5, 0], &[4., 4., 4., 4., 4.]),
@@ -187,7 +188,7 @@ fn what_curves_are_refused_for() {
         |x: f64, y: f64, side: f64| curve(&[[x, y], [x + side, y], [x + side, y + side], [x, y + side]]);
     let fault = |curves: &[Curve<'_>]| YinSet::fault(curves).unwrap();
     let bow = curve(&[[0., 0.], [2., 2.], [2., 0.], [0., 2.]]);
-    assert_eq!(fault(&[bow.clone()]), Some(YinFault::SelfMeeting { curve: 0, point: [1., 1.] }));
+    assert_eq!(fault(std::slice::from_ref(&bow)), Some(YinFault::SelfMeeting { curve: 0, point: [1., 1.] }));
     let message = YinSet::new(&[square(5., 5., 1.), bow]).unwrap_err().to_string();
     assert!(message.starts_with("curve 1 comes to (1, 1) more than once; "), "{message}");
     // Touching itself in a corner is no Jordan curve either.

@@ -22,7 +22,7 @@ pub(super) const EDIT: Task = Task {
 fn edited(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let (positions, mesh) = drawing(path)?;
     let points = positions.as_flat().as_chunks::<2>().0;
-    let ring: Vec<[f64; 2]> = mesh.lists[0].iter().map(|&point| points[point as usize]).collect();
+    let ring: Vec<[f64; 2]> = mesh.lists.list(0).iter().map(|&point| points[point as usize]).collect();
     let count = ring.len() as u32;
     let kinks = (0..count).step_by(PIECE as usize).collect();
     let mut set = YinSet::fit(&[ring], &[kinks], Order::CUBIC, &EndCondition::NotAKnot)?;

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 /// Yin sets: regions of the plane with curved boundaries, unbounded ones too, and their Boolean algebra.
 ///
-/// Inputs are our JSON {"order":2|4,"curves":[{"points":[[x,y],..],"kinks":[i,..]},..]} (closed curves, the first point not repeated,
+/// Inputs are our JSON {"order":2|4,"curves":[{"points":[[0.5,1.0],..],"kinks":[i,..]},..]} (closed curves, the first point not repeated,
 /// the set on their left), {"plane":true}, {"curves":[]}, the binary .dat of splines, or a drawing: GeoJSON, WKT, SVG (curves are kept),
 /// closed lines. Polygons have order 2; --order 4 makes cubics of their sides, which stay straight, and `coface yin fit` smooth splines
 /// through their corners.

@@ -29,7 +29,7 @@ mod windings;
 
 pub(crate) use areas::walks_area;
 pub use arrangement::{PlanarArrangement, VertexSource};
-pub(crate) use faces::{Faces, NONE, Orbits};
+pub(crate) use faces::{Faces, Orbits};
 pub use gift_wrapping::gift_wrap;
 pub use options::PlanarOptions;
 pub(crate) use overlay::{ChainEdges, JordanFault, JordanRings, RingCells, RingFault};

@@ -483,7 +483,7 @@ mod tests {
         fn every_pair_whose_segments_meet_is_found_once(lines in lines()) {
             use crate::geometry::predicates::orientation;
             let mut lines = lines;
-            let is_joined = |s: usize| s % 5 != 0;
+            let is_joined = |s: usize| !s.is_multiple_of(5);
             (0..lines.len()).filter(|&s| is_joined(s)).for_each(|s| lines[s][0] = lines[s - 1][1]);
             let tree = SegmentTree::new(lines.len(), |s| lines[s], is_joined);
             let mut found = Vec::new();

@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 #[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct BooleanRequest {
-    /// Which winding numbers are inside, as in [`ArrangementRequest::rule`]. Without a rule, rings that cross themselves are refused
+    /// Which winding numbers are inside, as in [`ArrangementRequest::rule`](crate::report::ArrangementRequest::rule). Without a rule, rings that cross themselves are refused
     /// unless the drawing states a rule.
     pub rule: Option<InsideRule>,
     /// Keep the edges between faces that are selected both: then each face is a polygon.
@@ -79,7 +79,7 @@ impl RegionBoolean {
     /// # Errors
     /// [`ErrorKind::NotACycle`](crate::ErrorKind::NotACycle) naming where lines end that should bound a region; [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming the crossing
     /// of a ring with itself, an input of the formula that is not there, or a formula that holds outside of all regions;
-    /// those of [`DrawingArrangement::new`].
+    /// those of [`DrawingArrangement::new`](crate::report::DrawingArrangement::new).
     ///
     /// # Complexity
     /// That of the arrangement, and the faces times the length of the formula.
@@ -287,7 +287,7 @@ impl RegionBoolean {
         })
     }
 
-    /// Where everything comes from, as JSON: as [`DrawingArrangement::provenance_to_json`], edges with their ends, and for each
+    /// Where everything comes from, as JSON: as [`DrawingArrangement::provenance_to_json`](crate::report::DrawingArrangement::provenance_to_json), edges with their ends, and for each
     /// polygon the regions that contain some of it.
     pub fn provenance_to_json(&self) -> Value {
         let drawing = &self.drawing;

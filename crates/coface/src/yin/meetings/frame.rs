@@ -19,13 +19,14 @@ pub(super) struct Frame {
     pub(super) resolution: f64,
 }
 
+/// What is nearer than this is not told apart: 2^-40 of the largest extent, and at least 2^-48 of the largest coordinate, which is
+/// above what rounding does to control points of parts of pieces.
+pub(in crate::yin) fn resolution(extent: [f64; 2], largest: f64) -> f64 {
+    let [of_extent, of_coordinates] = [40, 48].map(|bits| 1.0 / (1u64 << bits) as f64);
+    (extent[0].max(extent[1]) * of_extent).max(largest * of_coordinates)
+}
+
 impl Frame {
-    /// What the resolution is to the largest extent.
-    pub(super) const RELATIVE_RESOLUTION: f64 = 1.0 / (1u64 << 40) as f64;
-
-    /// What the resolution is to the largest coordinate at least: above what rounding does to control points of parts of pieces.
-    pub(super) const LEAST_RESOLUTION: f64 = 1.0 / (1u64 << 48) as f64;
-
     /// The frame of points.
     ///
     /// # Errors
@@ -52,7 +53,7 @@ impl Frame {
         let center = [0, 1].map(|axis| low[axis] * factor / 2.0 + high[axis] * factor / 2.0);
         let extent = if largest > 0.0 { 2.0 * largest * factor } else { 1.0 };
         let farthest = low.iter().chain(&high).fold(0.0, |farthest: f64, x| farthest.max(x.abs()));
-        let resolution = (extent * Self::RELATIVE_RESOLUTION).max(farthest * factor * Self::LEAST_RESOLUTION);
+        let resolution = resolution([extent; 2], farthest * factor);
         Ok(Self { center, factor, resolution })
     }
 

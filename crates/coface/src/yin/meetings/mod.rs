@@ -29,6 +29,7 @@ mod segments;
 mod tests;
 
 use frame::Frame;
+pub(in crate::yin) use frame::resolution;
 use parts::Pieces;
 use polynomial::Polynomial;
 pub(in crate::yin) use search::{Meeting, Meetings, Overlap};

@@ -1,6 +1,7 @@
 //! The pieces of the boundaries of several sets, numbered one after the other.
 
 use crate::yin::curve::bernstein::{self, Piece};
+use crate::yin::meetings::resolution;
 use crate::yin::set::CurveArena;
 use crate::yin::{Curve, Order, PieceSource};
 use crate::{Error, ErrorKind};
@@ -78,8 +79,8 @@ impl<'a> Boundaries<'a> {
         let [low, high] = bernstein::control_box(&found.controls);
         if !found.controls.is_empty() {
             let extent = [0, 1].map(|axis| high[axis] - low[axis]);
-            found.resolution = extent[0].max(extent[1]) / (1u64 << 40) as f64;
             let largest = [low, high].as_flattened().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+            found.resolution = resolution(extent, largest);
             found.rounding = 4.0 * order.value() as f64 * f64::EPSILON * largest;
         }
         Ok(found)
@@ -123,11 +124,6 @@ impl<'a> Boundaries<'a> {
     /// The arena that a curve is in.
     pub(super) fn arena_of(&self, curve: u32) -> u32 {
         self.arena_starts.partition_point(|&start| start <= curve) as u32 - 1
-    }
-
-    /// The number of a curve in its arena.
-    pub(super) fn number_in_arena(&self, curve: u32) -> u32 {
-        curve - self.arena_starts[self.arena_of(curve) as usize]
     }
 
     pub(super) fn index(&self, piece: u32) -> PieceIndex {
