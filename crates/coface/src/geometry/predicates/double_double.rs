@@ -67,6 +67,16 @@ impl Approximation {
         Self { high: value, low: 0.0, error }
     }
 
+    /// A number below and one above all that may be added to `high` to have the number that is meant: one number where it is known
+    /// exactly. Sums of `low` and `error` may be rounded inward, so they are not enough where a half of the last digit decides.
+    pub(super) fn rest(self) -> [f64; 2] {
+        if self.error == 0.0 {
+            return [self.low; 2];
+        }
+        let error = widened(self.error);
+        [(self.low - error).next_down(), (self.low + error).next_up()]
+    }
+
     /// The exact difference of two numbers.
     pub(super) fn difference(a: f64, b: f64) -> Self {
         let [high, low] = two_sum(a, -b);

@@ -174,7 +174,7 @@ fn filtered_crossing(s: PlanarLine, t: PlanarLine) -> Option<PlanarPoint> {
     let mut rounded = [0.0; 2];
     let mut residues = [None; 2];
     for (axis, at) in approximate_crossing(s, t)?.into_iter().enumerate() {
-        let (value, below, above) = (at.high, at.low - at.error, at.low + at.error);
+        let (value, [below, above]) = (at.high, at.rest());
         // All numbers between two that are rounded to the same are rounded to it.
         if value + below != value || value + above != value {
             return None;
@@ -375,6 +375,19 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_height_next_to_the_middle_of_two_numbers_is_rounded_exactly() {
+        // The height is below the middle by less than the rest in twice the precision tells.
+        let s = [[9.300000000000002, 8.300000000000002], [5.299999999999998, 8.299999999999999]];
+        let t = [[6.299999999999998, 10.3], [6.300000000000001, 5.3]];
+        for (s, t) in [(s, t), (t, s), ([s[1], s[0]], t)] {
+            let crossing = PlanarPoint::crossing(s, t).unwrap();
+            let exact = HomogeneousPoint::crossing(s, t);
+            assert_eq!(crossing.rounded(), [0, 1].map(|axis| exact.rounded(axis).0));
+            assert_eq!(crossing.rounded()[1], 8.299999999999999);
         }
     }
 

@@ -156,8 +156,7 @@ impl SpatialPoint {
         at: Approximation,
         residue: impl FnOnce() -> Option<Ordering>,
     ) -> bool {
-        let error = widened(at.error);
-        let (below, above) = (at.low - error, at.low + error);
+        let [below, above] = at.rest();
         // All numbers between two that are rounded to the same are rounded to it.
         if at.high + below != at.high || at.high + above != at.high {
             return false;
@@ -166,7 +165,7 @@ impl SpatialPoint {
             Ordering::Greater
         } else if above < 0.0 {
             Ordering::Less
-        } else if error == 0.0 {
+        } else if at.error == 0.0 {
             Ordering::Equal
         } else {
             match residue() {

@@ -171,6 +171,8 @@ proptest! {
         prop_assume!(count >= 2);
         let mut points: Vec<[f64; 2]> = controls[..count * degree].iter().map(|p| p.map(f64::from)).collect();
         points.push(points[0]);
+        let knot_points: Vec<[f64; 2]> = points.iter().copied().step_by(degree).collect();
+        prop_assume!(knot_points.windows(2).all(|pair| pair[0] != pair[1]));
         let knots: Vec<f64> = (0..=count).map(|i| i as f64 * 0.75 + (i * i) as f64 / 8.0).collect();
         let curve = Curve::from_controls(order, points.clone(), knots.clone()).unwrap();
         let mut bytes = Vec::new();

@@ -64,7 +64,7 @@ impl Default for SetRequest {
 /// let text = b"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))";
 /// let drawing = io::read_boundary(&text[..], Format::Wkt, &ReadOptions::default())?;
 /// let set = PlanarSet::of(&drawing, &SetRequest::default())?;
-/// assert_eq!((set.set().area(), set.set().betti_open()), (Some(80.0), [1, 1]));
+/// assert_eq!((set.set().area(), set.set().betti_open()?), (Some(80.0), [1, 1]));
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]

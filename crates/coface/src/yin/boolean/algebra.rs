@@ -40,7 +40,7 @@ impl YinSet {
     /// };
     /// let (a, b) = (square(0.0)?, square(1.0)?);
     /// let either = YinSet::combine(&[&a, &b], &BooleanFormula::parse("a ^ b", &[])?)?;
-    /// assert_eq!((either.set().curve_counts(), either.set().area()), ([2, 0], Some(2.0)));
+    /// assert_eq!((either.set().curve_counts(), either.set().area()), ([2, 0], Some(4.0)));
     /// // The first piece is the part of the lower side of a that b does not share.
     /// let first = either.sources()[0];
     /// assert_eq!((first.operand, first.piece, first.range), (0, 0, [0.0, 0.5]));
