@@ -183,7 +183,7 @@ fn motions_move_and_schemes_have_their_orders() {
     let graph = disk(0.05, Order::CUBIC);
     let turned = |scheme: RungeKutta, time_step: f64| {
         let flow = Flow::Rotation { center: CENTER, speed: TAU };
-        let options = TrackingOptions { scheme, ..TrackingOptions::new(1.0, time_step, 0.1) };
+        let options = TrackingOptions { scheme: Some(scheme), ..TrackingOptions::new(1.0, time_step, 0.1) };
         let moved = graph.advected(|p, t| flow.velocity(p, t), &options).unwrap();
         let [[ax, ay], [bx, by]] = [graph.vertices()[0], moved.graph().vertices()[0]];
         (ax - bx).hypot(ay - by)
@@ -209,7 +209,7 @@ fn what_shrinks_vanishes_with_a_report() {
     let shrinking = |p: [f64; 2], _: f64| [0, 1].map(|axis| CENTER[axis] - p[axis]);
     let moved = graph.advected(shrinking, &TrackingOptions::new(8.0, 0.1, 0.02)).unwrap();
     assert_eq!(moved.graph().edge_count(), 0);
-    let &[(time, 0)] = moved.vanished() else { panic!("one edge vanishes") };
+    let &[(time, Some(0))] = moved.vanished() else { panic!("one edge vanishes") };
     // The length is 2 pi r exp(-t), below three tenths of the spacing from about 5.05; that of the polygon a little earlier.
     let right = (TAU * RADIUS / 0.006).ln();
     assert!((right - 0.3..right + 0.1).contains(&time), "{time} {right}");

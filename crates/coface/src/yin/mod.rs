@@ -24,9 +24,12 @@ mod tracking;
 pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedDecision};
 pub use curve::{Curve, EndCondition, Location, Order};
 pub use cut_cells::{CartesianGrid, Coverage, CutArc, CutCell, CutCells, WalkStep};
-pub use interface::{DirectedEdge, InterfaceEdge, InterfaceGraph, Trail};
+pub use interface::{
+    DirectedEdge, InterfaceEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, Trail,
+};
 pub use kinks::{Kinks, KnotIndex, turning_kinks};
 pub use set::{Atom, AtomKind, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};
 pub use tracking::{
-    Flow, RungeKutta, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions, VanishedCurve,
+    Flow, InterfaceRepair, Repair, RungeKutta, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions,
+    VanishedCurve, Verification,
 };

@@ -2,12 +2,15 @@
 
 use super::{SetOptions, give, pair};
 use crate::arguments::Common;
+use crate::commands::arrange::Rule;
 use crate::failure::Failure;
 use crate::input;
+use crate::output::remark;
 use crate::progress::Progress;
+use crate::text;
 use clap::{Args, ValueEnum};
 use coface::report::PlanarSet;
-use coface::yin::{Flow, TrackingOptions, YinSet};
+use coface::yin::{Flow, RungeKutta, TrackingOptions, Verification, YinSet};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -16,8 +19,11 @@ use std::path::{Path, PathBuf};
 /// Where neighbors come to lie farther apart than --spacing, knots are added; where they come closer than a tenth of it, knots are left
 /// out. Kinks stay. Polylines are best fitted before: `coface yin fit`.
 ///
-/// With --json also "time", "steps", "added" and "removed" (knots), "vanished" (curves that became too short, each with its time),
-/// "area_before" and "frames".
+/// A boundary that comes to meet itself is an error that names the step, the time and the place, and nothing is written; with --repair it
+/// is cut and pasted by a fill rule, and the motion goes on.
+///
+/// With --json also "time", "steps", "scheme" (its order), "added" and "removed" (knots), "vanished" (curves that became too short, each with
+/// its time), "repairs" (each with its "step", "time" and "fault"), "area_before" and "frames".
 #[derive(Args)]
 pub(super) struct Advect {
     /// The set; - is standard input
@@ -52,6 +58,15 @@ pub(super) struct Advect {
     /// The speed of a rotation in radians per time, counterclockwise
     #[arg(long, value_name = "SPEED", default_value = "1", allow_hyphen_values = true)]
     speed: f64,
+    /// The Runge-Kutta scheme that moves knots [default: that of the order of the set]
+    #[arg(long, value_name = "SCHEME")]
+    scheme: Option<Scheme>,
+    /// When it is looked whether the boundary meets itself
+    #[arg(long, value_name = "WHEN", default_value = "each-step")]
+    verify: When,
+    /// Cut and paste a boundary that has come to meet itself by a fill rule
+    #[arg(long, value_name = "RULE")]
+    repair: Option<Rule>,
     /// Write so many files of the way, at equal times: NAME-001, NAME-002, .. for -o NAME
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=10000))]
     frames: u16,
@@ -69,6 +84,28 @@ enum Field {
     Translation,
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum Scheme {
+    /// The midpoint rule, of order 2
+    Midpoint,
+    /// The classical scheme, of order 4
+    Classical,
+    /// The scheme of Verner, of order 6
+    Verner,
+    /// The scheme of Cooper and Verner, of order 8
+    CooperVerner,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum When {
+    /// After each step of time
+    EachStep,
+    /// At the end, and before each file of the way
+    End,
+    /// Not at all
+    Never,
+}
+
 impl Advect {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
         let output = self.options.output(common)?;
@@ -84,40 +121,77 @@ impl Advect {
         let step = self.step.unwrap_or(end.abs() / 100.0).max(f64::MIN_POSITIVE);
         let flow = self.flow();
         let count = usize::from(self.frames);
+        if self.repair.is_some() && self.verify == When::Never {
+            return Err(Failure::new("--repair needs to know when: leave out --verify never"));
+        }
+        let scheme = self.scheme();
+        let order = scheme.unwrap_or(RungeKutta::for_curves(planar.set().order())).order();
         let (mut steps, mut added, mut removed) = (0, 0, 0);
-        let (mut vanished, mut frames) = (Vec::new(), Vec::new());
+        let (mut vanished, mut repairs, mut frames) = (Vec::new(), Vec::new(), Vec::new());
+        // Nothing is written before all is done.
+        let mut sets: Vec<PlanarSet> = Vec::new();
         for frame in 1..=count {
             progress.stage(format!("moving, part {frame} of {count}"));
             let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
             tracking.start = end * (frame - 1) as f64 / count as f64;
+            tracking.scheme = scheme;
+            tracking.verification = match self.verify {
+                When::EachStep => Verification::EachStep,
+                When::End => Verification::End,
+                When::Never => Verification::Never,
+            };
+            tracking.repair = self.repair.map(Rule::inside);
             let set: &YinSet = planar.set();
             let moved = set.advected(|point, time| flow.velocity(point, time), &tracking);
             let moved = moved.map_err(|error| error.in_file(input::name(&self.input)))?;
             let counts = moved.counts();
+            repairs.extend(moved.repairs().iter().map(|repair| {
+                json!({"step": steps + repair.step, "time": repair.time, "fault": repair.fault.to_string()})
+            }));
             steps += counts.steps;
             added += counts.added;
             removed += counts.removed;
             vanished.extend(
                 moved.vanished().iter().map(|curve| json!({"time": curve.time, "curve": curve.curve})),
             );
-            planar = PlanarSet::from_set(moved.into_set());
-            if let Some((path, format)) = output.filter(|_| count > 1) {
-                let path = numbered(path, frame);
-                self.options.write(&planar, Some((&path, format)), common)?;
+            let next = PlanarSet::from_set(moved.into_set());
+            if output.is_some() && frame > 1 {
+                sets.push(planar);
+            }
+            planar = next;
+        }
+        if let Some((path, format)) = output.filter(|_| count > 1) {
+            for (number, set) in (1..).zip(sets.iter().chain([&planar])) {
+                let path = numbered(path, number);
+                self.options.write(set, Some((&path, format)), common)?;
                 frames.push(Value::from(path.display().to_string()));
             }
+        }
+        if !repairs.is_empty() && !common.quiet {
+            remark(&format!("the boundary was cut and pasted in {}", text::count(repairs.len(), "step")));
         }
         let more = vec![
             ("file", Value::from(input::name(&self.input))),
             ("time", end.into()),
             ("steps", steps.into()),
+            ("scheme", order.into()),
             ("added", added.into()),
             ("removed", removed.into()),
             ("vanished", vanished.into()),
+            ("repairs", repairs.into()),
             ("area_before", json!(before)),
             ("frames", frames.into()),
         ];
         give(&planar, "Moved set", more, &self.options, output, common, progress)
+    }
+
+    fn scheme(&self) -> Option<RungeKutta> {
+        self.scheme.map(|scheme| match scheme {
+            Scheme::Midpoint => RungeKutta::Midpoint,
+            Scheme::Classical => RungeKutta::Classical,
+            Scheme::Verner => RungeKutta::Verner,
+            Scheme::CooperVerner => RungeKutta::CooperVerner,
+        })
     }
 
     fn flow(&self) -> Flow {

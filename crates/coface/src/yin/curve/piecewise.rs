@@ -87,6 +87,11 @@ impl<'a> Curve<'a> {
         Self { order, controls: controls.into(), knots: knots.into() }
     }
 
+    /// The same curve without numbers of its own.
+    pub(in crate::yin) fn as_borrowed(&self) -> Curve<'_> {
+        Curve::borrowed(self.order, self.controls(), self.knots())
+    }
+
     /// The number of coefficients of each polynomial.
     pub fn order(&self) -> Order {
         self.order

@@ -52,6 +52,15 @@ pub struct InterfaceEdge {
     pub phases: [Option<u32>; 2],
 }
 
+/// Vertices, and how edges lie between them and phases.
+#[derive(Clone, Debug)]
+pub(in crate::yin) struct Arcs {
+    pub(in crate::yin) vertices: Vec<[f64; 2]>,
+    pub(in crate::yin) ends: Vec<[u32; 2]>,
+    pub(in crate::yin) phases: Vec<[Option<u32>; 2]>,
+    pub(in crate::yin) smooth_pairs: Vec<[DirectedEdge; 2]>,
+}
+
 /// Phases that share the arcs of their boundaries.
 ///
 /// Each edge is one curve, the same numbers for the phases on both of its sides, so that these fit together bit for bit.
@@ -83,7 +92,7 @@ pub struct InterfaceGraph {
     pub(super) vertices: Vec<[f64; 2]>,
     pub(super) ends: Vec<[u32; 2]>,
     pub(super) phases: Vec<[Option<u32>; 2]>,
-    smooth_pairs: Vec<[DirectedEdge; 2]>,
+    pub(super) smooth_pairs: Vec<[DirectedEdge; 2]>,
     trails: Vec<Trail>,
     pub(super) curves: Vec<Curve<'static>>,
     /// The edges that leave each vertex, counterclockwise.
@@ -128,23 +137,48 @@ impl InterfaceGraph {
             .collect();
         let ends = edges.iter().map(|edge| edge.ends).collect();
         let phases = edges.iter().map(|edge| edge.phases).collect();
-        Self::with_points(vertices.to_vec(), ends, phases, &points, smooth_pairs.to_vec(), order)
+        let (vertices, smooth_pairs) = (vertices.to_vec(), smooth_pairs.to_vec());
+        Self::with_points(Arcs { vertices, ends, phases, smooth_pairs }, &points, order, None)
     }
 
-    /// The graph whose edges run through these points, the ends among them.
+    /// The graph whose edges run through these points, the ends among them. The edges that leave each vertex, counterclockwise, may be
+    /// known; else their directions tell.
     pub(in crate::yin) fn with_points(
-        vertices: Vec<[f64; 2]>,
-        ends: Vec<[u32; 2]>,
-        phases: Vec<[Option<u32>; 2]>,
+        arcs: Arcs,
         points: &[Vec<[f64; 2]>],
-        smooth_pairs: Vec<[DirectedEdge; 2]>,
         order: Order,
+        around: Option<Vec<Vec<DirectedEdge>>>,
     ) -> Result<Self, Error> {
-        let trails = trails_of(&ends, &smooth_pairs)?;
+        let trails = trails_of(&arcs.ends, &arcs.smooth_pairs)?;
         let curves = fitted_edges(points, &trails, order)?;
+        Self::of_fitted(arcs, trails, curves, order, around)
+    }
+
+    /// The graph whose edges are these curves.
+    pub(in crate::yin) fn with_curves(
+        arcs: Arcs,
+        curves: Vec<Curve<'static>>,
+        order: Order,
+        around: Vec<Vec<DirectedEdge>>,
+    ) -> Result<Self, Error> {
+        let trails = trails_of(&arcs.ends, &arcs.smooth_pairs)?;
+        Self::of_fitted(arcs, trails, curves, order, Some(around))
+    }
+
+    fn of_fitted(
+        arcs: Arcs,
+        trails: Vec<Trail>,
+        curves: Vec<Curve<'static>>,
+        order: Order,
+        around: Option<Vec<Vec<DirectedEdge>>>,
+    ) -> Result<Self, Error> {
+        let Arcs { vertices, ends, phases, smooth_pairs } = arcs;
         let mut graph =
             Self { order, vertices, ends, phases, smooth_pairs, trails, curves, around: Vec::new() };
-        graph.around = graph.edges_around()?;
+        graph.around = match around {
+            Some(around) => around,
+            None => graph.edges_around()?,
+        };
         graph.check_sectors()?;
         Ok(graph)
     }
@@ -217,6 +251,19 @@ impl InterfaceGraph {
         found.sort_unstable();
         found.dedup();
         found
+    }
+
+    /// The phases on both sides of all edges.
+    pub(in crate::yin) fn phases_mut(&mut self) -> impl Iterator<Item = &mut Option<u32>> {
+        self.phases.as_flattened_mut().iter_mut()
+    }
+
+    /// The edges that leave a vertex, counterclockwise.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn edges_at(&self, vertex: usize) -> &[DirectedEdge] {
+        &self.around[vertex]
     }
 
     /// The vertex from which a directed edge leads.

@@ -7,10 +7,16 @@
 //! * **Smooth pairs** say which edges go on smoothly through a vertex. Maximal chains of such edges are **trails**, fitted by one
 //!   spline that is not-a-knot at its ends, or **circuits**, which are closed and periodic.
 
+mod fault;
 mod graph;
+mod overlaid;
+mod partition;
 mod phases;
 mod sets;
 mod trails;
 
+pub use fault::InterfaceFault;
+pub(in crate::yin) use graph::Arcs;
 pub use graph::{DirectedEdge, InterfaceEdge, InterfaceGraph};
+pub use sets::{InterfaceOptions, Overlaps};
 pub use trails::Trail;

@@ -25,6 +25,11 @@ impl Tube {
         united(piece_box(old), piece_box(new))
     }
 
+    /// The same from its end to its beginning.
+    pub(super) fn reversed(&self) -> Self {
+        Self(self.0.map(Piece::reversed))
+    }
+
     fn halves(&self) -> [Self; 2] {
         let [[a, b], [c, d]] = self.0.map(|piece| split(&piece, 0.5));
         [Self([a, c]), Self([b, d])]

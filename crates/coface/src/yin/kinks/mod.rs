@@ -7,6 +7,7 @@
 //!   of its knots, or what they were when the set was made.
 //! * At order 2 kinks are names of knots and change no polynomial.
 
+mod apart_curves;
 mod apartness;
 mod declaration;
 mod detection;
@@ -16,6 +17,7 @@ mod piece_boxes;
 mod smooth_pieces;
 mod table;
 
+pub(in crate::yin) use apart_curves::are_surely_apart;
 pub use detection::turning_kinks;
 pub(in crate::yin) use smooth_pieces::SmoothPieces;
 pub use table::{Kinks, KnotIndex};

@@ -3,6 +3,7 @@
 use super::SmoothPieces;
 use crate::VertexId;
 use crate::simplicial::{Simplex, SimplicialComplex};
+use crate::yin::EndCondition;
 use std::collections::BTreeMap;
 
 /// A knot of a curve of a Yin set.
@@ -46,7 +47,7 @@ impl Kinks {
     }
 
     /// Kinks at knots that rise, with names of which none is twice; `next_name` is not below what they leave free.
-    pub(super) fn named(by_knot: Vec<(KnotIndex, u32)>, next_name: Option<u32>) -> Self {
+    pub(in crate::yin) fn named(by_knot: Vec<(KnotIndex, u32)>, next_name: Option<u32>) -> Self {
         let free = by_knot.iter().map(|&(_, name)| name + 1).max().unwrap_or(0);
         Self {
             by_name: by_knot.iter().map(|&(knot, name)| (name, knot)).collect(),
@@ -54,6 +55,16 @@ impl Kinks {
             next_name: next_name.unwrap_or(0).max(free),
             pieces: SmoothPieces::default(),
         }
+    }
+
+    /// How smooth pieces that are fitted end.
+    pub(in crate::yin) fn ends(&self) -> &EndCondition {
+        self.pieces.ends()
+    }
+
+    pub(in crate::yin) fn with_ends(mut self, ends: &EndCondition) -> Self {
+        self.pieces.set_ends(ends);
+        self
     }
 
     /// The first name that no kink ever had.

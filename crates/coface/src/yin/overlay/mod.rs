@@ -10,6 +10,7 @@
 //!   contradiction, and an error.
 //! * What lies below a component is read off on a vertical line that comes near no node, with enclosures of all heights.
 
+mod arcs;
 mod boundaries;
 mod chains;
 mod columns;

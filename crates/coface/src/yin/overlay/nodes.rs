@@ -18,6 +18,9 @@ const SHORT: f64 = 4096.0;
 /// How often two pieces are brought nearer to each other.
 const MOST_STEPS: usize = 40;
 
+/// How much steps are held back, one after the other until one leads nearer.
+const HELD_BACK: [f64; 6] = [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3];
+
 /// A place where a curve comes to a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Event {
@@ -175,17 +178,25 @@ fn refine(boundaries: &Boundaries<'_>, meeting: &mut Meeting) -> bool {
         }
         let [x, y] = offset(at).0;
         let [u, v] = [0, 1].map(|side| bernstein::value(&derivatives[side], at[side]));
-        // Least squares of offset + s u - t v, held back a little where the two are nearly parallel.
-        let (uu, uv, vv) = (u[0] * u[0] + u[1] * u[1], u[0] * v[0] + u[1] * v[1], v[0] * v[0] + v[1] * v[1]);
-        let held = 1e-9 * (uu + vv);
-        let (a, b) = (-(u[0] * x + u[1] * y), v[0] * x + v[1] * y);
-        let determinant = (uu + held) * (vv + held) - uv * uv;
-        let step = [(a * (vv + held) + uv * b) / determinant, ((uu + held) * b + uv * a) / determinant];
-        let next = [0, 1].map(|side| (at[side] + step[side]).clamp(0.0, 1.0));
-        let found = length(offset(next).0);
-        if found.is_nan() || found >= distance {
+        let cross = |[a, b]: [f64; 2], [c, d]: [f64; 2]| a * d - b * c;
+        let squares = u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1];
+        let turn = cross(u, v);
+        // Least squares of offset + s u - t v, held back no more than needed: where the two are nearly parallel steps would be too long.
+        let trial = |part: f64| {
+            let held = part * squares;
+            let determinant = turn * turn + held * (squares + held);
+            let step = [
+                -(turn * cross([x, y], v) + held * (u[0] * x + u[1] * y)) / determinant,
+                (turn * cross(u, [x, y]) + held * (v[0] * x + v[1] * y)) / determinant,
+            ];
+            let next = [0, 1].map(|side| (at[side] + step[side]).clamp(0.0, 1.0));
+            (next, length(offset(next).0))
+        };
+        let Some((next, found)) =
+            HELD_BACK.iter().map(|&part| trial(part)).find(|&(_, found)| found < distance)
+        else {
             break;
-        }
+        };
         (at, distance) = (next, found);
     }
     if length(offset(meeting.at).0) > boundaries.resolution {

@@ -273,7 +273,7 @@ impl CurvedOverlay<'_> {
     }
 
     /// Whether the knot at the beginning of a piece is a kink of its set.
-    fn is_source_kink(&self, piece: u32, sets: &[&YinSet]) -> bool {
+    pub(super) fn is_source_kink(&self, piece: u32, sets: &[&YinSet]) -> bool {
         let index = self.boundaries.index(piece);
         let knot = KnotIndex { curve: index.curve, knot: index.piece };
         sets[index.operand as usize].kinks().vertex(knot).is_some()

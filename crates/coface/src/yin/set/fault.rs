@@ -98,6 +98,22 @@ impl fmt::Display for YinFault {
 }
 
 impl YinFault {
+    /// The fault with other numbers of curves.
+    pub(in crate::yin) fn renumbered(self, number: impl Fn(usize) -> usize) -> Self {
+        match self {
+            Self::Open { curve } => Self::Open { curve: number(curve) },
+            Self::TooFewPieces { curve } => Self::TooFewPieces { curve: number(curve) },
+            Self::ZeroLength { curve, piece } => Self::ZeroLength { curve: number(curve), piece },
+            Self::SelfMeeting { curve, point } => Self::SelfMeeting { curve: number(curve), point },
+            Self::Crossing { curves, point } => Self::Crossing { curves: curves.map(number), point },
+            Self::Overlap { curves, ends } => Self::Overlap { curves: curves.map(number), ends },
+            Self::Orientation { curve, parent } => {
+                Self::Orientation { curve: number(curve), parent: number(parent) }
+            }
+            Self::MixedRoots { curves } => Self::MixedRoots { curves: curves.map(number) },
+        }
+    }
+
     /// The fault as an error with a cure.
     pub(in crate::yin) fn into_error(self) -> Error {
         let cure = match self {

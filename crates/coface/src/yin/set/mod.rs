@@ -13,6 +13,7 @@ mod yin_set;
 
 pub use atoms::{Atom, AtomKind};
 pub(in crate::yin) use canonical::CanonicalOrder;
+pub(in crate::yin) use construction::{Lying, lying};
 pub(in crate::yin) use curve_arena::CurveArena;
 pub use fault::YinFault;
 pub use hasse_forest::HasseForest;

@@ -1,17 +1,38 @@
 //! Interfaces that move.
 
 use super::markers::{MarkerRange, MovedMarkers, moved_markers, polyline_length};
+use super::sets::in_step;
 use super::{TrackingCounts, TrackingOptions};
 use crate::Error;
-use crate::yin::{DirectedEdge, InterfaceGraph};
+use crate::arrangement::boolean::InsideRule;
+use crate::yin::boolean::repaired;
+use crate::yin::interface::Arcs;
+use crate::yin::kinks::are_surely_apart;
+use crate::yin::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
+
+/// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
+/// no more than rounding.
+const SMOOTH_ANGLE: f64 = 1e-6;
+
+/// An interface whose edges came to meet, and was cut and pasted by a rule.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InterfaceRepair {
+    /// The step, counted from 1.
+    pub step: usize,
+    /// The time at its end.
+    pub time: f64,
+    /// What was found first.
+    pub fault: InterfaceFault,
+}
 
 /// An interface that has moved.
 #[derive(Clone, Debug)]
 pub struct TrackedGraph {
     graph: InterfaceGraph,
     counts: TrackingCounts,
-    vanished: Vec<(f64, u32)>,
-    edges: Vec<u32>,
+    vanished: Vec<(f64, Option<u32>)>,
+    repairs: Vec<InterfaceRepair>,
+    edges: Vec<Option<u32>>,
 }
 
 impl TrackedGraph {
@@ -25,13 +46,19 @@ impl TrackedGraph {
         self.counts
     }
 
-    /// The closed edges that became too short and were taken out, each with the time and its number at the beginning.
-    pub fn vanished(&self) -> &[(f64, u32)] {
+    /// The closed edges that became too short and were taken out, each with the time and its number at the beginning; those that a
+    /// repair has made have none.
+    pub fn vanished(&self) -> &[(f64, Option<u32>)] {
         &self.vanished
     }
 
-    /// For each edge its number at the beginning.
-    pub fn edges(&self) -> &[u32] {
+    /// What was cut and pasted on the way, by time; nothing without [`TrackingOptions::repair`].
+    pub fn repairs(&self) -> &[InterfaceRepair] {
+        &self.repairs
+    }
+
+    /// For each edge its number at the beginning; after a repair edges have none.
+    pub fn edges(&self) -> &[Option<u32>] {
         &self.edges
     }
 }
@@ -42,12 +69,15 @@ impl InterfaceGraph {
     /// Vertices stay vertices and edges stay edges, each fitted anew after each step. Closed edges at vertices of their own vanish when
     /// they are shorter than three times the least distance of markers. Other edges stay, however short.
     ///
+    /// Where edges come closer to each other than the error of tracking they may meet: that is an error, or repaired by the rule of
+    /// [`TrackingOptions::repair`], which says what is inside of each phase; what then lies in several goes to the lowest.
+    ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for options without meaning, a velocity that is not finite, and an
-    /// interface that cannot be fitted any more; the time is named.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for options without meaning, a velocity that is not finite, an
+    /// interface that cannot be fitted any more, and edges that have come to meet; the step, the time and the place are named.
     ///
     /// # Complexity
-    /// Linear in markers times steps, in parallel over markers.
+    /// Linear in markers times steps, in parallel over markers; and an overlay of the edges for each verification.
     ///
     /// # Examples
     /// ```
@@ -71,15 +101,18 @@ impl InterfaceGraph {
         let range = MarkerRange { least: options.least_ratio * options.spacing, most: options.spacing };
         let mut graph = self.clone();
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
-        let mut vanished = Vec::new();
-        let mut numbers: Vec<u32> = (0..self.edge_count() as u32).collect();
+        let scheme = options.scheme_for(self.order());
+        let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
+        let mut numbers: Vec<Option<u32>> = (0..self.edge_count() as u32).map(Some).collect();
         for at in 0..steps {
             let time = options.start + at as f64 * step;
-            let map = |point| options.scheme.mapped(&velocity, point, time, step);
+            let end_time = time + step;
+            let in_step = |error: Error| in_step(&error, at + 1, end_time);
+            let map = |point| scheme.mapped(&velocity, point, time, step);
             let mut points = Vec::with_capacity(graph.edge_count());
             for edge in 0..graph.edge_count() {
                 let MovedMarkers { points: own, .. } =
-                    moved_markers(graph.curve(edge), |_| false, &map, range, &mut counts)?;
+                    moved_markers(graph.curve(edge), |_| false, &map, range, &mut counts).map_err(in_step)?;
                 points.push(own);
             }
             let mut vertices: Vec<[f64; 2]> = graph.vertices().iter().map(|&vertex| map(vertex)).collect();
@@ -94,15 +127,56 @@ impl InterfaceGraph {
                 is_alone && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * range.least)
             };
             let stays: Vec<bool> = (0..graph.edge_count()).map(|edge| !is_gone(edge)).collect();
-            let end_time = time + step;
             for edge in (0..stays.len()).filter(|&edge| !stays[edge]) {
                 vanished.push((end_time, numbers[edge]));
             }
-            graph = graph.moved(vertices, &points, &stays).map_err(|error| at_time(&error, end_time))?;
+            graph = graph.moved(vertices, &points, &stays).map_err(in_step)?;
             let mut kept = stays.iter();
             numbers.retain(|_| *kept.next().expect("there is an entry for each edge"));
+            if !options.is_verified_after(at, steps) {
+                continue;
+            }
+            let edges =
+                (0..graph.edge_count()).map(|edge| (graph.curve(edge).as_borrowed(), graph.ends(edge)));
+            if at + 1 < steps && are_surely_apart(edges) {
+                continue;
+            }
+            let Some(fault) = graph.fault().map_err(in_step)? else { continue };
+            let Some(rule) = options.repair else {
+                return Err(in_step(fault.into_error().with_cure(
+                    "take shorter steps or a smaller spacing, or repair the interface by a fill rule",
+                )));
+            };
+            graph = graph.repaired(rule).map_err(in_step)?;
+            numbers = vec![None; graph.edge_count()];
+            repairs.push(InterfaceRepair { step: at + 1, time: end_time, fault });
         }
-        Ok(TrackedGraph { graph, counts, vanished, edges: numbers })
+        Ok(TrackedGraph { graph, counts, vanished, repairs, edges: numbers })
+    }
+
+    /// The interface of what a rule says is inside of each phase; what lies in several goes to the lowest.
+    fn repaired(&self, rule: InsideRule) -> Result<Self, Error> {
+        let phases = self.phases();
+        let sets: Vec<YinSet> = phases
+            .iter()
+            .map(|&phase| {
+                let set = self.unchecked_set(phase)?;
+                let kinks = self.phase_kinks(phase);
+                let curves: Vec<(Curve<'_>, Vec<u32>)> =
+                    (0..set.curve_count()).map(|curve| set.curve(curve)).zip(kinks).collect();
+                Ok(repaired(&curves, !set.is_bounded(), rule)?.into_set())
+            })
+            .collect::<Result<_, Error>>()?;
+        let options = InterfaceOptions {
+            order: self.order(),
+            smooth_angle: SMOOTH_ANGLE,
+            overlaps: Overlaps::ToTheFirst,
+        };
+        let mut graph = Self::of_sets_with(&sets, &options)?;
+        for phase in graph.phases_mut().flatten() {
+            *phase = phases[*phase as usize];
+        }
+        Ok(graph)
     }
 
     /// The same graph with vertices and the points of edges elsewhere, and only the edges that stay.
@@ -120,24 +194,22 @@ impl InterfaceGraph {
                 count += 1;
             }
         }
+        let renumbered = |edge: DirectedEdge| DirectedEdge { edge: numbers[edge.edge as usize], ..edge };
         fn kept<T: Clone>(all: impl Iterator<Item = T>, stays: &[bool]) -> Vec<T> {
             all.zip(stays).filter(|(_, stays)| **stays).map(|(item, _)| item).collect()
         }
+        let around = (0..vertices.len()).map(|vertex| {
+            let leaving = self.edges_at(vertex).iter().map(|&edge| renumbered(edge));
+            leaving.filter(|edge| edge.edge != u32::MAX).collect()
+        });
+        let around = around.collect();
         let ends = kept((0..stays.len()).map(|edge| self.ends(edge)), stays);
         let phases = kept((0..stays.len()).map(|edge| self.phases_of(edge)), stays);
         let points: Vec<Vec<[f64; 2]>> = kept(points.iter().cloned(), stays);
-        let renumbered = |edge: DirectedEdge| DirectedEdge { edge: numbers[edge.edge as usize], ..edge };
         let pairs = self.smooth_pairs().iter().map(|pair| pair.map(renumbered));
         let pairs = pairs.filter(|pair| pair[0].edge != u32::MAX && pair[1].edge != u32::MAX).collect();
-        Self::with_points(vertices, ends, phases, &points, pairs, self.order())
-    }
-}
-
-/// The same error, with the time at which it came.
-pub(super) fn at_time(error: &Error, time: f64) -> Error {
-    let said = Error::new(error.kind(), format!("at time {time}: {}", error.message()));
-    match error.cure() {
-        Some(cure) => said.with_cure(cure),
-        None => said,
+        // The flow is a homeomorphism: edges leave vertices in the order in which they did.
+        let arcs = Arcs { vertices, ends, phases, smooth_pairs: pairs };
+        Self::with_points(arcs, &points, self.order(), Some(around))
     }
 }

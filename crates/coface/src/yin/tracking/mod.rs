@@ -12,12 +12,15 @@
 //! splines* (2018); Y. Tan, Y. Qian, Z. Li, Q. Zhang, on multiphase cubic MARS (2025).
 
 mod flow;
+mod fronts;
 mod graphs;
 mod markers;
 mod options;
+mod runge_kutta;
 mod sets;
 
 pub use flow::Flow;
-pub use graphs::TrackedGraph;
-pub use options::{RungeKutta, TrackingCounts, TrackingOptions};
-pub use sets::{TrackedSet, VanishedCurve};
+pub use graphs::{InterfaceRepair, TrackedGraph};
+pub use options::{TrackingCounts, TrackingOptions, Verification};
+pub use runge_kutta::RungeKutta;
+pub use sets::{Repair, TrackedSet, VanishedCurve};

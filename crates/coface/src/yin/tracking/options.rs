@@ -1,41 +1,20 @@
 //! How boundaries are tracked.
 
+use super::RungeKutta;
 use crate::Error;
+use crate::arrangement::boolean::InsideRule;
+use crate::yin::Order;
 
-/// A scheme for mapping points over a step of time.
+/// When it is verified that what moves still bounds what it should: that no boundary has come to meet itself or another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum RungeKutta {
-    /// The midpoint rule, of order two.
-    Midpoint,
-    /// The classical scheme with four stages, of order four.
+pub enum Verification {
+    /// After each step of time.
     #[default]
-    Classical,
-}
-
-impl RungeKutta {
-    /// Where a point is after a step.
-    pub(super) fn mapped(
-        self,
-        velocity: &impl Fn([f64; 2], f64) -> [f64; 2],
-        point: [f64; 2],
-        time: f64,
-        step: f64,
-    ) -> [f64; 2] {
-        let moved =
-            |velocity: [f64; 2], step: f64| [point[0] + step * velocity[0], point[1] + step * velocity[1]];
-        let (half, middle) = (0.5 * step, time + 0.5 * step);
-        let first = velocity(point, time);
-        let second = velocity(moved(first, half), middle);
-        if self == Self::Midpoint {
-            return moved(second, step);
-        }
-        let third = velocity(moved(second, half), middle);
-        let fourth = velocity(moved(third, step), time + step);
-        moved(
-            [0, 1].map(|axis| (first[axis] + 2.0 * (second[axis] + third[axis]) + fourth[axis]) / 6.0),
-            step,
-        )
-    }
+    EachStep,
+    /// At the end only: what meets in between and parts again is not seen.
+    End,
+    /// Not at all.
+    Never,
 }
 
 /// From when to when, in which steps, and with which spacing of markers a boundary is tracked.
@@ -51,14 +30,43 @@ pub struct TrackingOptions {
     pub spacing: f64,
     /// The least distance of neighboring markers as a part r of h, at most 1/3 so that both can be kept.
     pub least_ratio: f64,
-    /// The scheme that maps markers.
-    pub scheme: RungeKutta,
+    /// The scheme that maps markers; none for the one of the order of the boundary.
+    pub scheme: Option<RungeKutta>,
+    /// When the boundary is verified.
+    pub verification: Verification,
+    /// What is inside of boundaries that have come to meet: with a rule they are cut and pasted by it, and the motion goes on. Without
+    /// one it is an error. Needs a verification.
+    pub repair: Option<InsideRule>,
 }
 
 impl TrackingOptions {
-    /// From time 0 to `end` with steps and spacing as given; r = 1/10 and the scheme of order four.
+    /// From time 0 to `end` with steps and spacing as given; r = 1/10, the scheme of the order of the boundary, verified after each step,
+    /// and without repair.
     pub fn new(end: f64, time_step: f64, spacing: f64) -> Self {
-        Self { start: 0.0, end, time_step, spacing, least_ratio: 0.1, scheme: RungeKutta::Classical }
+        Self {
+            start: 0.0,
+            end,
+            time_step,
+            spacing,
+            least_ratio: 0.1,
+            scheme: None,
+            verification: Verification::EachStep,
+            repair: None,
+        }
+    }
+
+    /// The scheme for a boundary of some order.
+    pub(super) fn scheme_for(&self, order: Order) -> RungeKutta {
+        self.scheme.unwrap_or(RungeKutta::for_curves(order))
+    }
+
+    /// Whether a boundary is verified after one of so many steps.
+    pub(super) fn is_verified_after(&self, step: usize, count: usize) -> bool {
+        match self.verification {
+            Verification::EachStep => true,
+            Verification::End => step + 1 == count,
+            Verification::Never => false,
+        }
     }
 
     /// The number of steps, and their length.

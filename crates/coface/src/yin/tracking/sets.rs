@@ -1,11 +1,10 @@
 //! Yin sets that move.
 
-use super::graphs::at_time;
-use super::markers::{MarkerRange, moved_markers, polyline_length};
+use super::fronts::Fronts;
+use super::markers::MarkerRange;
 use super::{TrackingCounts, TrackingOptions};
 use crate::Error;
-use crate::yin::set::CurveArena;
-use crate::yin::{Curve, EndCondition, KnotIndex, YinSet};
+use crate::yin::{YinFault, YinSet};
 
 /// A curve that became too short to have a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,13 +17,25 @@ pub struct VanishedCurve {
     pub length: f64,
 }
 
+/// A boundary that came to meet itself, and was cut and pasted by a rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repair {
+    /// The step, counted from 1.
+    pub step: usize,
+    /// The time at its end.
+    pub time: f64,
+    /// What was found first; curves have the numbers that they had at the beginning.
+    pub fault: YinFault,
+}
+
 /// A Yin set that has moved.
 #[derive(Clone, Debug)]
 pub struct TrackedSet {
-    set: YinSet,
-    counts: TrackingCounts,
-    vanished: Vec<VanishedCurve>,
-    curves: Vec<u32>,
+    pub(super) set: YinSet,
+    pub(super) counts: TrackingCounts,
+    pub(super) vanished: Vec<VanishedCurve>,
+    pub(super) repairs: Vec<Repair>,
+    pub(super) curves: Vec<u32>,
 }
 
 impl TrackedSet {
@@ -48,33 +59,31 @@ impl TrackedSet {
         &self.vanished
     }
 
-    /// For each curve its number at the beginning.
+    /// What was cut and pasted on the way, by time; nothing without [`TrackingOptions::repair`].
+    pub fn repairs(&self) -> &[Repair] {
+        &self.repairs
+    }
+
+    /// For each curve its number at the beginning; after repairs the lowest number of the curves that it has parts of.
     pub fn curves(&self) -> &[u32] {
         &self.curves
     }
 }
 
-/// A curve on its way.
-struct Front {
-    curve: Curve<'static>,
-    kinks: Vec<u32>,
-    parent: Option<u32>,
-    is_there: bool,
-}
-
 impl YinSet {
     /// The set after all points of the plane have moved with a velocity, which depends on the point and the time.
     ///
-    /// The exact flow keeps the topology, and so does the result: its curves are those of the set, with the same kinks and places in
-    /// the forest, but for those without curves in them that became shorter than three times the least distance of markers.
-    /// Where curves have come closer to each other than the error of tracking, [`YinSet::validate`] tells whether they still bound a set.
+    /// The exact flow keeps the topology, and so does the result: its curves are those of the set, with the same kinks, names of kinks
+    /// and places in the forest, but for those without curves in them that became shorter than three times the least distance of markers.
+    /// Where curves come closer to each other than the error of tracking they may meet: that is an error, or repaired by the rule of
+    /// [`TrackingOptions::repair`]. [`TrackingOptions::verification`] says when it is looked for.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for options without meaning, a velocity that is not finite, and a
-    /// curve that cannot be fitted any more; the time is named.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for options without meaning, a velocity that is not finite, a
+    /// curve that cannot be fitted any more, and curves that do not bound a set any more; the step, the time and the place are named.
     ///
     /// # Complexity
-    /// Linear in markers times steps, in parallel over markers.
+    /// Linear in markers times steps, in parallel over markers; and an overlay of the curves for each verification.
     ///
     /// # Examples
     /// A quarter turn.
@@ -96,66 +105,43 @@ impl YinSet {
     ) -> Result<TrackedSet, Error> {
         let (steps, step) = options.steps()?;
         let range = MarkerRange { least: options.least_ratio * options.spacing, most: options.spacing };
-        let mut fronts: Vec<Front> = (0..self.curve_count())
-            .map(|curve| Front {
-                curve: self.curve(curve).into_owned(),
-                kinks: Vec::new(),
-                parent: self.forest().parent(curve).map(|parent| parent as u32),
-                is_there: true,
-            })
-            .collect();
-        for (kink, _) in self.kinks().iter() {
-            fronts[kink.curve as usize].kinks.push(kink.knot);
-        }
+        let scheme = options.scheme_for(self.order());
+        let mut fronts = Fronts::new(self);
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
-        let mut vanished = Vec::new();
+        let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
         for at in 0..steps {
             let time = options.start + at as f64 * step;
-            let map = |point| options.scheme.mapped(&velocity, point, time, step);
-            let mut inner_counts = vec![0u32; fronts.len()];
-            for front in fronts.iter().filter(|front| front.is_there) {
-                if let Some(parent) = front.parent {
-                    inner_counts[parent as usize] += 1;
-                }
+            let end_time = time + step;
+            let in_step = |error: Error| in_step(&error, at + 1, end_time);
+            let map = |point| scheme.mapped(&velocity, point, time, step);
+            let gone = fronts.advance(&map, range, &mut counts).map_err(in_step)?;
+            vanished.extend(gone.into_iter().map(|(curve, length)| VanishedCurve {
+                curve,
+                time: end_time,
+                length,
+            }));
+            if !options.is_verified_after(at, steps) {
+                continue;
             }
-            for (number, front) in fronts.iter_mut().enumerate().filter(|(_, front)| front.is_there) {
-                let end_time = time + step;
-                let is_kink = |knot: usize| front.kinks.binary_search(&(knot as u32)).is_ok();
-                let moved = moved_markers(&front.curve, is_kink, &map, range, &mut counts)
-                    .map_err(|error| at_time(&error, end_time))?;
-                let length = polyline_length(&moved.points);
-                let ring = &moved.points[..moved.points.len() - 1];
-                if inner_counts[number] == 0 && (ring.len() < 3 || length < 3.0 * range.least) {
-                    front.is_there = false;
-                    vanished.push(VanishedCurve { curve: number as u32, time: end_time, length });
-                    continue;
-                }
-                let kinks = (0..ring.len() as u32)
-                    .filter(|&knot| {
-                        moved.origins[knot as usize].is_some_and(|origin| is_kink(origin as usize))
-                    })
-                    .collect();
-                front.kinks = kinks;
-                front.curve = Curve::fit_closed(ring, &front.kinks, self.order(), &EndCondition::NotAKnot)
-                    .map_err(|error| at_time(&error, end_time))?;
-            }
+            let Some(fault) = fronts.fault(at + 1 == steps).map_err(in_step)? else { continue };
+            let Some(rule) = options.repair else {
+                return Err(in_step(Error::invalid(fault.to_string()).with_cure(
+                    "take shorter steps or a smaller spacing, or repair the set by a fill rule",
+                )));
+            };
+            fronts.repair(rule).map_err(in_step)?;
+            repairs.push(Repair { step: at + 1, time: end_time, fault });
         }
-        let mut numbers = vec![u32::MAX; fronts.len()];
-        let mut curves = Vec::new();
-        let mut arena = CurveArena::new(self.order());
-        let mut kinks = Vec::new();
-        for (number, front) in fronts.iter().enumerate().filter(|(_, front)| front.is_there) {
-            numbers[number] = curves.len() as u32;
-            kinks.extend(front.kinks.iter().map(|&knot| KnotIndex { curve: curves.len() as u32, knot }));
-            curves.push(number as u32);
-            arena.push(&front.curve);
-        }
-        // What is around a curve that is there has not vanished.
-        let parents = curves
-            .iter()
-            .map(|&number| fronts[number as usize].parent.map(|parent| numbers[parent as usize]))
-            .collect();
-        let set = Self::from_parts(arena, !self.is_bounded(), parents, kinks);
-        Ok(TrackedSet { set, counts, vanished, curves })
+        let (set, curves) = fronts.into_set();
+        Ok(TrackedSet { set, counts, vanished, repairs, curves })
+    }
+}
+
+/// The same error, with the step in which it came, counted from 1, and the time at its end.
+pub(super) fn in_step(error: &Error, step: usize, time: f64) -> Error {
+    let said = Error::new(error.kind(), format!("in step {step}, at time {time}: {}", error.message()));
+    match error.cure() {
+        Some(cure) => said.with_cure(cure),
+        None => said,
     }
 }

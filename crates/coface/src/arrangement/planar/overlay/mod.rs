@@ -10,6 +10,7 @@
 //!   around them and when results are written. That is why an overlay is not made of a [`PlanarArrangement`](super::PlanarArrangement).
 
 mod chains;
+mod edges;
 mod jordan_rings;
 mod polygons;
 mod regions;
