@@ -215,6 +215,55 @@ fn features_are_inputs_on_request() {
 }
 
 #[test]
+fn a_feature_without_a_name_is_one_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let ring = |[x, y, s]: [f64; 3]| json!([[x, y], [x + s, y], [x + s, y + s], [x, y + s], [x, y]]);
+    let feature = |geometry: Value| json!({"type": "Feature", "properties": null, "geometry": geometry});
+    let map = json!({"type": "FeatureCollection", "features": [
+        feature(json!({"type": "MultiPolygon", "coordinates": [[ring([0., 0., 4.]), ring([1., 1., 1.])], [ring([6., 0., 4.])]]})),
+        feature(json!({"type": "LineString", "coordinates": [[0, 20], [1, 20]]})),
+        feature(json!({"type": "GeometryCollection", "geometries": [
+            {"type": "Polygon", "coordinates": [ring([3., 0., 2.])]},
+            {"type": "Polygon", "coordinates": [ring([5., 0., 2.])]}]})),
+        feature(json!({"type": "Polygon", "coordinates": [ring([0., 0., 9.])]})),
+    ]});
+    let geojson = file(&folder, "map.geojson", &map.to_string());
+    let square = |x: f64, y: f64, s: f64| {
+        let (r, t) = (x + s, y + s);
+        format!("({x} {y}, {r} {y}, {r} {t}, {x} {t}, {x} {y})")
+    };
+    let wkt = format!(
+        "MULTIPOLYGON (({}, {}), ({}))\nLINESTRING (0 20, 1 20)\nGEOMETRYCOLLECTION (POLYGON ({}), POLYGON ({}))\nPOLYGON ({})\n",
+        square(0., 0., 4.),
+        square(1., 1., 1.),
+        square(6., 0., 4.),
+        square(3., 0., 2.),
+        square(5., 0., 2.),
+        square(0., 0., 9.),
+    );
+    let wkt = file(&folder, "map.wkt", &wkt);
+    // Written and read again they are the same features.
+    let [from_json, from_text] = ["again.wkt", "again.geojson"].map(|name| folder.path().join(name));
+    coface(&["convert", "--json", argument(&geojson), "-o", argument(&from_json)]).json();
+    coface(&["convert", "--json", argument(&wkt), "-o", argument(&from_text)]).json();
+    for path in [&geojson, &wkt, &from_json, &from_text] {
+        let value = combined(&["difference", argument(path), "--inputs", "features"]);
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let regions = value["regions"].as_array().unwrap();
+        assert_eq!(regions.len(), 3, "{name}: {regions:?}");
+        assert!(regions[1].as_str().unwrap().ends_with(&format!("{name}#1")), "{regions:?}");
+        // Of the first, 15 + 16, what is above 9 and right of 9.
+        assert_eq!(area(&value), 4.0, "{name}");
+        let both = combined(&["--formula", "a & b", argument(path), "--inputs", "features"]);
+        assert_eq!(area(&both), 2.0 + 2.0, "{name}");
+        let faces = coface(&["arrange", "--json", "--quiet", argument(path), "--inputs", "features"]).json();
+        assert_eq!(faces["regions"], json!(regions));
+        let inside = faces["inside"].as_array().unwrap();
+        assert!(inside.contains(&json!([0, 1, 2])) && inside.contains(&json!([0])), "{inside:?}");
+    }
+}
+
+#[test]
 fn what_cannot_be_combined_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let a = file(&folder, "a.wkt", &square(0., 0., 2.));

@@ -4,7 +4,7 @@
 
 mod reference;
 
-use coface::algebra::Rational;
+use coface::algebra::{Rational, UnionFind};
 use coface::arrangement::planar::{PlanarArrangement, VertexSource};
 use coface::geometry::Positions;
 use coface::geometry::predicates::orientation;
@@ -317,6 +317,36 @@ fn random_segments_have_their_known_counts() {
     ] {
         let arrangement = arranged(&random_segments(count, 0.4, 42));
         assert_eq!(arrangement.f_vector(), [2 * count + crossings, count + 2 * crossings, faces]);
+    }
+}
+
+/// Crossings are those of all pairs, decided one by one; components are those of segments that cross; faces follow by Euler's formula.
+#[test]
+fn short_segments_have_the_crossings_of_all_pairs_and_the_faces_of_euler() {
+    for count in [300, 1500] {
+        let soup = random_segments(count, 0.1, 42);
+        let ends = |s: usize| [[soup[s][0], soup[s][1]], [soup[s][2], soup[s][3]]];
+        let parts = |s: usize, t: usize| {
+            let ([a, b], [c, d]) = (ends(s), ends(t));
+            let [left, right] = [c, d].map(|point| orientation(a, b, point));
+            assert!(left.is_ne() && right.is_ne(), "no point is on another segment");
+            left != right
+        };
+        let (mut crossings, mut together) = (0, UnionFind::new(count));
+        for s in 0..count {
+            let [a, _] = ends(s);
+            for t in (0..s).filter(|&t| (ends(t)[0][0] - a[0]).abs().max((ends(t)[0][1] - a[1]).abs()) < 0.3)
+            {
+                if parts(s, t) && parts(t, s) {
+                    crossings += 1;
+                    together.unite(s as u32, t as u32);
+                }
+            }
+        }
+        let arrangement = arranged(&soup);
+        let [vertices, edges] = [2 * count + crossings, count + 2 * crossings];
+        assert_eq!(arrangement.component_count(), together.class_count());
+        assert_eq!(arrangement.f_vector(), [vertices, edges, together.class_count() + edges - vertices]);
     }
 }
 

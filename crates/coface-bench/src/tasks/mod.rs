@@ -79,6 +79,7 @@ pub(crate) const ALL: &[Task] = &[
     operators::GRID,
     planar::SEGMENTS,
     planar::LONG_SEGMENTS,
+    planar::SHORT_SEGMENTS,
     planar::INTERSECTION,
     planar::UNION,
     yin::MEET,

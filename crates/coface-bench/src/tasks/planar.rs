@@ -19,7 +19,15 @@ pub(super) const LONG_SEGMENTS: Task = Task {
     name: "arrangement-long",
     about: "the planar arrangement of random segments of length 0.4, which cross in numbers that grow with the square",
     extension: "raw3",
-    inputs: &["long_200", "long_400", "long_800"],
+    inputs: &["long_200", "long_400", "long_800", "long_1600", "long_3200"],
+    work: Work::Inside(arranged),
+};
+
+pub(super) const SHORT_SEGMENTS: Task = Task {
+    name: "arrangement-short",
+    about: "the planar arrangement of random segments of length 0.1, which cross in numbers that grow with the square",
+    extension: "raw3",
+    inputs: &["short_1250", "short_2500", "short_5000", "short_10000"],
     work: Work::Inside(arranged),
 };
 

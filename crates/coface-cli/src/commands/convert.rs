@@ -214,11 +214,12 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
 
 /// Says that the format has no room for the groups or the data of the model, where that is so.
 pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
-    // Rings are written as rings of polygons, which tells these two.
+    // Rings are written as rings of polygons, and polygons of one feature together, which tells these.
     let is_told = |data: &CellData| {
         matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
             && data.kind() == GroupKind::Lines
-            && matches!(data.name(), "polygon" | "ring")
+            && (matches!(data.name(), "polygon" | "ring")
+                || data.name() == "feature" && format != Format::Svg)
     };
     let data_count = model.data().iter().filter(|data| !is_told(data)).count();
     let losses = [

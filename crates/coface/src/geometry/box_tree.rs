@@ -18,6 +18,11 @@ pub(crate) fn boxes_meet(a: &AxisBox, b: &AxisBox) -> bool {
     a.iter().zip(b).all(|(a, b)| a[0] <= b[1] && b[0] <= a[1])
 }
 
+/// The box around many, in parallel.
+pub(crate) fn frame_around(count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> AxisBox {
+    (0..count).into_par_iter().map(&box_at).reduce(|| EMPTY_BOX, |a, b| box_around(&a, &b))
+}
+
 /// How many boxes, and how many nodes, are under one node.
 const WIDTH: usize = 4;
 
@@ -88,8 +93,11 @@ impl BoxTree {
 
     /// The same for boxes that a function tells.
     pub(crate) fn of(count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> Self {
-        let around = |a: AxisBox, b: AxisBox| box_around(&a, &b);
-        let whole = (0..count).into_par_iter().map(&box_at).reduce(|| EMPTY_BOX, around);
+        Self::in_frame(frame_around(count, &box_at), count, box_at)
+    }
+
+    /// The same for boxes that are in this frame, or mostly: what is outside is sorted as if it were on the boundary.
+    pub(crate) fn in_frame(whole: AxisBox, count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> Self {
         // Halved, so that no difference leaves the range.
         let origin = whole.map(|ends| ends[0] / 2.0);
         let extent = whole.map(|ends| ends[1] / 2.0 - ends[0] / 2.0).into_iter().fold(0.0, f64::max);

@@ -16,7 +16,7 @@ pub mod triangulation;
 
 pub use affine::AffineMap;
 pub use angle::Angle;
-pub(crate) use box_tree::{AxisBox, BoxTree, boxes_meet};
+pub(crate) use box_tree::{AxisBox, BoxTree, boxes_meet, frame_around};
 pub(crate) use measure::{Scaled, Sum, cross, determinant, dot};
 pub use measure::{enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_centroid, surface_moment};

@@ -2,7 +2,8 @@
 //!
 //! A polygon with holes is no polygon of a mesh, so its rings become closed lines, and two arrays of integers on the lines say
 //! what they bound: `polygon` numbers the polygons, `ring` is 0 for an outer ring and 1, 2, .. for the holes; both are -1
-//! for a line that is no ring.
+//! for a line that is no ring. Where a feature without a name has several polygons a third array, `feature`, numbers the features without
+//! names that have lines or rings, one after the other, and is -1 for what has a name.
 
 use super::lists::number_by_firsts;
 use super::model::{Group, GroupKind};
@@ -19,6 +20,8 @@ use std::ops::Range;
 const POLYGON: &str = "polygon";
 /// The array that says which ring of its polygon a line is.
 const RING: &str = "ring";
+/// The array that says which feature a line is of.
+const FEATURE: &str = "feature";
 /// Warnings of one kind that are listed one by one.
 const LISTED: usize = 8;
 
@@ -44,6 +47,7 @@ struct Line {
     /// The polygon and the ring; -1 if it is none.
     polygon: i64,
     ring: i64,
+    feature: i64,
     name: Option<usize>,
 }
 
@@ -58,6 +62,12 @@ pub(super) struct Drawing {
     number_of_name: BTreeMap<String, usize>,
     /// The name of what comes next.
     name: Option<usize>,
+    /// The features without names that have lines, and whether the next such line is of another one.
+    feature_count: i64,
+    begins_feature: bool,
+    /// The feature of the last polygon, and whether a feature has had several.
+    feature_of_polygon: Option<i64>,
+    has_many_polygons: bool,
     polygon_count: i64,
     /// The rings that the polygon has had.
     ring_count: i64,
@@ -69,8 +79,9 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// What comes next has this name, or none.
-    pub(super) fn set_name(&mut self, name: Option<String>) {
+    /// What comes next is another feature, with this name or none.
+    pub(super) fn begin_feature(&mut self, name: Option<String>) {
+        self.begins_feature = true;
         self.name = name.filter(|name| !name.is_empty()).map(|name| {
             *self.number_of_name.entry(name).or_insert_with_key(|name| {
                 self.names.push(name.clone());
@@ -151,6 +162,17 @@ impl Drawing {
         Ok(is_kept)
     }
 
+    /// The feature of the line that is being made; -1 if it has a name, which tells it.
+    fn feature(&mut self) -> i64 {
+        if self.name.is_some() {
+            return -1;
+        }
+        if std::mem::take(&mut self.begins_feature) || self.feature_count == 0 {
+            self.feature_count += 1;
+        }
+        self.feature_count - 1
+    }
+
     /// Ends a line or ring; says whether it is more than a point.
     fn end(&mut self, polygon: i64, ring: i64, place: impl FnOnce() -> String) -> bool {
         let start = self.open();
@@ -167,7 +189,12 @@ impl Drawing {
                 false
             }
             _ => {
-                self.lines.push(Line { end: self.corners.len(), polygon, ring, name: self.name });
+                let feature = self.feature();
+                if ring == 0 && feature >= 0 {
+                    self.has_many_polygons |= self.feature_of_polygon == Some(feature);
+                    self.feature_of_polygon = Some(feature);
+                }
+                self.lines.push(Line { end: self.corners.len(), polygon, ring, feature, name: self.name });
                 true
             }
         }
@@ -221,6 +248,9 @@ impl Drawing {
                 CellData::of_file(name.to_owned(), GroupKind::Lines, 1, numbers)
             };
             data = vec![column(POLYGON, |line| line.polygon), column(RING, |line| line.ring)];
+            if self.has_many_polygons {
+                data.push(column(FEATURE, |line| line.feature));
+            }
         }
         let named_points = self.points.iter().zip(&points).map(|(&(_, name), &vertex)| (name, vertex));
         let mut groups = groups_of(&self.names, GroupKind::Vertices, named_points);
@@ -340,6 +370,33 @@ pub(crate) fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
     shapes
 }
 
+/// The features without names that the lines of a model are of; none where no such feature has several polygons.
+pub(crate) struct Features(Vec<i64>);
+
+impl Features {
+    pub(crate) fn new(model: &Model) -> Self {
+        let data = model.data_named(FEATURE, GroupKind::Lines);
+        let data = data.filter(|data| data.components() == 1 && data.is_integral());
+        let number = |data: &CellData, i: usize| data.integer_row(i).map_or(-1, |row| row[0]);
+        Self(data.map_or(Vec::new(), |data| (0..data.len()).map(|i| number(data, i)).collect()))
+    }
+
+    /// The feature of a line or of rings, if it is known.
+    pub(crate) fn of(&self, shape: &Shape) -> Option<i64> {
+        let line = match shape {
+            Shape::Line(line) => *line,
+            Shape::Rings(lines) => lines.start,
+            Shape::Face(_) | Shape::Point(_) => return None,
+        };
+        self.0.get(line).copied().filter(|&feature| feature >= 0)
+    }
+
+    /// Whether two shapes are known to be of one feature.
+    pub(crate) fn are_one(&self, a: &Shape, b: &Shape) -> bool {
+        self.of(a).is_some() && self.of(a) == self.of(b)
+    }
+}
+
 /// The first group of a kind that each thing is in.
 fn names_of(model: &Model, kind: GroupKind) -> Vec<Option<usize>> {
     let mut names = vec![None; model.count_of(kind)];
@@ -399,10 +456,10 @@ mod tests {
     #[test]
     fn lines_share_vertices_and_rings_do_not() {
         let mut drawing = Drawing::default();
-        drawing.set_name(Some("way".to_owned()));
+        drawing.begin_feature(Some("way".to_owned()));
         draw(&mut drawing, &[[0., 0.], [1., 0.], [1., 0.], [1., 1.]]);
         drawing.end_line(String::new);
-        drawing.set_name(None);
+        drawing.begin_feature(None);
         draw(&mut drawing, &[[1., 1.], [0., 1.], [-0.0, 0.]]);
         drawing.end_line(String::new);
         drawing.begin_polygon();
@@ -418,6 +475,40 @@ mod tests {
         assert_eq!(ring.integer_row(2), Some(vec![0]));
         let expected = [Shape::Line(0), Shape::Line(1), Shape::Rings(2..3), Shape::Point(1)];
         assert!(shapes(&model).into_iter().map(|(shape, _)| shape).eq(expected));
+    }
+
+    #[test]
+    fn features_are_told_where_one_has_several_polygons() {
+        let square = |drawing: &mut Drawing, x: f64| {
+            drawing.begin_polygon();
+            draw(drawing, &[[x, 0.], [x + 1., 0.], [x, 1.], [x, 0.]]);
+            drawing.end_ring(String::new).unwrap();
+        };
+        let features = |has_second: bool| {
+            let mut drawing = Drawing::default();
+            drawing.begin_feature(None);
+            square(&mut drawing, 0.);
+            // One that draws nothing does not count.
+            drawing.begin_feature(None);
+            drawing.begin_feature(None);
+            draw(&mut drawing, &[[5., 5.], [6., 6.]]);
+            drawing.end_line(String::new);
+            square(&mut drawing, 2.);
+            if has_second {
+                square(&mut drawing, 4.);
+            }
+            let model = drawing.finish().unwrap();
+            let features = Features::new(&model);
+            shapes(&model).iter().map(|(shape, _)| features.of(shape)).collect::<Vec<_>>()
+        };
+        assert_eq!(features(true), [Some(0), Some(1), Some(1), Some(1)]);
+        assert_eq!(features(false), [None; 3]);
+        // What has a name is told by it.
+        let mut drawing = Drawing::default();
+        drawing.begin_feature(Some("lakes".to_owned()));
+        square(&mut drawing, 0.);
+        square(&mut drawing, 2.);
+        assert!(drawing.finish().unwrap().data_named("feature", GroupKind::Lines).is_none());
     }
 
     #[test]

@@ -46,7 +46,7 @@ pub use doors::{
     ReadOptions, read, read_boundary, read_boundary_path, read_boundary_with, read_path, read_path_with,
     read_unknown, read_with, write, write_path,
 };
-pub(crate) use drawing::{Shape, shapes};
+pub(crate) use drawing::{Features, Shape, shapes};
 pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};
 pub(crate) use model::{repeated_vertex, segments};

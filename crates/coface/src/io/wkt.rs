@@ -4,11 +4,12 @@
 //! `LINEARRING`, `POLYGON`, `TRIANGLE`, the `MULTI` forms, `POLYHEDRALSURFACE`, `TIN` and `GEOMETRYCOLLECTION`, in any
 //! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front. Heights are kept, measures and reference systems passed over.
 //!
-//! Rings of polygons become closed lines with the integers `polygon` and `ring`, as in [`geojson`](super::geojson).
+//! Rings of polygons become closed lines with the integers `polygon` and `ring`, as in [`geojson`](super::geojson), and with `feature`, the
+//! number of the geometry, where one has several polygons.
 
 use super::Model;
 use super::decimal::flush;
-use super::drawing::{Drawing, Place, Shape, closed, push_place, shapes, written_dimension};
+use super::drawing::{Drawing, Features, Place, Shape, closed, push_place, shapes, written_dimension};
 use super::scanner::{Scanner, parse_f64, quoted};
 use crate::{Error, ErrorKind};
 use std::io::{Read, Write};
@@ -122,6 +123,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             continue;
         }
         seen = true;
+        reader.drawing.begin_feature(None);
         reader.geometry(0)?;
     }
     if !seen {
@@ -376,7 +378,8 @@ impl<R: Read> Reader<R> {
 }
 
 /// Writes one geometry a line: `LINESTRING` for lines, `POLYGON` for the rings of each polygon and for polygons of a mesh, `POINT`
-/// for points and for vertices that nothing uses. Three coordinates are written if a vertex lies outside the plane z = 0.
+/// for points and for vertices that nothing uses; what follows each other with one number in `feature` is one geometry, `MULTI` or a
+/// `GEOMETRYCOLLECTION`. Three coordinates are written if a vertex lies outside the plane z = 0.
 /// Names and data are not kept.
 ///
 /// # Errors
@@ -394,53 +397,89 @@ impl<R: Read> Reader<R> {
 /// # Ok(()) }
 /// ```
 pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
-    let dimension = written_dimension(model, "WKT")?;
-    let axes: &[u8] = if dimension == 3 { b" Z " } else { b" " };
+    let writer = Writer { model, dimension: written_dimension(model, "WKT")? };
     let mut text = Vec::new();
-    let push_path = |text: &mut Vec<u8>, path: &mut dyn Iterator<Item = u32>| {
-        text.push(b'(');
-        for (i, vertex) in path.enumerate() {
-            if i > 0 {
-                text.extend_from_slice(b", ");
-            }
-            push_place(model, vertex, dimension, b' ', text);
-        }
-        text.push(b')');
-    };
     let shapes = shapes(model);
     if shapes.is_empty() {
         text.extend_from_slice(b"GEOMETRYCOLLECTION EMPTY\n");
     }
-    for (shape, _) in shapes {
-        text.extend_from_slice(match shape {
-            Shape::Line(_) => b"LINESTRING",
-            Shape::Rings(_) | Shape::Face(_) => b"POLYGON",
-            Shape::Point(_) => b"POINT",
-        });
-        text.extend_from_slice(axes);
-        match shape {
-            Shape::Line(i) => push_path(&mut text, &mut model.lines.list(i).iter().copied()),
-            Shape::Rings(range) => {
-                for i in range.clone() {
-                    text.extend_from_slice(if i == range.start { b"(" } else { b", " });
-                    push_path(&mut text, &mut model.lines.list(i).iter().copied());
-                    flush(&mut text, &mut output)?;
-                }
-                text.push(b')');
-            }
-            Shape::Face(i) => {
-                text.push(b'(');
-                push_path(&mut text, &mut closed(model.polygons.list(i)));
-                text.push(b')');
-            }
-            Shape::Point(vertex) => push_path(&mut text, &mut std::iter::once(vertex)),
-        }
+    let features = Features::new(model);
+    for feature in shapes.chunk_by(|(x, a), (y, b)| a == b && features.are_one(x, y)) {
+        writer.push_geometry(feature, &mut text);
         text.push(b'\n');
         flush(&mut text, &mut output)?;
     }
     output.write_all(&text)?;
     output.flush()?;
     Ok(())
+}
+
+struct Writer<'a> {
+    model: &'a Model,
+    dimension: usize,
+}
+
+/// The name of a geometry of one shape.
+fn name_of(shape: &Shape) -> &'static [u8] {
+    match shape {
+        Shape::Line(_) => b"LINESTRING",
+        Shape::Rings(_) | Shape::Face(_) => b"POLYGON",
+        Shape::Point(_) => b"POINT",
+    }
+}
+
+impl Writer<'_> {
+    /// One geometry of shapes: a single one, several of one kind, or a collection.
+    fn push_geometry(&self, shapes: &[(Shape, Option<usize>)], text: &mut Vec<u8>) {
+        let name = name_of(&shapes[0].0);
+        let axes: &[u8] = if self.dimension == 3 { b" Z " } else { b" " };
+        if !shapes.iter().all(|(shape, _)| name_of(shape) == name) {
+            text.extend_from_slice(b"GEOMETRYCOLLECTION");
+            text.extend_from_slice(axes);
+            let kinds = shapes.chunk_by(|(a, _), (b, _)| name_of(a) == name_of(b));
+            return push_list(text, kinds, |kind, text| self.push_geometry(kind, text));
+        }
+        if shapes.len() > 1 {
+            text.extend_from_slice(b"MULTI");
+        }
+        text.extend_from_slice(name);
+        text.extend_from_slice(axes);
+        match shapes {
+            [(shape, _)] => self.push_shape(shape, text),
+            _ => push_list(text, shapes.iter(), |(shape, _), text| self.push_shape(shape, text)),
+        }
+    }
+
+    fn push_shape(&self, shape: &Shape, text: &mut Vec<u8>) {
+        match shape {
+            Shape::Line(i) => self.push_path(text, self.model.lines.list(*i).iter().copied()),
+            Shape::Rings(range) => push_list(text, range.clone(), |i, text| {
+                self.push_path(text, self.model.lines.list(i).iter().copied());
+            }),
+            Shape::Face(i) => {
+                text.push(b'(');
+                self.push_path(text, closed(self.model.polygons.list(*i)));
+                text.push(b')');
+            }
+            Shape::Point(vertex) => self.push_path(text, std::iter::once(*vertex)),
+        }
+    }
+
+    fn push_path(&self, text: &mut Vec<u8>, path: impl Iterator<Item = u32>) {
+        push_list(text, path, |vertex, text| push_place(self.model, vertex, self.dimension, b' ', text));
+    }
+}
+
+/// Things in parentheses with commas between them.
+fn push_list<T>(text: &mut Vec<u8>, items: impl Iterator<Item = T>, push: impl Fn(T, &mut Vec<u8>)) {
+    text.push(b'(');
+    for (i, item) in items.enumerate() {
+        if i > 0 {
+            text.extend_from_slice(b", ");
+        }
+        push(item, text);
+    }
+    text.push(b')');
 }
 
 #[cfg(test)]

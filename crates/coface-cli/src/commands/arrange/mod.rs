@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use coface::arrangement::boolean::InsideRule;
 use coface::io::{Format, Model};
-use coface::report::is_planar;
+use coface::report::{RegionSource, is_planar};
 use std::path::{Path, PathBuf};
 
 /// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.
@@ -42,14 +42,17 @@ pub(crate) struct Arrange {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     cells: CellOptions,
-    #[command(flatten)]
-    space: SpaceOptions,
+    /// What contains faces: files, or features (the polygons of one name, or those of a feature without a name), then named in "regions"
+    #[arg(long = "inputs", value_name = "WHAT", default_value = "files")]
+    source: Inputs,
     /// Leave out edges with one face on both sides: bridges and dangling edges
     #[arg(long)]
     prune: bool,
     /// Write where each vertex, edge and face comes from: .json
     #[arg(long, value_name = "FILE")]
     provenance: Option<PathBuf>,
+    #[command(flatten)]
+    space: SpaceOptions,
 }
 
 /// Options of arrangements and of what stands on them.
@@ -67,6 +70,23 @@ pub(crate) struct CellOptions {
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
+}
+
+/// What an input is.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Inputs {
+    Files,
+    Features,
+}
+
+impl Inputs {
+    /// What makes an input in the plane.
+    pub(crate) fn source(self) -> RegionSource {
+        match self {
+            Self::Files => RegionSource::Models,
+            Self::Features => RegionSource::Features,
+        }
+    }
 }
 
 /// Which winding numbers are inside.

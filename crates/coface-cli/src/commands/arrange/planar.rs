@@ -7,7 +7,7 @@ use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
 use crate::text;
 use coface::io::{Format, Model, replace_file};
-use coface::report::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+use coface::report::{ArrangementRequest, DrawingArrangement, PlanarDrawing};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub(super) fn run(
 ) -> Result<(), Failure> {
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
-    let drawing = PlanarDrawing::new(models, RegionSource::Models)?;
+    let drawing = PlanarDrawing::new(models, verb.source.source())?;
     let mut request = ArrangementRequest::default();
     request.rule = verb.cells.rule.map(super::Rule::inside);
     request.prune = verb.prune;

@@ -88,6 +88,11 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
+    if verb.source == super::Inputs::Features {
+        return Err(Failure::new(
+            "--inputs features is for regions in the plane; in space each file is an input",
+        ));
+    }
     if verb.prune {
         return Err(Failure::new(
             "--prune is for drawings in the plane; faces in space with one cell on both sides are kept",

@@ -3,7 +3,7 @@
 mod planar;
 mod spatial;
 
-use super::arrange::{CellOptions, SpaceOptions, check_json, dimension_of, output_format, read_all};
+use super::arrange::{CellOptions, Inputs, SpaceOptions, check_json, dimension_of, output_format, read_all};
 use crate::arguments::{Arguments, Common};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -40,11 +40,7 @@ pub(crate) struct Boolean {
     formula: Option<String>,
     #[command(flatten)]
     cells: CellOptions,
-    #[command(flatten)]
-    space: SpaceOptions,
-    #[command(flatten)]
-    solids: SolidOptions,
-    /// What an input of the formula is: a file, or a feature (the polygons of one name, or one polygon without a name)
+    /// What an input of the formula is: a file, or a feature (the polygons of one name, or those of a feature without a name)
     #[arg(long, value_name = "WHAT", default_value = "files")]
     inputs: Inputs,
     /// Keep the walls between cells that are selected both
@@ -53,13 +49,10 @@ pub(crate) struct Boolean {
     /// Write where each vertex, edge and polygon of the result comes from: .json
     #[arg(long, value_name = "FILE")]
     provenance: Option<PathBuf>,
-}
-
-/// What an input of the formula is.
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Inputs {
-    Files,
-    Features,
+    #[command(flatten)]
+    space: SpaceOptions,
+    #[command(flatten)]
+    solids: SolidOptions,
 }
 
 /// An operation by its name.
@@ -133,9 +126,6 @@ impl Boolean {
 
     /// What makes an input of a formula in the plane.
     fn region_source(&self) -> RegionSource {
-        match self.inputs {
-            Inputs::Files => RegionSource::Models,
-            Inputs::Features => RegionSource::Features,
-        }
+        self.inputs.source()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::PolygonalComplex;
 use super::axis_view::AxisView;
-use super::cells::SpatialCells;
+use super::cells::{CellParts, SpatialCells};
 use super::cutting::{CutOptions, CutTriangles};
 use super::flat_polygons::{NonPlanar, PolygonTriangles, SplitPolygon};
 use super::merging::{Merged, merge};
@@ -119,14 +119,21 @@ impl SpatialArrangement {
         options: &SpatialOptions,
     ) -> Result<Self, Error> {
         let cut = CutTriangles::new(positions, triangles, &CutOptions { max_cells: options.max_cells })?;
-        let (cells, patches_of_face) = rayon::join(|| cut.cells(), || patches.of_faces(&cut));
-        let cells = cells?;
         let predicates = cut.predicates();
-        let around = cells.radial_order();
-        let rules =
-            SameOrigin::new(&cut, &predicates, &patches, &patches_of_face, around, options.merge_coplanar);
-        let merged = merge(cut.complex(), around, &rules);
-        drop(rules);
+        let (ordered, patches_of_face) =
+            rayon::join(|| cut.ordered_faces(&predicates), || patches.of_faces(&cut));
+        let ordered = ordered?;
+        let around = ordered.around();
+        let (parts, merged) = rayon::join(
+            || CellParts::new(&ordered, &predicates),
+            || {
+                let of_face = &patches_of_face;
+                let rules =
+                    SameOrigin::new(&cut, &predicates, &patches, of_face, around, options.merge_coplanar);
+                merge(cut.complex(), around, &rules)
+            },
+        );
+        let parts = parts?;
         let mut is_omitted = Vec::new();
         let mut coarse_positions = None;
         if let Some(merged) = &merged {
@@ -137,6 +144,7 @@ impl SpatialArrangement {
                 Some(Positions::from_flat(3, merged.vertices.iter().flat_map(point).collect())?);
         }
         drop(predicates);
+        let cells = SpatialCells::from_parts(ordered, parts);
         Ok(Self {
             cut,
             cells,

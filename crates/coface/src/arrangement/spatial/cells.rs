@@ -1,7 +1,7 @@
 //! The cells of space.
 
 use super::PolygonalComplex;
-use super::face_planes::face_planes;
+use super::face_planes::{FacePlane, face_planes};
 use super::nesting::parents;
 use super::polygonal_complex::sign_of;
 use super::predicates::{GivenPoints, SpatialPredicates};
@@ -58,6 +58,19 @@ const EXTERIOR: u32 = u32::MAX;
 pub struct SpatialCells {
     complex: Arc<PolygonalComplex>,
     order: RadialOrder,
+    parts: CellParts,
+}
+
+/// A complex with the faces around its edges in their order: all that cells are found from.
+pub(super) struct OrderedFaces {
+    complex: Arc<PolygonalComplex>,
+    planes: Vec<FacePlane>,
+    order: RadialOrder,
+}
+
+/// The cells of a complex by their shells.
+#[derive(Clone, Debug)]
+pub(super) struct CellParts {
     shells: Shells,
     /// The cell of each shell, or the exterior.
     cell_of_shell: Vec<u32>,
@@ -66,6 +79,63 @@ pub struct SpatialCells {
     exterior_shells: Vec<u32>,
     /// The half-faces of each shell, rising.
     half_faces: RaggedArray,
+}
+
+impl OrderedFaces {
+    /// Sorts the faces around all edges.
+    ///
+    /// # Errors
+    /// `InvalidInput` naming a face that is not flat or has no area, or an edge with two faces in the same direction.
+    pub(super) fn new(
+        complex: impl Into<Arc<PolygonalComplex>>,
+        predicates: &impl SpatialPredicates,
+    ) -> Result<Self, Error> {
+        let complex = complex.into();
+        let (planes, sides) =
+            rayon::join(|| face_planes(&complex, predicates), || SidesAtEdges::new(&complex));
+        let planes = planes?;
+        let order = RadialOrder::new(&complex, predicates, &planes, sides)?;
+        Ok(Self { complex, planes, order })
+    }
+
+    /// The packed sides of faces around each edge.
+    pub(super) fn around(&self) -> &RaggedArray {
+        self.order.lists()
+    }
+}
+
+impl CellParts {
+    /// Closes the sides of faces up to shells, and finds the cells that these bound.
+    ///
+    /// # Errors
+    /// `InvalidInput` naming faces that cross.
+    pub(super) fn new(ordered: &OrderedFaces, predicates: &impl SpatialPredicates) -> Result<Self, Error> {
+        let OrderedFaces { complex, planes, order } = ordered;
+        let shells = Shells::new(complex, predicates, planes, order);
+        let parents = parents(complex, predicates, planes, &shells)?;
+        let mut cell_of_shell = vec![EXTERIOR; shells.shell_count];
+        let mut own_shells = Vec::new();
+        for (shell, cell) in cell_of_shell.iter_mut().enumerate() {
+            if shells.outer[shells.component_of_shell[shell] as usize] as usize != shell {
+                *cell = own_shells.len() as u32;
+                own_shells.push(vec![shell as u32]);
+            }
+        }
+        let mut exterior_shells = Vec::new();
+        for (&outer, parent) in shells.outer.iter().zip(parents) {
+            match parent {
+                None => exterior_shells.push(outer),
+                Some(parent) => {
+                    let cell = cell_of_shell[parent as usize];
+                    cell_of_shell[outer as usize] = cell;
+                    own_shells[cell as usize].push(outer);
+                }
+            }
+        }
+        let half_faces = RaggedArray::grouped(shells.shell_count, shells.shell_of.iter().copied());
+        let shells_of_cell = RaggedArray::from_lists(&own_shells);
+        Ok(Self { shells, cell_of_shell, shells_of_cell, exterior_shells, half_faces })
+    }
 }
 
 impl SpatialCells {
@@ -94,35 +164,15 @@ impl SpatialCells {
         complex: impl Into<Arc<PolygonalComplex>>,
         predicates: &impl SpatialPredicates,
     ) -> Result<Self, Error> {
-        let complex = complex.into();
-        let (planes, sides) =
-            rayon::join(|| face_planes(&complex, predicates), || SidesAtEdges::new(&complex));
-        let planes = planes?;
-        let order = RadialOrder::new(&complex, predicates, &planes, sides)?;
-        let shells = Shells::new(&complex, predicates, &planes, &order);
-        let parents = parents(&complex, predicates, &planes, &shells)?;
-        let mut cell_of_shell = vec![EXTERIOR; shells.shell_count];
-        let mut own_shells = Vec::new();
-        for (shell, cell) in cell_of_shell.iter_mut().enumerate() {
-            if shells.outer[shells.component_of_shell[shell] as usize] as usize != shell {
-                *cell = own_shells.len() as u32;
-                own_shells.push(vec![shell as u32]);
-            }
-        }
-        let mut exterior_shells = Vec::new();
-        for (&outer, parent) in shells.outer.iter().zip(parents) {
-            match parent {
-                None => exterior_shells.push(outer),
-                Some(parent) => {
-                    let cell = cell_of_shell[parent as usize];
-                    cell_of_shell[outer as usize] = cell;
-                    own_shells[cell as usize].push(outer);
-                }
-            }
-        }
-        let half_faces = RaggedArray::grouped(shells.shell_count, shells.shell_of.iter().copied());
-        let shells_of_cell = RaggedArray::from_lists(&own_shells);
-        Ok(Self { complex, order, shells, cell_of_shell, shells_of_cell, exterior_shells, half_faces })
+        let ordered = OrderedFaces::new(complex, predicates)?;
+        let parts = CellParts::new(&ordered, predicates)?;
+        Ok(Self::from_parts(ordered, parts))
+    }
+
+    /// What was found for a complex, together with it.
+    pub(super) fn from_parts(ordered: OrderedFaces, parts: CellParts) -> Self {
+        let OrderedFaces { complex, order, .. } = ordered;
+        Self { complex, order, parts }
     }
 
     /// The vertices, edges and faces.
@@ -132,17 +182,17 @@ impl SpatialCells {
 
     /// The number of cells; the exterior does not count.
     pub fn cell_count(&self) -> usize {
-        self.shells_of_cell.len()
+        self.parts.shells_of_cell.len()
     }
 
     /// The number of components of faces that are joined by edges. Components may touch in vertices.
     pub fn component_count(&self) -> usize {
-        self.shells.outer.len()
+        self.parts.shells.outer.len()
     }
 
     /// The number of shells.
     pub fn shell_count(&self) -> usize {
-        self.shells.shell_count
+        self.parts.shells.shell_count
     }
 
     /// The shells of a cell by their numbers, the outer one first, then those of voids; of the exterior for `None`.
@@ -150,7 +200,7 @@ impl SpatialCells {
     /// # Panics
     /// If there is no such cell.
     pub fn shells(&self, cell: Option<CellId>) -> &[u32] {
-        cell.map_or(&self.exterior_shells, |cell| self.shells_of_cell.list(cell.index()))
+        cell.map_or(&self.parts.exterior_shells, |cell| self.parts.shells_of_cell.list(cell.index()))
     }
 
     /// The sides of faces that make up a shell: plus for the back of a face, which has the cell behind it, minus for the front.
@@ -159,7 +209,11 @@ impl SpatialCells {
     /// # Panics
     /// If there is no such shell.
     pub fn shell_sides(&self, shell: u32) -> impl ExactSizeIterator<Item = (FaceId, Sign)> + '_ {
-        self.half_faces.list(shell as usize).iter().map(|&half| (FaceId::from_u32(half >> 1), sign_of(half)))
+        self.parts
+            .half_faces
+            .list(shell as usize)
+            .iter()
+            .map(|&half| (FaceId::from_u32(half >> 1), sign_of(half)))
     }
 
     /// The shell on the back of a face (plus) or on its front (minus).
@@ -167,7 +221,7 @@ impl SpatialCells {
     /// # Panics
     /// If there is no such face.
     pub fn shell_at(&self, face: FaceId, side: Sign) -> u32 {
-        self.shells.shell_of[2 * face.index() + usize::from(side == Sign::Minus)]
+        self.parts.shells.shell_of[2 * face.index() + usize::from(side == Sign::Minus)]
     }
 
     /// The cell at the back of a face (plus) or at its front (minus); `None` for the exterior.
@@ -175,7 +229,7 @@ impl SpatialCells {
     /// # Panics
     /// If there is no such face.
     pub fn cell_at(&self, face: FaceId, side: Sign) -> Option<CellId> {
-        let cell = self.cell_of_shell[self.shell_at(face, side) as usize];
+        let cell = self.parts.cell_of_shell[self.shell_at(face, side) as usize];
         (cell != EXTERIOR).then(|| CellId::from_u32(cell))
     }
 
@@ -218,7 +272,8 @@ impl SpatialCells {
 
     fn boundaries(&self, count: usize, column: impl Fn(u32) -> Option<usize>) -> Result<SparseMatrix, Error> {
         let sides = |face: usize| {
-            [2 * face, 2 * face + 1].map(|half| self.cell_of_shell[self.shells.shell_of[half] as usize])
+            [2 * face, 2 * face + 1]
+                .map(|half| self.parts.cell_of_shell[self.parts.shells.shell_of[half] as usize])
         };
         let mut starts = vec![0u32; count + 1];
         let mut terms = Vec::new();
@@ -278,7 +333,7 @@ impl SpatialCells {
             self.complex.side_ends(first)[0]
         };
         let volume = |&shell: &u32| {
-            let half_faces = self.half_faces.list(shell as usize);
+            let half_faces = self.parts.half_faces.list(shell as usize);
             // An apex on the shell: no volume that cancels is larger than the shell itself.
             let origin = half_faces.first().map_or([0.0; 3], |&half| scaled.origin_at(tail(half)));
             let sum = Sum::of(half_faces.len(), |i| {
@@ -316,7 +371,7 @@ impl SpatialCells {
     /// # Panics
     /// If there is no such cell.
     pub(crate) fn volumes_of(&self, positions: &Positions, cells: &[CellId]) -> Result<Vec<f64>, Error> {
-        let own = cells.iter().map(|cell| self.shells_of_cell.list(cell.index()));
+        let own = cells.iter().map(|cell| self.parts.shells_of_cell.list(cell.index()));
         let shells: Vec<u32> = own.clone().flatten().copied().collect();
         let volumes = self.volumes_of_shells(positions, &shells)?;
         let mut rest = volumes.into_iter();

@@ -4,8 +4,10 @@ use super::PolygonalComplex;
 use super::face_planes::{FacePlane, lexicographic};
 use super::predicates::SpatialPredicates;
 use super::radial_order::{EdgeView, RadialOrder};
-use crate::algebra::UnionFind;
+use crate::algebra::{ParityUnion, ParityUnionFind, RaggedArray, Sign, UnionFind};
 use std::cmp::Ordering;
+
+const NONE: u32 = u32::MAX;
 
 /// The partition of half-faces into shells, and of faces into components that are joined by edges.
 ///
@@ -25,23 +27,34 @@ pub(super) struct Shells {
 }
 
 impl Shells {
-    /// Unites half-faces that look at each other across the gaps around the edges.
+    /// Unites half-faces that look at each other across the gaps around the edges: faces across edges with two sides first, then what is left
+    /// of them at the other edges.
     pub(super) fn new(
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
         planes: &[FacePlane],
         order: &RadialOrder,
     ) -> Self {
-        let mut half_faces = UnionFind::new(2 * complex.face_count());
-        for edge in 0..complex.edge_count() {
-            let sides = order.at(edge);
+        let (mut half_faces, node_of_face) = patches(complex.face_count(), order.lists());
+        // Half-face h of a face whose back is half-face 2p + s of patch p.
+        let node = |half: u32| node_of_face[(half >> 1) as usize] ^ (half & 1);
+        for sides in order.lists().iter().filter(|sides| sides.len() != 2) {
             for (i, &side) in sides.iter().enumerate() {
                 // Counterclockwise of a side that runs with its edge is its front, clockwise its back.
-                half_faces.unite(side ^ 1, sides[if i + 1 == sides.len() { 0 } else { i + 1 }]);
+                half_faces.unite(node(side ^ 1), node(sides[if i + 1 == sides.len() { 0 } else { i + 1 }]));
             }
         }
-        let shell_of = half_faces.class_numbers();
-        let shell_count = half_faces.class_count();
+        let mut shell_of_node = vec![NONE; half_faces.len()];
+        let mut shell_count = 0;
+        let mut shell_of = Vec::with_capacity(2 * node_of_face.len());
+        for half in 0..2 * node_of_face.len() as u32 {
+            let shell = &mut shell_of_node[half_faces.find(node(half)) as usize];
+            if *shell == NONE {
+                *shell = shell_count as u32;
+                shell_count += 1;
+            }
+            shell_of.push(*shell);
+        }
         let mut joined = UnionFind::new(shell_count);
         for pair in shell_of.as_chunks::<2>().0 {
             joined.unite(pair[0], pair[1]);
@@ -72,7 +85,6 @@ impl Shells {
         order: &RadialOrder,
         component_count: usize,
     ) {
-        const NONE: u32 = u32::MAX;
         let component_at = |edge: usize| {
             let side = order.at(edge).first()?;
             Some(self.component_of_face((side >> 1) as usize) as usize)
@@ -123,6 +135,41 @@ impl Shells {
         self.outer = outer.collect();
         self.anchors = anchors;
     }
+}
+
+/// Faces joined across edges with two sides to patches, whose half-faces 2p and 2p + 1 are the two sides of patch p; and the half-face of a
+/// patch that the back of each face is part of. The half-faces of a patch that has only one side are one already.
+fn patches(face_count: usize, around: &RaggedArray) -> (UnionFind, Vec<u32>) {
+    let mut faces = ParityUnionFind::new(face_count);
+    let mut one_sided = Vec::new();
+    for sides in around.iter() {
+        if let &[s, t] = sides {
+            // Sides that run against each other have the same face in front.
+            let sign = if (s ^ t) & 1 == 1 { Sign::Plus } else { Sign::Minus };
+            if faces.unite(s >> 1, t >> 1, sign) == ParityUnion::Contradicts {
+                one_sided.push(s >> 1);
+            }
+        }
+    }
+    let mut patch_of_root = vec![NONE; face_count];
+    let mut count = 0;
+    let node_of_face: Vec<u32> = (0..face_count as u32)
+        .map(|face| {
+            let (root, sign) = faces.find(face);
+            let patch = &mut patch_of_root[root as usize];
+            if *patch == NONE {
+                *patch = count;
+                count += 1;
+            }
+            2 * *patch + u32::from(sign == Sign::Minus)
+        })
+        .collect();
+    let mut half_faces = UnionFind::new(2 * count as usize);
+    for face in one_sided {
+        let node = node_of_face[face as usize];
+        half_faces.unite(node, node ^ 1);
+    }
+    (half_faces, node_of_face)
 }
 
 /// How the slope of the direction from `v` to `a` compares with that to `b`: the sign of their product along Z.

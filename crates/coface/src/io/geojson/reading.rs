@@ -134,9 +134,9 @@ impl Object {
         match kind {
             "FeatureCollection" => Ok(()),
             "Feature" => {
-                drawing.set_name(self.name.or(self.id));
+                drawing.begin_feature(self.name.or(self.id));
                 let drawn = self.geometry.map_or(Ok(()), |geometry| geometry.draw_geometry(drawing));
-                drawing.set_name(None);
+                drawing.begin_feature(None);
                 drawn
             }
             _ => self.draw_geometry(drawing),

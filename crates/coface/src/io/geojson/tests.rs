@@ -2,7 +2,7 @@
 
 use super::{read, write};
 use crate::algebra::RaggedArray;
-use crate::io::{Group, GroupKind, Model, wkt};
+use crate::io::{CellData, Group, GroupKind, Model, wkt};
 use crate::{ErrorKind, VertexId};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -160,13 +160,17 @@ proptest! {
         prop_assume!(model.warnings().is_empty());
         let again = read(&written(&model)[..]).unwrap();
         prop_assert_eq!(&again, &model);
-        // WKT keeps all but the names.
+        // WKT keeps all but the names, so that each line with one is a feature of its own there.
         let mut out = Vec::new();
         wkt::write(&model, &mut out).unwrap();
         let from_wkt = wkt::read(&out[..]).unwrap();
         prop_assert_eq!(from_wkt.lines(), model.lines());
         prop_assert_eq!(from_wkt.points(), model.points());
         prop_assert_eq!(from_wkt.positions(), model.positions());
-        prop_assert_eq!(from_wkt.data(), model.data());
+        let has_names = !model.groups().is_empty();
+        let told = |found: &Model| -> Vec<CellData> {
+            found.data().iter().filter(|data| !has_names || data.name() != "feature").cloned().collect()
+        };
+        prop_assert_eq!(told(&from_wkt), told(&model));
     }
 }

@@ -3,16 +3,16 @@
 use crate::Error;
 use crate::io::Model;
 use crate::io::decimal::flush;
-use crate::io::drawing::{Shape, closed, push_place, shapes, written_dimension};
+use crate::io::drawing::{Features, Shape, closed, push_place, shapes, written_dimension};
 use serde_json::{Map, Value};
 use std::io::Write;
 
 /// Writes a `FeatureCollection`, one feature a line.
 ///
 /// Lines become `LineString`, the rings of each polygon and the polygons of a mesh `Polygon`, points and vertices that nothing uses
-/// `Point`. What follows each other in a named group is one feature with that name, and of several geometries; what is in
-/// several groups has the name of the first. Three coordinates are written if a vertex lies outside the plane z = 0.
-/// Data are not kept, but `polygon` and `ring` are told by the rings.
+/// `Point`. What follows each other in a named group is one feature with that name, and of several geometries, and so is what has one
+/// number in `feature`; what is in several groups has the name of the first. Three coordinates are written if a vertex lies outside the plane z = 0.
+/// Data are not kept, but `polygon`, `ring` and `feature` are told by the rings.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`](crate::ErrorKind::UnsupportedFormat) if the model has 3-cells, no positions or more than three
@@ -42,7 +42,8 @@ pub(crate) fn write_with(
     let writer = Writer { model, dimension: written_dimension(model, "GeoJSON")? };
     let shapes = shapes(model);
     let mut text = b"{\"type\":\"FeatureCollection\",\"features\":[\n".to_vec();
-    let features = shapes.chunk_by(|(_, a), (_, b)| a.is_some() && a == b);
+    let known = Features::new(model);
+    let features = shapes.chunk_by(|(x, a), (y, b)| a == b && (a.is_some() || known.are_one(x, y)));
     let mut shape = 0;
     for (i, feature) in features.enumerate() {
         if i > 0 {

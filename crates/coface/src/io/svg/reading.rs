@@ -241,9 +241,9 @@ impl Reader {
                 }),
             }
         } else if !pen.subpaths.is_empty() {
-            self.drawing.set_name(node.attribute("id").map(str::to_owned));
+            self.drawing.begin_feature(node.attribute("id").map(str::to_owned));
             self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
-            self.drawing.set_name(None);
+            self.drawing.begin_feature(None);
         }
         for child in node.children().filter(Node::is_element) {
             self.element(child, &map, rule, depth + 1)?;

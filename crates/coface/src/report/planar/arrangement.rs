@@ -204,6 +204,7 @@ impl DrawingArrangement {
             "rounding": rounding_to_json(&arrangement.rounding_certificate()?, arrangement.is_exactly_rounded()),
             "snap_rounds": self.snap_rounds,
             "inputs": self.drawing.inputs_to_json(),
+            "regions": self.drawing.region_names(),
             "warnings": self.warnings(),
         }))
     }

@@ -2,7 +2,7 @@
 
 use crate::arrangement::boolean::InsideRule;
 use crate::geometry::Positions;
-use crate::io::{GroupKind, Model, Shape, Structure, shapes};
+use crate::io::{Features, GroupKind, Model, Shape, Structure, shapes};
 use crate::{Error, ErrorKind, VertexId};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ pub enum RegionSource {
     /// All polygons of a model are one region.
     #[default]
     Models,
-    /// The polygons of a model with one name are a region, and each polygon without a name is one by itself.
+    /// The polygons of a model with one name are a region, and so are those of each feature without a name: a whole `MultiPolygon`.
     Features,
 }
 
@@ -150,7 +150,9 @@ impl PlanarDrawing {
         for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
             flat.extend_from_slice(&point[..2]);
         }
-        let mut regions = Regions { source, number, name, of_group: BTreeMap::new() };
+        let mut regions =
+            Regions { source, number, name, of_group: BTreeMap::new(), last_feature: None, feature_count: 0 };
+        let features = Features::new(model);
         if source == RegionSource::Models {
             self.regions.push(Region { name: name.to_owned(), model: number, open_at: None, is_empty: true });
         }
@@ -166,8 +168,8 @@ impl PlanarDrawing {
                 _ => Filling::OuterWithoutHoles,
             };
             if matches!(shape, Shape::Rings(_) | Shape::Face(_)) {
-                let region =
-                    regions.region_of(self, group.map(|group| model.groups()[group].name()), polygon_number);
+                let name = group.map(|group| model.groups()[group].name());
+                let region = regions.region_of(self, name, features.of(&shape));
                 self.regions[region as usize].is_empty = false;
                 self.polygons.push(Polygon { region, filling, number: polygon_number });
                 polygon_number += 1;
@@ -227,7 +229,7 @@ impl PlanarDrawing {
             .collect();
         ends.sort_unstable();
         let odd = ends.chunk_by(|a, b| a.0 == b.0).find(|group| group.len() % 2 == 1);
-        let region = regions.region_of(self, None, 0);
+        let region = regions.region_of(self, None, None);
         if let Some(group) = odd {
             self.regions[region as usize].open_at = Some(group[0].1);
             return;
@@ -369,24 +371,40 @@ struct Regions<'a> {
     number: u32,
     name: &'a str,
     of_group: BTreeMap<String, u32>,
+    /// The feature of the last polygon, if it is known, and the region of it.
+    last_feature: Option<(i64, u32)>,
+    /// The number of features that have polygons.
+    feature_count: u32,
 }
 
 impl Regions<'_> {
-    fn region_of(&mut self, drawing: &mut PlanarDrawing, group: Option<&str>, polygon: u32) -> u32 {
+    /// The region of a polygon of a named group, or of a feature; of its own if it has neither.
+    fn region_of(&mut self, drawing: &mut PlanarDrawing, group: Option<&str>, feature: Option<i64>) -> u32 {
         let count = drawing.regions.len() as u32;
         if self.source == RegionSource::Models {
             return count - 1;
         }
+        let known = self.last_feature.filter(|&(last, _)| feature == Some(last));
+        self.feature_count += u32::from(known.is_none());
         let name = match group {
             Some(group) => match self.of_group.get(group) {
-                Some(&region) => return region,
+                Some(&region) => {
+                    self.last_feature = feature.map(|feature| (feature, region));
+                    return region;
+                }
                 None => {
                     self.of_group.insert(group.to_owned(), count);
                     group.to_owned()
                 }
             },
-            None => format!("{}#{polygon}", self.name),
+            None => {
+                if let Some((_, region)) = known {
+                    return region;
+                }
+                format!("{}#{}", self.name, self.feature_count - 1)
+            }
         };
+        self.last_feature = feature.map(|feature| (feature, count));
         drawing.regions.push(Region { name, model: self.number, open_at: None, is_empty: true });
         count
     }

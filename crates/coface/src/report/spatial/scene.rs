@@ -67,6 +67,8 @@ impl SpatialScene {
             is_wall: Vec::new(),
             remarks: Vec::new(),
         };
+        let models: Vec<(&str, &Model)> = models.into_iter().collect();
+        scene.flat.reserve(models.iter().map(|(_, model)| model.positions().as_flat().len()).sum());
         for (name, model) in models {
             scene.add(name, model, walls).map_err(|error| error.in_file(name))?;
             scene.names.push(name.to_owned());
@@ -264,11 +266,14 @@ impl SpatialScene {
     /// # Errors
     /// None for models that were read.
     pub fn polygons(&self) -> Result<SpatialPolygons, Error> {
-        let (walks, polygon_of_walk) = (self.walks.clone(), self.polygon_of_walk.clone());
         let count = self.names.len() as u32;
         let inputs = self.input_of_polygon.iter().zip(&self.is_wall);
-        let inputs = inputs.map(|(&input, &is_wall)| if is_wall { input + count } else { input }).collect();
-        SpatialPolygons::new(self.positions()?, walks, polygon_of_walk)?.with_inputs(inputs)
+        let inputs = inputs.map(|(&input, &is_wall)| if is_wall { input + count } else { input });
+        let ((walks, polygon_of_walk), (positions, inputs)) = rayon::join(
+            || (self.walks.clone(), self.polygon_of_walk.clone()),
+            || (self.positions(), inputs.collect()),
+        );
+        SpatialPolygons::new(positions?, walks, polygon_of_walk)?.with_inputs(inputs)
     }
 
     /// Verifies that the polygons of each model are polygons, naming file and polygon.

@@ -8,6 +8,7 @@ use super::sheets::Sheets;
 use super::triples::triples;
 use super::vertices::Vertices;
 use crate::algebra::RaggedArray;
+use crate::arrangement::spatial::cells::OrderedFaces;
 use crate::arrangement::spatial::{PolygonalComplex, SpatialCells, SpatialPredicates};
 use crate::geometry::Positions;
 use crate::geometry::predicates::{SpatialPlane, SpatialPoint};
@@ -120,11 +121,15 @@ impl CutTriangles {
         };
         let lines = Lines::new(&on, &meetings);
         check(vertices.count() + lines.ends.len())?;
-        let supports = lines.supports(&sheets, &meetings);
-        let faces = Faces::new(&Fragmenting::new(on, &lines, &meetings), &meetings.overlapping);
+        let (supports, faces) = rayon::join(
+            || lines.supports(&sheets, &meetings),
+            || Faces::new(&Fragmenting::new(on, &lines, &meetings), &meetings.overlapping),
+        );
         check(vertices.count() + lines.ends.len() + faces.sides.len())?;
-        let flat = (0..vertices.count() as u32).flat_map(|vertex| vertices.rounded(&sheets, vertex));
-        let positions = Positions::from_flat(3, flat.collect())?;
+        let mut flat = Vec::with_capacity(3 * vertices.count());
+        flat.extend_from_slice(sheets.points.as_flattened());
+        flat.extend(vertices.points.iter().flat_map(SpatialPoint::rounded));
+        let positions = Positions::from_flat(3, flat)?;
         let Faces { sides, sheet_of, triangles } = faces;
         let complex = PolygonalComplex::from_trusted_parts(vertices.count(), lines.ends, sides);
         Ok(Self {
@@ -164,6 +169,14 @@ impl CutTriangles {
     /// ```
     pub fn cells(&self) -> Result<SpatialCells, Error> {
         SpatialCells::with_predicates(Arc::clone(&self.complex), &self.predicates())
+    }
+
+    /// The faces around each edge in their order.
+    pub(in crate::arrangement::spatial) fn ordered_faces(
+        &self,
+        predicates: &impl SpatialPredicates,
+    ) -> Result<OrderedFaces, Error> {
+        OrderedFaces::new(Arc::clone(&self.complex), predicates)
     }
 
     /// Exact decisions about the vertices.

@@ -88,6 +88,9 @@ impl Meetings {
                     let mut own = Self::default();
                     let mut plane: Option<Plane> = None;
                     tree.pairs_of_group(group, |f, g| {
+                        if sheets.are_beside(f, g) {
+                            return;
+                        }
                         // Many pairs have the same first sheet, one after the other.
                         let plane = match &mut plane {
                             Some(known) if known.sheet == f => known,

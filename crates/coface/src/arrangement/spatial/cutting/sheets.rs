@@ -1,8 +1,9 @@
 //! Triangles made ready to be cut: equal points are one vertex, equal triangles one sheet, and edges have numbers.
 
+use super::fans::plain_corners;
 use crate::algebra::RaggedArray;
 use crate::geometry::predicates::{SpatialLine, SpatialPlane, plane_axis};
-use crate::geometry::{AxisBox, BoxTree, Positions};
+use crate::geometry::{AxisBox, BoxTree, Positions, frame_around};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -53,6 +54,8 @@ pub(super) struct Sheets {
     pub(super) edges_of: Vec<[u32; 3]>,
     /// Triangles without area, rising.
     pub(super) degenerate: Vec<u32>,
+    /// For each sheet a bit for each corner around which sheets lie side by side.
+    pub(super) plain_corners: Vec<u8>,
 }
 
 impl Sheets {
@@ -87,8 +90,27 @@ impl Sheets {
                 }
             }
         }
-        let tree = |corners: &[[u32; 3]]| BoxTree::of(corners.len(), |i| box_around(points, corners[i]));
-        let (found, mut boxes) = rayon::join(|| Edges::new(points.len(), &corners), || tree(&corners));
+        let tree = |corners: &[[u32; 3]]| {
+            // About where the triangles are: one corner of each.
+            let place = |i: usize| points[corners[i][0] as usize].map(|x| [x, x]);
+            BoxTree::in_frame(frame_around(corners.len(), place), corners.len(), |i| {
+                box_around(points, corners[i])
+            })
+        };
+        let plain = |views: &[View], corners: &[[u32; 3]], edges: &[[u32; 2]], edges_of: &[[u32; 3]]| {
+            plain_corners(points, corners, views, edges, edges_of)
+        };
+        let ((found, mut plain_corners), mut boxes) = rayon::join(
+            || {
+                let found = Edges::new(points.len(), &corners);
+                let plain = match found.twins.is_empty() {
+                    true => plain(&own_views, &corners, &found.ends, &found.of),
+                    false => Vec::new(),
+                };
+                (found, plain)
+            },
+            || tree(&corners),
+        );
         let Edges { ends: edges, of: mut edges_of, twins } = found;
         let sources = if twins.is_empty() {
             let packed = numbers.into_iter().map(|number| number << 1).collect();
@@ -116,6 +138,7 @@ impl Sheets {
             own_views.truncate(count);
             edges_of.truncate(count);
             boxes = tree(&corners);
+            plain_corners = plain(&own_views, &corners, &edges, &edges_of);
             let mut sources = RaggedArray::grouped(count, keys.iter().copied());
             sources.items_mut().iter_mut().for_each(|item| *item = packed[*item as usize]);
             sources
@@ -132,6 +155,7 @@ impl Sheets {
             edges,
             edges_of,
             degenerate,
+            plain_corners,
         };
         (sheets, boxes)
     }
@@ -142,6 +166,13 @@ impl Sheets {
 
     pub(super) fn point(&self, vertex: u32) -> [f64; 3] {
         self.points[vertex as usize]
+    }
+
+    /// Whether two sheets are known to have nothing in common but a corner or an edge of both.
+    pub(super) fn are_beside(&self, f: u32, g: u32) -> bool {
+        let (own, plain) = (&self.corners[f as usize], self.plain_corners[f as usize]);
+        let other = &self.corners[g as usize];
+        plain != 0 && (0..3).any(|i| plain >> i & 1 == 1 && other.contains(&own[i]))
     }
 
     pub(super) fn plane(&self, sheet: u32) -> SpatialPlane {
