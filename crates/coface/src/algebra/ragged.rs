@@ -1,6 +1,7 @@
 //! Lists of lists in one flat array.
 
 use crate::{Error, ErrorKind};
+use rayon::prelude::*;
 
 /// A list of lists of 32-bit numbers, flat: all items in one array and where each list starts.
 ///
@@ -101,22 +102,24 @@ impl RaggedArray {
     /// assert!(places.list(1).is_empty());
     /// ```
     pub fn grouped(key_count: usize, keys: impl Iterator<Item = u32> + Clone) -> Self {
-        let mut starts = vec![0u32; key_count + 1];
+        // List k begins at the start after the next one of it, until its items have moved that to where it ends.
+        let mut starts = vec![0u32; key_count + 2];
         let mut count = 0u32;
         for key in keys.clone() {
-            starts[key as usize + 1] += 1;
+            assert!((key as usize) < key_count, "a key is not below the number of keys");
+            starts[key as usize + 2] += 1;
             count = count.checked_add(1).expect("fewer than 2^32 items");
         }
-        for i in 1..starts.len() {
+        for i in 2..starts.len() {
             starts[i] += starts[i - 1];
         }
-        let mut next = starts.clone();
         let mut items = vec![0; count as usize];
         for (position, key) in keys.enumerate() {
-            let place = &mut next[key as usize];
+            let place = &mut starts[key as usize + 1];
             items[*place as usize] = position as u32;
             *place += 1;
         }
+        starts.pop();
         Self { items, starts: Starts::Listed(starts) }
     }
 
@@ -213,6 +216,36 @@ impl RaggedArray {
     /// The items of all lists, for changing them in place; the lengths stay.
     pub fn items_mut(&mut self) -> &mut [u32] {
         &mut self.items
+    }
+
+    /// Changes all lists, many at a time. `change` may keep what it needs in its second argument.
+    pub(crate) fn change_lists<Scratch: Default + Send>(
+        &mut self,
+        change: impl Fn(&mut [u32], &mut Scratch) + Sync,
+    ) {
+        const AT_ONCE: usize = 1 << 10;
+        let starts = match &self.starts {
+            Starts::Uniform(width) => {
+                let lists = self.items.par_chunks_mut(*width).with_min_len(AT_ONCE);
+                return lists.for_each_init(Scratch::default, |scratch, list| change(list, scratch));
+            }
+            Starts::Listed(starts) => starts,
+        };
+        let mut parts = Vec::with_capacity(starts.len() / AT_ONCE + 1);
+        let mut rest = &mut self.items[..];
+        for first in (0..starts.len() - 1).step_by(AT_ONCE) {
+            let own = &starts[first..(first + AT_ONCE + 1).min(starts.len())];
+            let (part, after) = rest.split_at_mut((own[own.len() - 1] - own[0]) as usize);
+            parts.push((own, part));
+            rest = after;
+        }
+        parts.into_par_iter().for_each_init(Scratch::default, |scratch, (starts, mut rest)| {
+            for ends in starts.windows(2) {
+                let (list, after) = std::mem::take(&mut rest).split_at_mut((ends[1] - ends[0]) as usize);
+                change(list, scratch);
+                rest = after;
+            }
+        });
     }
 
     /// The flat items, given away.

@@ -62,6 +62,8 @@ pub(super) struct Meetings {
     pub(super) touches: Vec<[u32; 2]>,
     /// Points at one place, at which segments end; twice the same one where segments fold back.
     pub(super) equal_points: Vec<[u32; 2]>,
+    /// Segments on one line with a common point: those that may run along each other.
+    pub(super) collinear: Vec<[u32; 2]>,
 }
 
 impl Meetings {
@@ -87,10 +89,12 @@ impl Meetings {
             all.crossings.reserve(more(|part| part.crossings.len()));
             all.touches.reserve(more(|part| part.touches.len()));
             all.equal_points.reserve(more(|part| part.equal_points.len()));
+            all.collinear.reserve(more(|part| part.collinear.len()));
             for part in found {
                 all.crossings.extend(part.crossings);
                 all.touches.extend(part.touches);
                 all.equal_points.extend(part.equal_points);
+                all.collinear.extend(part.collinear);
             }
             if let Some(most) = options.max_cells
                 && all.crossings.len() > most / 4
@@ -141,6 +145,9 @@ impl Meetings {
                 residues: point.residues(),
             });
             return;
+        }
+        if of_s.iter().chain(&of_t).all(|side| side.is_eq()) {
+            self.collinear.push([s, t]);
         }
         let [touch_count, equal_count] = [self.touches.len(), self.equal_points.len()];
         for (p, at_p) in ends_s.into_iter().zip([a, b]) {

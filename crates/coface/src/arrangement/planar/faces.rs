@@ -2,7 +2,8 @@
 
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::geometry::predicates::{PlanarLine, direction_turn};
-use rayon::prelude::*;
+use std::sync::atomic::AtomicU32;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// No face, no orbit, no edge.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -47,7 +48,7 @@ impl Orbits {
     }
 
     /// The orbits of edges of any shape; `order` puts the halfedges that leave one vertex counterclockwise from straight down
-    /// (exclusive). It may keep what it needs in its second argument.
+    /// (exclusive); it is not asked about one alone. It may keep what it needs in its second argument.
     ///
     /// The orbits outside are right for vertices in lexicographic order that are the lowest points of their edges.
     pub(crate) fn in_order<Scratch: Default + Send>(
@@ -57,46 +58,21 @@ impl Orbits {
     ) -> Self {
         let tails = ends.iter().flat_map(|&ends| ends);
         let mut rotation = RaggedArray::grouped(vertex_count, tails);
-        let starts: Vec<usize> = (0..=vertex_count).map(|v| rotation.start(v)).collect();
-        let mut lists: Vec<&mut [u32]> = Vec::with_capacity(vertex_count);
-        let mut rest = rotation.items_mut();
-        for list in starts.windows(2) {
-            let (list, after) = rest.split_at_mut(list[1] - list[0]);
-            lists.push(list);
-            rest = after;
-        }
-        lists
-            .into_par_iter()
-            .with_min_len(256)
-            .for_each_init(Scratch::default, |scratch, list| order(list, scratch));
-        let mut next = vec![0; 2 * ends.len()];
-        for leaving in rotation.iter() {
-            // Arriving opposite to a halfedge, a face on the left goes on clockwise.
-            for (i, &halfedge) in leaving.iter().enumerate() {
-                let after = leaving[(i + leaving.len() - 1) % leaving.len()];
-                next[(halfedge ^ 1) as usize] = after;
+        let next: Vec<AtomicU32> = (0..2 * ends.len()).map(|_| AtomicU32::new(0)).collect();
+        rotation.change_lists(|leaving, scratch| {
+            if leaving.len() > 1 {
+                order(leaving, scratch);
             }
-        }
-        let mut orbit_of = vec![NONE; next.len()];
-        let (mut starts, mut items) = (vec![0], Vec::with_capacity(next.len()));
-        for first in 0..next.len() as u32 {
-            if orbit_of[first as usize] != NONE {
-                continue;
+            // Arriving opposite to a halfedge, a face on the left goes on clockwise. Each place is written once.
+            let mut after = leaving.last().copied().unwrap_or(NONE);
+            for &halfedge in &*leaving {
+                next[(halfedge ^ 1) as usize].store(after, Relaxed);
+                after = halfedge;
             }
-            let orbit = starts.len() as u32 - 1;
-            let mut at = first;
-            while orbit_of[at as usize] == NONE {
-                orbit_of[at as usize] = orbit;
-                items.push(at);
-                at = next[at as usize];
-            }
-            starts.push(items.len() as u32);
-        }
-        let orbits = RaggedArray::from_parts(starts, items).expect("each halfedge is in one orbit");
-        let mut components = UnionFind::new(vertex_count);
-        for &[a, b] in ends {
-            components.unite(a, b);
-        }
+        });
+        let next: Vec<u32> = next.into_iter().map(AtomicU32::into_inner).collect();
+        let ((orbits, orbit_of), mut components) =
+            rayon::join(|| walks(&next), || components(vertex_count, ends));
         let component_of = components.class_numbers();
         let mut lowest_vertices = Vec::with_capacity(components.class_count());
         for (vertex, &component) in component_of.iter().enumerate() {
@@ -123,6 +99,35 @@ impl Orbits {
         // All edges of the lowest vertex go right or straight up: left of the last one is the outside.
         self.rotation.list(vertex as usize).last().map_or(NONE, |&h| self.orbit_of[h as usize])
     }
+}
+
+/// The orbits of a permutation of halfedges, and the one that each halfedge is in.
+fn walks(next: &[u32]) -> (RaggedArray, Vec<u32>) {
+    let mut orbit_of = vec![NONE; next.len()];
+    let (mut starts, mut items) = (vec![0], Vec::with_capacity(next.len()));
+    for first in 0..next.len() as u32 {
+        if orbit_of[first as usize] != NONE {
+            continue;
+        }
+        let orbit = starts.len() as u32 - 1;
+        let mut at = first;
+        while orbit_of[at as usize] == NONE {
+            orbit_of[at as usize] = orbit;
+            items.push(at);
+            at = next[at as usize];
+        }
+        starts.push(items.len() as u32);
+    }
+    (RaggedArray::from_parts(starts, items).expect("each halfedge is in one orbit"), orbit_of)
+}
+
+/// The connected components.
+fn components(vertex_count: usize, ends: &[[u32; 2]]) -> UnionFind {
+    let mut components = UnionFind::new(vertex_count);
+    for &[a, b] in ends {
+        components.unite(a, b);
+    }
+    components
 }
 
 /// Which orbits bound which face.
@@ -168,12 +173,17 @@ impl Faces {
             }
         }
         let holes = || orbits.outer_orbits.iter().copied().filter(|&orbit| orbit != NONE);
-        let owners = (0..first_orbits.len() as u32)
-            .zip(first_orbits.iter().copied())
-            .chain(holes().map(|orbit| (of_orbit[orbit as usize], orbit)).filter(|&(face, _)| face != NONE));
-        let (keys, members): (Vec<u32>, Vec<u32>) = owners.unzip();
-        let mut grouped = RaggedArray::grouped(first_orbits.len(), keys.iter().copied());
-        grouped.items_mut().iter_mut().for_each(|item| *item = members[*item as usize]);
+        let in_faces =
+            holes().map(|orbit| (of_orbit[orbit as usize], orbit)).filter(|&(face, _)| face != NONE);
+        let grouped = if in_faces.clone().next().is_none() {
+            RaggedArray::uniform(1, first_orbits).expect("an orbit for each face")
+        } else {
+            let owners = (0..first_orbits.len() as u32).zip(first_orbits.iter().copied()).chain(in_faces);
+            let (keys, members): (Vec<u32>, Vec<u32>) = owners.unzip();
+            let mut grouped = RaggedArray::grouped(first_orbits.len(), keys.iter().copied());
+            grouped.items_mut().iter_mut().for_each(|item| *item = members[*item as usize]);
+            grouped
+        };
         let unbounded_orbits = holes().filter(|&orbit| of_orbit[orbit as usize] == NONE).collect();
         Self { of_orbit, orbits: grouped, unbounded_orbits, around_component }
     }

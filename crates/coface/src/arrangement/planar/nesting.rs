@@ -1,7 +1,9 @@
 //! What lies directly below each component: the face that it is in.
 //!
-//! A ray goes down from the lowest vertex of a component, turned to the left by less than any angle. It meets no vertex, so what
-//! it meets first is the inside of an edge, and the component is in the face above that.
+//! A ray goes down from the lowest vertex of a component, turned to the right by less than any angle. It meets no vertex, so what
+//! it meets first is the inside of an edge, and the component is in the face above that. All edges of the lowest vertex go right or
+//! straight up, and the ray leaves it below them. Turned to the right it meets at once what is alike and straight below, as in a
+//! grid of squares; to the left it would go past all of a column.
 
 use super::faces::NONE;
 use super::segment_tree::SegmentTree;
@@ -28,21 +30,21 @@ impl Ray {
         tree.downward([x, y], |segment, line| {
             let line = rising_line(line);
             // Rounding is monotone: what the rounded x is beyond, the exact one is beyond or at.
-            // Also false for vertical ones: the ray passes on their left.
+            // Also false for vertical ones: the ray passes on their right.
             let is_across = line[0][0] < line[1][0]
                 && line[0][0] <= x
                 && x <= line[1][0]
                 && bound.is_none_or(|bound| heights(line, x)[1] >= bound)
-                && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_gt()
-                && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_le();
+                && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_ge()
+                && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_lt();
             let is_below = || {
                 let side = if is_exact { orientation(line[0], line[1], [x, y]) } else { from.side_of(line) };
                 side.is_gt()
             };
             if is_across && is_below() {
                 let higher = best.is_none_or(|(other, _)| match from.compare_heights(line, other) {
-                    // Both come to one point from the left: the one that falls more is above there.
-                    Ordering::Equal => direction_turn(line, other).is_gt(),
+                    // Both leave one point to the right: the one that rises more is above there.
+                    Ordering::Equal => direction_turn(other, line).is_gt(),
                     order => order.is_gt(),
                 });
                 if higher && let Some(found) = accept(segment) {
@@ -55,7 +57,7 @@ impl Ray {
         best.map(|(_, found)| found)
     }
 
-    /// Of edges along a segment, which rise, the one that is directly left of the vertical line through the point, if it is there.
+    /// Of edges along a segment, which rise, the one that is directly right of the vertical line through the point, if it is there.
     /// Edges that were taken away are none.
     pub(super) fn edge_below(
         &self,
@@ -64,15 +66,15 @@ impl Ray {
         point: impl Fn(u32) -> PlanarPoint,
     ) -> Option<u32> {
         let starts_left = |&edge: &u32| {
-            edge == NONE || point(ends[edge as usize][0]).compare_coordinate(&self.from, 0).is_lt()
+            edge == NONE || point(ends[edge as usize][0]).compare_coordinate(&self.from, 0).is_le()
         };
-        // Edges that were taken away have no ends to compare; the last that starts left is searched among the others.
+        // Edges that were taken away have no ends to compare; the last that starts left or above is searched among the others.
         let edge = if edges.contains(&NONE) {
             edges.iter().copied().rfind(|edge| *edge != NONE && starts_left(edge))
         } else {
             edges[..edges.partition_point(starts_left)].last().copied()
         };
-        edge.filter(|&edge| point(ends[edge as usize][1]).compare_coordinate(&self.from, 0).is_ge())
+        edge.filter(|&edge| point(ends[edge as usize][1]).compare_coordinate(&self.from, 0).is_gt())
     }
 }
 

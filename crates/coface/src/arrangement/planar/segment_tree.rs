@@ -102,6 +102,11 @@ impl OrientedBox {
         }
     }
 
+    /// Whether it is no smaller than the box along the axes.
+    fn is_upright(&self) -> bool {
+        self.axis == [1.0, 0.0]
+    }
+
     /// How far the box reaches from its center along an axis and across it.
     fn reach(&self, axis: [f64; 2]) -> [f64; 2] {
         let [cosine, sine] = [dot(self.axis, axis).abs(), cross(self.axis, axis).abs()];
@@ -205,12 +210,14 @@ impl Bounds {
 
     fn is_apart(&self, other: &Self) -> bool {
         (0..2).any(|i| self.high[i] < other.low[i] || other.high[i] < self.low[i])
-            || self.oriented.is_apart(&other.oriented)
+            || !(self.oriented.is_upright() && other.oriented.is_upright())
+                && self.oriented.is_apart(&other.oriented)
     }
 
     fn misses(&self, line: PlanarLine, factor: f64) -> bool {
         (0..2).any(|i| line[0][i].min(line[1][i]) > self.high[i] || line[0][i].max(line[1][i]) < self.low[i])
-            || self.oriented.misses(line.map(|point| point.map(|x| x * factor)))
+            || !self.oriented.is_upright()
+                && self.oriented.misses(line.map(|point| point.map(|x| x * factor)))
     }
 }
 

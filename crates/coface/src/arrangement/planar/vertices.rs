@@ -14,9 +14,9 @@ pub(super) struct Vertices {
 
 /// An event with the rounded coordinates that it is sorted by first.
 #[derive(Clone, Copy)]
-struct Place {
-    rounded: [f64; 2],
-    event: u32,
+pub(super) struct Place {
+    pub(super) rounded: [f64; 2],
+    pub(super) event: u32,
 }
 
 /// How many classes of equal points are split off one by one before the rest is sorted.
@@ -93,7 +93,7 @@ impl Vertices {
 }
 
 /// Splits places with the same rounded coordinates into classes of equal points, in the order of the points.
-fn split_into_classes(
+pub(super) fn split_into_classes(
     places: &[Place],
     point: &(impl Fn(u32) -> PlanarPoint + Sync),
     classes: &mut Vec<Vec<u32>>,

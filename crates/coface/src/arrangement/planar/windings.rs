@@ -1,15 +1,18 @@
 //! Winding numbers, carried from face to face across edges.
 
 use super::faces::{Faces, NONE, Orbits};
-use super::tour::{Step, tour};
 use crate::{Error, ErrorKind};
+use std::collections::BTreeMap;
 
-/// For each face the regions with a winding number that is not zero, rising.
-#[derive(Clone, Debug, Default)]
+/// For each face the regions with a winding number that is not zero, rising. Faces with the same numbers share a list: there are few
+/// different ones, and a condition on them is asked once for each.
+#[derive(Clone, Debug)]
 pub(crate) struct Windings {
-    numbers: Vec<(u32, i32)>,
-    /// Where the list of each face begins and ends.
-    ranges: Vec<[u32; 2]>,
+    lists: WindingLists,
+    /// The list of each bounded face.
+    list_of_face: Vec<u32>,
+    /// The halfedges across which bounded faces were entered first, each coming after that of the face that it leads from.
+    entries: Vec<u32>,
 }
 
 impl Windings {
@@ -18,29 +21,44 @@ impl Windings {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 numbers.
+    ///
+    /// # Complexity
+    /// Linear in the halfedges, and in the lengths of different lists.
     pub(crate) fn new(
         orbits: &Orbits,
         faces: &Faces,
         step: impl Fn(u32, &mut Vec<(u32, i32)>),
     ) -> Result<Self, Error> {
-        let mut found = Self { numbers: Vec::new(), ranges: vec![[NONE; 2]; faces.orbits.len()] };
-        let (mut across_edge, mut here) = (Vec::new(), Vec::new());
-        tour(orbits, faces, |at| match at {
-            Step::Into { face, across } => {
-                step(across, &mut across_edge);
-                across_edge.drain(..).for_each(|(region, by)| add(&mut here, region, by));
-                if u32::try_from(found.numbers.len()).is_ok() {
-                    let start = found.numbers.len();
-                    found.numbers.extend_from_slice(&here);
-                    found.ranges[face as usize] = [start, found.numbers.len()].map(|at| at as u32);
+        let face_count = faces.orbits.len();
+        let mut found = Self {
+            lists: WindingLists::default(),
+            list_of_face: vec![NONE; face_count],
+            entries: Vec::with_capacity(face_count),
+        };
+        let mut across_edge = Vec::new();
+        // Faces are flooded from the unbounded one.
+        let mut waiting = vec![NONE];
+        while let Some(face) = waiting.pop() {
+            let (around, here) = match face {
+                NONE => (&faces.unbounded_orbits[..], 0),
+                face => (faces.orbits.list(face as usize), found.list_of_face[face as usize]),
+            };
+            for &halfedge in around.iter().flat_map(|&orbit| orbits.orbits.list(orbit as usize)) {
+                let across = faces.of_orbit[orbits.orbit_of[(halfedge ^ 1) as usize] as usize];
+                if across == NONE || found.list_of_face[across as usize] != NONE {
+                    continue;
                 }
+                step(halfedge ^ 1, &mut across_edge);
+                let mut list = here;
+                for (region, by) in across_edge.drain(..) {
+                    list = found.lists.after(list, region, by);
+                }
+                found.list_of_face[across as usize] = list;
+                found.entries.push(halfedge ^ 1);
+                waiting.push(across);
             }
-            Step::Back { face, .. } => {
-                here.clear();
-                here.extend_from_slice(found.of_face(face));
-            }
-        });
-        if u32::try_from(found.numbers.len()).is_err() {
+        }
+        if u32::try_from(found.lists.numbers.len()).is_err() {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"));
         }
         Ok(found)
@@ -48,22 +66,121 @@ impl Windings {
 
     /// The numbers around a face; none around the unbounded one.
     pub(crate) fn of_face(&self, face: u32) -> &[(u32, i32)] {
-        match self.ranges.get(face as usize) {
-            Some(&[start, end]) if start != NONE => &self.numbers[start as usize..end as usize],
+        match self.list_of_face.get(face as usize) {
+            Some(&list) if list != NONE => self.lists.list(list),
             _ => &[],
+        }
+    }
+
+    /// Whether the numbers around each bounded face satisfy a condition, and then whether no numbers do.
+    pub(crate) fn where_satisfied(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Vec<bool> {
+        let of_list: Vec<bool> =
+            (0..self.lists.len() as u32).map(|list| condition(self.lists.list(list))).collect();
+        let mut found = Vec::with_capacity(self.list_of_face.len() + 1);
+        // What cannot be reached has the empty list, the first.
+        let of_faces =
+            self.list_of_face.iter().map(|&list| of_list[if list == NONE { 0 } else { list as usize }]);
+        found.extend(of_faces);
+        found.push(of_list[0]);
+        found
+    }
+
+    /// The halfedges across which bounded faces were entered from others, the unbounded one first, each after that of the face it
+    /// leads from.
+    pub(crate) fn entries(&self) -> &[u32] {
+        &self.entries
+    }
+}
+
+impl Default for Windings {
+    fn default() -> Self {
+        Self { lists: WindingLists::default(), list_of_face: Vec::new(), entries: Vec::new() }
+    }
+}
+
+/// Different lists of winding numbers, and which follows which. List 0 is empty.
+#[derive(Clone, Debug)]
+struct WindingLists {
+    /// The numbers of one list after those of another.
+    numbers: Vec<(u32, i32)>,
+    /// Where each list begins, and where the last ends.
+    starts: Vec<usize>,
+    by_numbers: BTreeMap<Vec<(u32, i32)>, u32>,
+    /// For each list what it becomes when a number is added for a region, as far as that has been asked; by rising regions.
+    following: Vec<Vec<(u32, i32, u32)>>,
+}
+
+impl Default for WindingLists {
+    fn default() -> Self {
+        Self {
+            numbers: Vec::new(),
+            starts: vec![0, 0],
+            by_numbers: BTreeMap::from([(Vec::new(), 0)]),
+            following: vec![Vec::new()],
         }
     }
 }
 
-/// Adds to the number of a region in a list that rises; zeros are left out.
-fn add(windings: &mut Vec<(u32, i32)>, region: u32, by: i32) {
-    match windings.binary_search_by_key(&region, |&(region, _)| region) {
-        Ok(at) => {
-            windings[at].1 += by;
-            if windings[at].1 == 0 {
-                windings.remove(at);
+impl WindingLists {
+    fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    fn list(&self, list: u32) -> &[(u32, i32)] {
+        &self.numbers[self.starts[list as usize]..self.starts[list as usize + 1]]
+    }
+
+    /// The list with a number added for a region; zeros are left out.
+    fn after(&mut self, list: u32, region: u32, by: i32) -> u32 {
+        let known = self.following[list as usize].binary_search_by_key(&(region, by), |&(r, b, _)| (r, b));
+        let place = match known {
+            Ok(at) => return self.following[list as usize][at].2,
+            Err(place) => place,
+        };
+        let mut numbers = self.list(list).to_vec();
+        match numbers.binary_search_by_key(&region, |&(region, _)| region) {
+            Ok(at) => {
+                numbers[at].1 += by;
+                if numbers[at].1 == 0 {
+                    numbers.remove(at);
+                }
             }
+            Err(at) => numbers.insert(at, (region, by)),
         }
-        Err(at) => windings.insert(at, (region, by)),
+        let found = match self.by_numbers.get(&numbers) {
+            Some(&found) => found,
+            None => {
+                let found = self.len() as u32;
+                self.numbers.extend_from_slice(&numbers);
+                self.starts.push(self.numbers.len());
+                self.following.push(Vec::new());
+                self.by_numbers.insert(numbers, found);
+                found
+            }
+        };
+        self.following[list as usize].insert(place, (region, by, found));
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_numbers_are_one_list_on_whatever_way_they_come_about() {
+        let mut lists = WindingLists::default();
+        let mut at = 0;
+        for (region, by) in [(5, 1), (2, -1), (5, 1), (2, 1)] {
+            at = lists.after(at, region, by);
+        }
+        assert_eq!(lists.list(at), [(5, 2)]);
+        assert_eq!(lists.after(0, 5, 2), at);
+        let [one, other] = [[(5, 1), (2, -1)], [(2, -1), (5, 1)]]
+            .map(|steps| steps.iter().fold(0, |list, &(region, by)| lists.after(list, region, by)));
+        assert_eq!(one, other);
+        assert_eq!(lists.list(one), [(2, -1), (5, 1)]);
+        let back = lists.after(at, 5, -2);
+        assert_eq!((back, lists.len()), (0, 6));
     }
 }

@@ -37,6 +37,16 @@ impl PlanarPoint {
     /// # Complexity
     /// Constant: a hundred operations in floating point unless the lines are nearly parallel.
     pub fn crossing(s: PlanarLine, t: PlanarLine) -> Option<Self> {
+        // Lines along the axes know one coordinate each.
+        let is_along = |line: PlanarLine, axis: usize| line[0][1 - axis] == line[1][1 - axis];
+        let upright = match (is_along(s, 0) && is_along(t, 1), is_along(s, 1) && is_along(t, 0)) {
+            (true, false) => Some([t[0][0], s[0][1]]),
+            (false, true) => Some([s[0][0], t[0][1]]),
+            _ => None,
+        };
+        if let Some(rounded) = upright {
+            return Some(Self { lines: Some([s, t]), rounded, residues: [Some(Ordering::Equal); 2] });
+        }
         if let Some(found) = filtered_crossing(s, t) {
             return Some(found);
         }

@@ -9,6 +9,7 @@ use crate::arrangement::planar::{PlanarOverlay, PlanarPolygons};
 use crate::geometry::Positions;
 use crate::yin::set::{CurveArena, parameter};
 use crate::yin::{KnotIndex, YinSet};
+use rayon::prelude::*;
 
 /// The curves of order 2 of some arenas laid over each other, each arena a region. Sides are the pieces of the arenas, one after the
 /// other.
@@ -70,8 +71,10 @@ pub(super) fn combine_linear(
     let (polygons, parents) = overlay.select_nested(condition)?;
     let outline = Outline::new(&polygons, &parents);
     let operands = Operands::new(&arenas);
-    let (sources, other_sources) = operands.sources(&arenas, &polygons, &outline);
-    let kinks = operands.kinks(sets, &polygons, &outline);
+    let ((sources, other_sources), kinks) = rayon::join(
+        || operands.sources(&arenas, &polygons, &outline),
+        || operands.kinks(sets, &polygons, &outline),
+    );
     let is_unbounded = polygons.has_exterior();
     let Outline { curves, parents, collapsed_count, .. } = outline;
     Ok(Combination {
@@ -149,21 +152,40 @@ impl Operands {
         polygons: &PlanarPolygons<'_>,
         outline: &Outline,
     ) -> (Vec<PieceSource>, Vec<(u32, PieceSource)>) {
-        let mut sources = Vec::with_capacity(outline.edges.len());
-        let mut others = Vec::new();
         let points = outline.curves.controls();
-        for curve in 0..outline.curves.len() {
-            for piece in outline.curves.first_piece(curve)..outline.curves.first_piece(curve + 1) {
-                // Each curve has one point more than it has pieces.
-                let ends = [points[piece + curve], points[piece + curve + 1]];
-                let mut along = polygons
-                    .sides_of_edge(outline.edges[piece] as usize)
-                    .map(|side| self.source(arenas, side, ends));
-                sources.extend(along.next());
-                others.extend(along.map(|source| (piece as u32, source)));
+        let curve_of = |piece: usize, last: &mut usize| {
+            let is_on = |curve: usize| {
+                outline.curves.first_piece(curve) <= piece && piece < outline.curves.first_piece(curve + 1)
+            };
+            // Mostly the same curve as before, or the next.
+            if !is_on(*last) {
+                *last = match *last + 1 {
+                    next if next < outline.curves.len() && is_on(next) => next,
+                    _ => outline.curves.curve_of_piece(piece).0,
+                };
             }
-        }
-        (sources, others)
+            *last
+        };
+        let along = |piece: usize, last: &mut usize| {
+            // Each curve has one point more than it has pieces.
+            let at = piece + curve_of(piece, last);
+            let ends = [points[at], points[at + 1]];
+            let sides = polygons.sides_of_edge(outline.edges[piece] as usize);
+            sides.map(move |side| self.source(arenas, side, ends))
+        };
+        let pieces = || (0..outline.edges.len()).into_par_iter().with_min_len(1 << 12);
+        let sources = pieces().map_init(
+            || 0,
+            |last, piece| along(piece, last).next().expect("a side runs along each edge of polygons"),
+        );
+        let sources = sources.collect();
+        let has_others =
+            |piece: &usize| polygons.sides_of_edge(outline.edges[*piece] as usize).nth(1).is_some();
+        let others = pieces().filter(has_others).flat_map_iter(|piece| {
+            let rest: Vec<_> = along(piece, &mut 0).skip(1).collect();
+            rest.into_iter().map(move |source| (piece as u32, source))
+        });
+        (sources, others.collect())
     }
 
     fn source(&self, arenas: &[&CurveArena], side: usize, ends: [[f64; 2]; 2]) -> PieceSource {
@@ -177,38 +199,39 @@ impl Operands {
     /// The knots of a result that are kinks: those at which two neighbors on one curve of an operand do not come together, or come
     /// together in a kink.
     fn kinks(&self, sets: &[&YinSet], polygons: &PlanarPolygons<'_>, outline: &Outline) -> Vec<KnotIndex> {
-        let mut kinks = Vec::new();
         let is_kink = |side: usize| {
             let (operand, knot) = self.knot(side);
             sets.get(operand).is_some_and(|set| set.kinks().vertex(knot).is_some())
         };
         let has_kinks = sets.iter().any(|set| !set.kinks().is_empty());
-        for curve in 0..outline.curves.len() {
-            let own = outline.curves.first_piece(curve)..outline.curves.first_piece(curve + 1);
-            for (knot, piece) in (0..).zip(own.clone()) {
-                let before = outline.edges[if piece == own.start { own.end } else { piece } - 1] as usize;
-                let after = outline.edges[piece] as usize;
-                let (mut is_smooth, mut is_old_kink) = (false, false);
-                for s in polygons.sides_of_edge(before) {
-                    for t in polygons.sides_of_edge(after) {
-                        if s == t {
+        let is_result_kink = |before: usize, after: usize| {
+            let (mut is_smooth, mut is_old_kink) = (false, false);
+            for s in polygons.sides_of_edge(before) {
+                for t in polygons.sides_of_edge(after) {
+                    if s == t {
+                        is_smooth = true;
+                    } else if self.curve_of_side[s] == self.curve_of_side[t] {
+                        if self.next(s) == t {
                             is_smooth = true;
-                        } else if self.curve_of_side[s] == self.curve_of_side[t] {
-                            if self.next(s) == t {
-                                is_smooth = true;
-                                is_old_kink |= has_kinks && is_kink(t);
-                            } else if self.next(t) == s {
-                                is_smooth = true;
-                                is_old_kink |= has_kinks && is_kink(s);
-                            }
+                            is_old_kink |= has_kinks && is_kink(t);
+                        } else if self.next(t) == s {
+                            is_smooth = true;
+                            is_old_kink |= has_kinks && is_kink(s);
                         }
                     }
                 }
-                if !is_smooth || is_old_kink {
-                    kinks.push(KnotIndex { curve: curve as u32, knot });
-                }
             }
-        }
-        kinks
+            !is_smooth || is_old_kink
+        };
+        let curves = (0..outline.curves.len()).into_par_iter().with_min_len(1 << 8);
+        let kinks = curves.flat_map_iter(|curve| {
+            let own = outline.curves.first_piece(curve)..outline.curves.first_piece(curve + 1);
+            let knots = (0..).zip(own.clone()).filter(move |&(_, piece)| {
+                let before = if piece == own.start { own.end } else { piece } - 1;
+                is_result_kink(outline.edges[before] as usize, outline.edges[piece] as usize)
+            });
+            knots.map(move |(knot, _)| KnotIndex { curve: curve as u32, knot })
+        });
+        kinks.collect()
     }
 }

@@ -5,7 +5,7 @@
 use super::hermite::{Block, BlockRow, Columns};
 
 #[inline(always)]
-fn product<const N: usize, const M: usize>(a: &Block<N>, b: &[[f64; M]; N]) -> [[f64; M]; N] {
+pub(super) fn product<const N: usize, const M: usize>(a: &Block<N>, b: &[[f64; M]; N]) -> [[f64; M]; N] {
     let mut found = [[0.0; M]; N];
     for i in 0..N {
         for j in 0..N {
@@ -18,7 +18,7 @@ fn product<const N: usize, const M: usize>(a: &Block<N>, b: &[[f64; M]; N]) -> [
 }
 
 #[inline(always)]
-fn less<const N: usize, const M: usize>(mut a: [[f64; M]; N], b: &[[f64; M]; N]) -> [[f64; M]; N] {
+pub(super) fn less<const N: usize, const M: usize>(mut a: [[f64; M]; N], b: &[[f64; M]; N]) -> [[f64; M]; N] {
     for (row, other) in a.iter_mut().zip(b) {
         for (x, y) in row.iter_mut().zip(other) {
             *x -= y;
@@ -29,7 +29,7 @@ fn less<const N: usize, const M: usize>(mut a: [[f64; M]; N], b: &[[f64; M]; N])
 
 /// The inverse by elimination with row pivots; not finite where there is none.
 #[inline(always)]
-fn inverse<const N: usize>(mut a: Block<N>) -> Block<N> {
+pub(super) fn inverse<const N: usize>(mut a: Block<N>) -> Block<N> {
     let mut found = [[0.0; N]; N];
     for (i, row) in found.iter_mut().enumerate() {
         row[i] = 1.0;
@@ -94,7 +94,7 @@ pub(super) fn open_solution<const N: usize>(
 const NOTHING: f64 = 1e-250;
 
 #[inline(always)]
-fn is_nothing<const N: usize>(block: &Block<N>) -> bool {
+pub(super) fn is_nothing<const N: usize>(block: &Block<N>) -> bool {
     block.iter().flatten().all(|x| x.abs() < NOTHING)
 }
 

@@ -16,6 +16,7 @@ mod parts;
 mod piecewise;
 mod power;
 pub(in crate::yin) mod roots;
+mod separators;
 
 pub use end_condition::EndCondition;
 pub(in crate::yin) use extent::monotone_breaks;

@@ -38,12 +38,12 @@ impl Kinks {
     /// Kinks at knots that rise, named 0, 1, 2, ...
     pub(in crate::yin) fn new(knots: Vec<KnotIndex>) -> Self {
         let next_name = knots.len() as u32;
-        Self {
-            by_name: (0..).zip(knots.iter().copied()).collect(),
-            by_knot: knots.into_iter().zip(0..).collect(),
-            next_name,
-            pieces: SmoothPieces::default(),
-        }
+        let (by_name, by_knot) = rayon::join(
+            || (0..).zip(knots.iter().copied()).collect(),
+            || knots.iter().copied().zip(0..).collect(),
+        );
+        drop(knots);
+        Self { by_name, by_knot, next_name, pieces: SmoothPieces::default() }
     }
 
     /// Kinks at knots that rise, with names of which none is twice; `next_name` is not below what they leave free.

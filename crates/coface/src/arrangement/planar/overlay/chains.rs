@@ -1,11 +1,8 @@
 //! Rings cut into chains between their nodes.
 
-use super::super::crossings::{Meetings, Soup};
-use super::super::vertices::Vertices;
+use super::super::crossings::Soup;
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
-use crate::geometry::predicates::PlanarPoint;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// The rings of an overlay without sides of no length.
@@ -20,6 +17,8 @@ pub(super) struct Rings {
     pub(super) starts: Vec<u32>,
     /// The ring of the input.
     pub(super) numbers: Vec<u32>,
+    /// The ring that each side is on.
+    ring_of_side: Vec<u32>,
 }
 
 impl Rings {
@@ -34,6 +33,7 @@ impl Rings {
             places: Vec::with_capacity(count),
             starts: vec![0],
             numbers: Vec::with_capacity(rings.len()),
+            ring_of_side: Vec::with_capacity(count),
         };
         for (number, ring) in rings.iter().enumerate() {
             let place = rings.start(number);
@@ -60,6 +60,7 @@ impl Rings {
             found.soup.points.extend(found.points[first..].iter().map(|&point| coordinates[point as usize]));
             found.soup.segments.extend((first as u32..end as u32).map(|side| [side, side + 1]));
             found.soup.segments[end - 1][1] = first as u32;
+            found.ring_of_side.resize(end, found.numbers.len() as u32);
             found.starts.push(end as u32);
             found.numbers.push(number as u32);
         }
@@ -68,7 +69,7 @@ impl Rings {
 
     /// The ring that a side is on.
     pub(super) fn ring_of(&self, side: u32) -> usize {
-        self.starts.partition_point(|&start| start <= side) - 1
+        self.ring_of_side[side as usize] as usize
     }
 
     pub(super) fn sides(&self, ring: usize) -> Range<u32> {
@@ -82,7 +83,7 @@ impl Rings {
     }
 
     /// The lexicographically lowest of some corners, which are not equal.
-    fn lowest_corner(&self, corners: Range<u32>) -> Option<u32> {
+    pub(super) fn lowest_corner(&self, corners: Range<u32>) -> Option<u32> {
         let at = |corner: u32| self.soup.points[corner as usize];
         corners.reduce(|a, b| {
             let ([ax, ay], [bx, by]) = (at(a), at(b));
@@ -95,16 +96,28 @@ impl Rings {
 #[derive(Clone, Copy)]
 pub(super) struct Break {
     pub(super) side: u32,
-    /// 0 for the corner that the side starts at; from 1 for nodes on the inside of the side, in its direction.
-    pub(super) rank: u32,
-    pub(super) node: u32,
+    /// Twice the node, and one more for a node on the inside of the side; else it is the corner that the side starts at.
+    place: u32,
+}
+
+impl Break {
+    pub(super) fn new(side: u32, node: u32, is_within: bool) -> Self {
+        Self { side, place: 2 * node + u32::from(is_within) }
+    }
+
+    pub(super) fn node(&self) -> u32 {
+        self.place / 2
+    }
+
+    pub(super) fn is_within(&self) -> bool {
+        self.place % 2 == 1
+    }
 }
 
 /// The part of a ring from one break to the next.
 #[derive(Clone, Copy)]
 pub(super) struct Chain {
     pub(super) ring: u32,
-    pub(super) nodes: [u32; 2],
     /// The sides that it begins and ends on.
     pub(super) sides: [u32; 2],
     /// How many corners lie between its nodes, from the one at the end of its first side.
@@ -122,6 +135,9 @@ impl Chain {
     }
 
     pub(super) fn lowest_corner(&self, rings: &Rings) -> Option<u32> {
+        if self.corner_count == 0 {
+            return None;
+        }
         let [a, b] = self.corners(rings).map(|range| rings.lowest_corner(range));
         match (a, b) {
             (Some(a), Some(b)) => {
@@ -138,120 +154,56 @@ pub(super) struct Chains {
     /// What is at each node: a corner, or after the corners a crossing. Nodes are in the order in which rings come to them, so that
     /// near nodes have near numbers.
     pub(super) nodes: Vec<u32>,
-    /// The place of each node in the lexicographic order of nodes; those that are alone on their ring come last.
-    pub(super) ranks: Vec<u32>,
-    /// By side and rank.
+    /// Along one ring after the other. From each to the next on its ring runs a chain.
     pub(super) breaks: Vec<Break>,
-    /// From each break to the next on its ring.
-    pub(super) chains: Vec<Chain>,
-    /// The first chain of each ring, and where the last ring ends.
+    /// The first break, and chain, of each ring, and where the last ring ends.
     pub(super) starts: Vec<u32>,
     /// The nodes that are not alone on their ring.
     pub(super) meeting_count: usize,
 }
 
 impl Chains {
-    pub(super) fn new(rings: &Rings, meetings: &Meetings) -> Self {
-        let corner_count = rings.soup.points.len() as u32;
-        let mut special: Vec<u32> = meetings.touches.iter().map(|touch| touch[1]).collect();
-        special.extend(meetings.equal_points.as_flattened());
-        // A ring there and back is cut at both ends, so that it is one edge.
-        special.extend(
-            rings.starts.windows(2).filter(|ends| ends[1] - ends[0] == 2).flat_map(|ends| ends[0]..ends[1]),
-        );
-        special.par_sort_unstable();
-        special.dedup();
-        let of_crossing = |crossing: usize| (special.len() + crossing) as u32;
-        let Vertices { events, vertex_of_event } = {
-            let given = special.iter().map(|&corner| rings.soup.points[corner as usize]);
-            let crossed = meetings.crossings.iter().map(|crossing| crossing.rounded);
-            Vertices::new(given.chain(crossed), |event| match special.get(event as usize) {
-                Some(&corner) => PlanarPoint::given(rings.soup.points[corner as usize]),
-                None => meetings.crossings[event as usize - special.len()].point(&rings.soup),
-            })
-        };
-        let mut nodes: Vec<u32> = events
-            .iter()
-            .map(|&event| match special.get(event as usize) {
-                Some(&corner) => corner,
-                None => corner_count + (event - special.len() as u32),
-            })
-            .collect();
-        let meeting_count = nodes.len();
-        // Nodes within sides as pairs of the side and the node, which rise along sides that rise.
-        let key = |side: u32, node: u32| u64::from(side) << 32 | u64::from(node);
-        let mut within: Vec<u64> = Vec::with_capacity(meetings.touches.len() + 2 * meetings.crossings.len());
-        within.extend(meetings.touches.iter().map(|&[side, corner]| {
-            let event = special.binary_search(&corner).expect("corners that touch are special");
-            key(side, vertex_of_event[event])
-        }));
-        for (i, crossing) in meetings.crossings.iter().enumerate() {
-            let node = vertex_of_event[of_crossing(i) as usize];
-            within.extend(crossing.segments.map(|side| key(side, node)));
+    pub(super) fn len(&self) -> usize {
+        self.breaks.len()
+    }
+
+    /// The breaks that a chain begins and ends with, and its ring.
+    fn ends(&self, rings: &Rings, chain: u32) -> ([Break; 2], u32) {
+        let from = self.breaks[chain as usize];
+        let ring = rings.ring_of(from.side);
+        let next = if chain + 1 == self.starts[ring + 1] { self.starts[ring] } else { chain + 1 };
+        ([from, self.breaks[next as usize]], ring as u32)
+    }
+
+    /// The nodes at both ends of a chain.
+    pub(super) fn nodes_of(&self, rings: &Rings, chain: u32) -> [u32; 2] {
+        self.ends(rings, chain).0.map(|at| at.node())
+    }
+
+    pub(super) fn ring_of(&self, rings: &Rings, chain: u32) -> u32 {
+        rings.ring_of(self.breaks[chain as usize].side) as u32
+    }
+
+    /// The side along which a chain leaves its first node, or with `is_against` the one along which it comes to its last.
+    pub(super) fn end_side(&self, rings: &Rings, chain: u32, is_against: bool) -> u32 {
+        if !is_against {
+            return self.breaks[chain as usize].side;
         }
-        within.par_sort_unstable();
-        within.dedup();
-        let mut breaks = Vec::with_capacity(special.len() + within.len() + rings.numbers.len());
-        let (mut next_special, mut next_within) = (0, 0);
-        let (mut chains, mut starts) = (Vec::new(), vec![0]);
-        for ring in 0..rings.numbers.len() {
-            let sides = rings.sides(ring);
-            let first = breaks.len();
-            loop {
-                let corner = special.get(next_special).copied().unwrap_or(u32::MAX);
-                let side = within.get(next_within).map_or(u32::MAX, |pair| (pair >> 32) as u32);
-                if corner.min(side) >= sides.end {
-                    break;
-                }
-                if corner <= side {
-                    breaks.push(Break { side: corner, rank: 0, node: vertex_of_event[next_special] });
-                    next_special += 1;
-                } else {
-                    let own = within[next_within..].iter().take_while(|&pair| (pair >> 32) as u32 == side);
-                    let start = breaks.len();
-                    breaks.extend(own.map(|&pair| Break { side, rank: 0, node: pair as u32 }));
-                    next_within += breaks.len() - start;
-                    let [a, b] = rings.soup.line(side);
-                    if a > b {
-                        breaks[start..].reverse();
-                    }
-                    breaks[start..].iter_mut().zip(1..).for_each(|(own, rank)| own.rank = rank);
-                }
-            }
-            if breaks.len() == first {
-                // A ring that meets no other gets a node of its own.
-                let corner = rings.lowest_corner(sides.clone()).expect("rings have corners");
-                breaks.push(Break { side: corner, rank: 0, node: nodes.len() as u32 });
-                nodes.push(corner);
-            }
-            for at in first..breaks.len() {
-                let (from, is_last) = (breaks[at], at + 1 == breaks.len());
-                let to = breaks[if is_last { first } else { at + 1 }];
-                let length = if is_last { sides.end - sides.start } else { 0 };
-                let before = |side: u32| if side == sides.start { sides.end - 1 } else { side - 1 };
-                chains.push(Chain {
-                    ring: ring as u32,
-                    nodes: [from.node, to.node],
-                    sides: [from.side, if to.rank == 0 { before(to.side) } else { to.side }],
-                    corner_count: to.side + length - from.side - u32::from(to.rank == 0),
-                });
-            }
-            starts.push(chains.len() as u32);
+        let ([_, to], ring) = self.ends(rings, chain);
+        if to.is_within() { to.side } else { rings.side_before(to.side, ring as usize) }
+    }
+
+    pub(super) fn chain(&self, rings: &Rings, chain: u32) -> Chain {
+        let ([from, to], ring) = self.ends(rings, chain);
+        let sides = rings.sides(ring as usize);
+        // The last chain of a ring runs past the first corner of the ring, or begins and ends in the only break.
+        let is_last = chain + 1 == self.starts[ring as usize + 1];
+        let length = if is_last { sides.end - sides.start } else { 0 };
+        let is_corner = !to.is_within();
+        Chain {
+            ring,
+            sides: [from.side, if is_corner { rings.side_before(to.side, ring as usize) } else { to.side }],
+            corner_count: to.side + length - from.side - u32::from(is_corner),
         }
-        let mut number_of = vec![u32::MAX; nodes.len()];
-        let mut ranks = Vec::with_capacity(nodes.len());
-        for at in &mut breaks {
-            let number = &mut number_of[at.node as usize];
-            if *number == u32::MAX {
-                *number = ranks.len() as u32;
-                ranks.push(at.node);
-            }
-            at.node = *number;
-        }
-        chains.par_iter_mut().for_each(|chain: &mut Chain| {
-            chain.nodes = chain.nodes.map(|node| number_of[node as usize]);
-        });
-        let nodes = ranks.iter().map(|&rank| nodes[rank as usize]).collect();
-        Self { nodes, ranks, breaks, chains, starts, meeting_count }
     }
 }

@@ -26,8 +26,8 @@ impl PlanarOverlay {
 
     /// The nodes at corners, each with the place of the side that starts there; a node comes as often as rings have corners at it.
     pub(crate) fn node_corners(&self) -> impl Iterator<Item = (u32, usize)> + '_ {
-        let at_corner = self.chains.breaks.iter().filter(|own| own.rank == 0);
-        at_corner.map(|own| (own.node, self.rings.places[own.side as usize] as usize))
+        let at_corner = self.chains.breaks.iter().filter(|own| !own.is_within());
+        at_corner.map(|own| (own.node(), self.rings.places[own.side as usize] as usize))
     }
 
     /// Whether a ring goes on from one halfedge into another, in its direction or against it.
@@ -39,7 +39,7 @@ impl PlanarOverlay {
                 .map(move |&chain| (chain, self.cells.edges.halfedge_of_chain[chain as usize] == halfedge))
         };
         let next = |chain: u32| {
-            let ring = self.chains.chains[chain as usize].ring as usize;
+            let ring = self.chains.ring_of(&self.rings, chain) as usize;
             let [start, end] = [self.chains.starts[ring], self.chains.starts[ring + 1]];
             if chain + 1 == end { start } else { chain + 1 }
         };

@@ -28,7 +28,7 @@ impl PlanarOverlay {
     /// # Complexity
     /// Linear in the halfedges.
     pub(crate) fn jordan_rings(&self) -> Result<JordanRings, JordanFault> {
-        let ring_of_chain = |chain: u32| self.chains.chains[chain as usize].ring;
+        let ring_of_chain = |chain: u32| self.chains.ring_of(&self.rings, chain);
         let number = |ring: u32| self.rings.numbers[ring as usize];
         let parts = self.parts();
         let point = |node: u32| parts.node_point(node).rounded();

@@ -12,6 +12,7 @@
 mod chains;
 mod edges;
 mod jordan_rings;
+mod nodes;
 mod polygons;
 mod regions;
 mod ring_cells;

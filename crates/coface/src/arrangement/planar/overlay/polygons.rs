@@ -47,8 +47,10 @@ pub struct PlanarPolygons<'a> {
     pub(super) has_exterior: bool,
     /// A side along each edge.
     pub(super) sides: Vec<u32>,
-    /// Edges with further sides.
-    pub(super) other_sides: Vec<[u32; 2]>,
+    /// Further sides of edges.
+    pub(super) other_sides: Vec<u32>,
+    /// Where those of each edge begin, and those of the last end; nothing if there are none.
+    pub(super) other_starts: Vec<u32>,
     pub(super) pinch_vertices: Vec<u32>,
     /// The corner or crossing at each vertex.
     pub(super) events: Vec<u32>,
@@ -126,9 +128,11 @@ impl PlanarPolygons<'_> {
     /// # Panics
     /// If there is no such edge.
     pub fn sides_of_edge(&self, edge: usize) -> impl Iterator<Item = usize> + '_ {
-        let from = self.other_sides.partition_point(|pair| (pair[0] as usize) < edge);
-        let others = self.other_sides[from..].iter().take_while(move |pair| pair[0] as usize == edge);
-        std::iter::once(self.sides[edge] as usize).chain(others.map(|pair| pair[1] as usize))
+        let others = match self.other_starts.get(edge..edge + 2) {
+            Some(ends) => &self.other_sides[ends[0] as usize..ends[1] as usize],
+            None => &[],
+        };
+        std::iter::once(self.sides[edge] as usize).chain(others.iter().map(|&side| side as usize))
     }
 
     /// The exact position of a vertex.

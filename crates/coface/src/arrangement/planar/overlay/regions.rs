@@ -18,6 +18,9 @@ use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
+/// So many nodes are worth a task of their own.
+const AT_ONCE: usize = 1 << 14;
+
 /// Regions with closed rings, laid over each other exactly: any Boolean combination of them is ready to be read off.
 ///
 /// A ring winds once around what it has on its left. Rings may cross and touch themselves and each other, overlap, and be there
@@ -107,8 +110,8 @@ impl PlanarOverlay {
                 .with_cure("lay the regions over each other in parts"));
         }
         let chains = Chains::new(&rings, &meetings);
+        let edges = ChainEdges::new(&rings, &chains, &meetings.collinear);
         let crossings = meetings.crossings;
-        let edges = ChainEdges::new(&chains.chains);
         let parts = Parts { rings: &rings, crossings: &crossings, chains: &chains, edges: &edges };
         let mut orbits = Orbits::new(chains.nodes.len(), &edges.ends, |halfedge| parts.departure(halfedge));
         let lowest_corners: Vec<u32> = (0..edges.ends.len() as u32)
@@ -138,7 +141,9 @@ impl PlanarOverlay {
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
         let cells = RingCells { edges, orbits, faces, windings: Windings::default() };
         let found = Self { rings, region_count, crossings, chains, cells, regions, lowest_corners };
-        options.check(found.f_vector().iter().sum(), "in all")?;
+        if options.max_cells.is_some() {
+            options.check(found.f_vector().iter().sum(), "in all")?;
+        }
         Ok(found)
     }
 
@@ -192,9 +197,13 @@ impl PlanarOverlay {
     /// How much more each region winds around what is left of a halfedge than around what is right of it. A region comes several
     /// times where several of its rings run along the edge.
     pub(crate) fn across(&self, halfedge: u32, mut wind: impl FnMut(u32, i32)) {
-        for &chain in self.cells.edges.chains.list(halfedge as usize / 2) {
-            let is_along = self.cells.edges.halfedge_of_chain[chain as usize] == halfedge;
-            let ring = self.chains.chains[chain as usize].ring;
+        for (at, &chain) in self.cells.edges.chains.list(halfedge as usize / 2).iter().enumerate() {
+            // The edge has the direction of its first chain.
+            let is_along = match at {
+                0 => halfedge.is_multiple_of(2),
+                _ => self.cells.edges.halfedge_of_chain[chain as usize] == halfedge,
+            };
+            let ring = self.chains.ring_of(&self.rings, chain);
             wind(self.regions[ring as usize], if is_along { 1 } else { -1 });
         }
     }
@@ -204,7 +213,7 @@ impl PlanarOverlay {
         let is_own = |ring: u32| self.regions[ring as usize] == region;
         let mut degrees = vec![0u8; self.chains.nodes.len()];
         for (chains, ends) in self.cells.edges.chains.iter().zip(&self.cells.edges.ends) {
-            if chains.iter().any(|&chain| is_own(self.chains.chains[chain as usize].ring)) {
+            if chains.iter().any(|&chain| is_own(self.chains.ring_of(&self.rings, chain))) {
                 for &end in ends {
                     degrees[end as usize] = degrees[end as usize].saturating_add(1);
                 }
@@ -216,8 +225,12 @@ impl PlanarOverlay {
             sides.is_some_and(|sides| sides.iter().all(|&side| is_own(self.rings.ring_of(side) as u32)))
         };
         let meetings = (0..degrees.len()).filter(|&node| degrees[node] > 2);
-        let first = meetings.min_by_key(|&node| (!is_crossing(node), self.chains.ranks[node]))?;
-        Some(self.parts().node_point(first as u32))
+        let parts = self.parts();
+        let first = meetings.min_by(|&a, &b| {
+            let order = is_crossing(b).cmp(&is_crossing(a));
+            order.then_with(|| parts.compare_nodes(a as u32, b as u32))
+        })?;
+        Some(parts.node_point(first as u32))
     }
 
     pub(super) fn parts(&self) -> Parts<'_> {
@@ -286,8 +299,13 @@ pub(super) struct Parts<'a> {
 
 impl<'a> Parts<'a> {
     /// The chain that an edge has its direction from.
-    pub(super) fn first_chain(&self, edge: u32) -> &'a Chain {
-        &self.chains.chains[self.edges.first_chain(edge) as usize]
+    pub(super) fn first_chain(&self, edge: u32) -> Chain {
+        self.chains.chain(self.rings, self.edges.first_chain(edge))
+    }
+
+    /// The side along which a chain leaves its first node, or with `is_against` the one along which it comes to its last.
+    pub(super) fn end_side(&self, chain: u32, is_against: bool) -> u32 {
+        self.chains.end_side(self.rings, chain, is_against)
     }
 
     /// A corner, or after the corners a crossing.
@@ -302,15 +320,40 @@ impl<'a> Parts<'a> {
         self.event_point(self.chains.nodes[node as usize])
     }
 
+    pub(super) fn rounded_node(&self, node: u32) -> [f64; 2] {
+        let event = self.chains.nodes[node as usize] as usize;
+        match event.checked_sub(self.rings.points.len()) {
+            None => self.rings.soup.points[event],
+            Some(crossing) => self.crossings[crossing].rounded,
+        }
+    }
+
+    /// The lexicographic order of two nodes.
+    pub(super) fn compare_nodes(&self, a: u32, b: u32) -> Ordering {
+        let [[ax, ay], [bx, by]] = [a, b].map(|node| self.rounded_node(node));
+        // Rounding is monotone, so different values are in order.
+        if ax != bx {
+            return if ax < bx { Ordering::Less } else { Ordering::Greater };
+        }
+        match self.node_point(a).compare_coordinate(&self.node_point(b), 0) {
+            Ordering::Equal if ay != by => {
+                if ay < by {
+                    Ordering::Less
+                } else {
+                    Ordering::Greater
+                }
+            }
+            Ordering::Equal => self.node_point(a).compare_coordinate(&self.node_point(b), 1),
+            order => order,
+        }
+    }
+
     /// The side along which a halfedge leaves its node, in the direction of leaving.
     pub(super) fn departure(&self, halfedge: u32) -> PlanarLine {
-        let chain = self.first_chain(halfedge / 2);
-        if halfedge.is_multiple_of(2) {
-            self.rings.soup.line(chain.sides[0])
-        } else {
-            let [a, b] = self.rings.soup.line(chain.sides[1]);
-            [b, a]
-        }
+        let is_against = !halfedge.is_multiple_of(2);
+        let chain = self.edges.first_chain(halfedge / 2);
+        let [a, b] = self.rings.soup.line(self.chains.end_side(self.rings, chain, is_against));
+        if is_against { [b, a] } else { [a, b] }
     }
 
     /// How an edge turns at a corner within it: `Greater` for counterclockwise.
@@ -320,15 +363,28 @@ impl<'a> Parts<'a> {
     }
 
     pub(super) fn ring_of_edge(&self, edge: u32) -> usize {
-        self.first_chain(edge).ring as usize
+        self.chains.ring_of(self.rings, self.edges.first_chain(edge)) as usize
     }
 
     /// The lowest point of each component; the orbits outside are put right where that is no node.
     fn lowest_points(&self, orbits: &mut Orbits, lowest_corners: &[u32]) -> Vec<PlanarPoint> {
         let mut lowest_nodes = orbits.lowest_vertices.clone();
-        for (node, &component) in (0..).zip(&orbits.component_of) {
-            let lowest = &mut lowest_nodes[component as usize];
-            if self.chains.ranks[node as usize] < self.chains.ranks[*lowest as usize] {
+        // The lowest nodes of runs of one component, side by side.
+        let runs: Vec<Vec<u32>> = (orbits.component_of.par_chunks(AT_ONCE).enumerate())
+            .map(|(chunk, components)| {
+                let mut lowest = Vec::new();
+                let mut first = (chunk * AT_ONCE) as u32;
+                for run in components.chunk_by(|a, b| a == b) {
+                    let nodes = first..first + run.len() as u32;
+                    first = nodes.end;
+                    lowest.extend(nodes.reduce(|a, b| if self.compare_nodes(b, a).is_lt() { b } else { a }));
+                }
+                lowest
+            })
+            .collect();
+        for node in runs.into_iter().flatten() {
+            let lowest = &mut lowest_nodes[orbits.component_of[node as usize] as usize];
+            if self.compare_nodes(node, *lowest).is_lt() {
                 *lowest = node;
             }
         }
@@ -352,13 +408,13 @@ impl<'a> Parts<'a> {
         Ray { from }.first_below(tree, |side| {
             let [a, b] = self.rings.soup.line(side);
             let is_right = a[0] < b[0];
-            // The nodes on the side that come before the place left of the line down.
+            // The nodes on the side that come before the place right of the line down.
             let breaks = &self.chains.breaks;
-            let inside = breaks.partition_point(|at| (at.side, at.rank) <= (side, 0));
+            let inside = breaks.partition_point(|at| (at.side, at.is_within()) <= (side, false));
             let own = &breaks[inside..];
             let own = &own[..own.partition_point(|at| at.side == side)];
             let passed = own.partition_point(|at| {
-                let is_left = self.node_point(at.node).compare_coordinate(&from, 0).is_lt();
+                let is_left = self.node_point(at.node()).compare_coordinate(&from, 0).is_le();
                 is_left == is_right
             });
             let ring = self.rings.ring_of(side);

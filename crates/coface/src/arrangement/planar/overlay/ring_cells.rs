@@ -1,6 +1,6 @@
 //! What rings make of the plane, without coordinates: edges, faces, winding numbers, and the rings around selected faces.
 
-use super::chains::Chain;
+use super::chains::{Chains, Rings};
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::arrangement::planar::faces::{Faces, NONE, Orbits};
 use crate::arrangement::planar::simple_rings::simple_rings;
@@ -42,18 +42,14 @@ impl RingCells {
 
     /// Whether the winding numbers around each face satisfy a condition; the unbounded face comes last.
     pub(crate) fn faces_where(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Vec<bool> {
-        let face_count = self.faces.orbits.len() as u32;
-        let mut is_inside: Vec<bool> =
-            (0..face_count).map(|face| condition(self.windings.of_face(face))).collect();
-        is_inside.push(condition(&[]));
-        is_inside
+        self.windings.where_satisfied(condition)
     }
 
     /// The rings around faces, of which the unbounded one comes last. `is_counterclockwise` is asked about simple rings.
     pub(crate) fn trace(
         &self,
         is_inside: &[bool],
-        is_counterclockwise: impl Fn(&[u32]) -> bool,
+        is_counterclockwise: impl Fn(&[u32]) -> bool + Sync,
     ) -> TracedRings {
         self.trace_with(is_inside, false, is_counterclockwise)
     }
@@ -63,54 +59,70 @@ impl RingCells {
         &self,
         is_inside: &[bool],
         walls: bool,
-        is_counterclockwise: impl Fn(&[u32]) -> bool,
+        is_counterclockwise: impl Fn(&[u32]) -> bool + Sync,
     ) -> TracedRings {
         let face_count = self.faces.orbits.len() as u32;
-        let face = |halfedge: u32| self.face(halfedge).min(face_count);
-        let is_boundary: Vec<bool> = (0..self.orbits.next.len() as u32)
-            .map(|h| {
-                let [left, right] = [face(h), face(h ^ 1)];
-                is_inside[left as usize] && (!is_inside[right as usize] || (walls && left != right))
-            })
-            .collect();
+        let face_of_orbit = |orbit: u32| self.faces.of_orbit[orbit as usize].min(face_count);
+        let face = |halfedge: u32| face_of_orbit(self.orbits.orbit_of[halfedge as usize]);
+        // Orbits are asked one by one, so that halfedges have little to look up.
+        let orbit_count = self.faces.of_orbit.len() as u32;
+        let is_orbit_inside: Vec<bool> =
+            (0..orbit_count).map(|orbit| is_inside[face_of_orbit(orbit) as usize]).collect();
+        let orbit_pairs = self.orbits.orbit_of.as_chunks::<2>().0;
+        let mut is_boundary = vec![false; self.orbits.next.len()];
+        let by_edge = is_boundary.as_chunks_mut::<2>().0;
+        by_edge.par_iter_mut().zip(orbit_pairs).with_min_len(1 << 14).for_each(|(sides, orbits)| {
+            let [left, right] = orbits.map(|orbit| is_orbit_inside[orbit as usize]);
+            let is_wall = walls && left && right && face_of_orbit(orbits[0]) != face_of_orbit(orbits[1]);
+            *sides = [left && (!right || is_wall), right && (!left || is_wall)];
+        });
         let mut polygons = UnionFind::new(is_inside.len());
-        for edge in (0..self.edges.ends.len() as u32).filter(|_| !walls) {
-            let [left, right] = [face(2 * edge), face(2 * edge + 1)];
-            if left != right && is_inside[left as usize] && is_inside[right as usize] {
-                polygons.unite(left, right);
+        if !walls {
+            for &orbits in orbit_pairs {
+                if orbits.iter().all(|&orbit| is_orbit_inside[orbit as usize]) {
+                    let [left, right] = orbits.map(face_of_orbit);
+                    polygons.unite(left, right);
+                }
             }
         }
+        drop(is_orbit_inside);
         let (rings, starts) = simple_rings(&self.orbits, &self.edges.ends, &is_boundary);
         let has_exterior = is_inside[face_count as usize];
         let exterior = polygons.find(face_count);
         // Polygons by their first rings; what reaches to infinity is the last, and has no ring around it.
         let mut number_of = vec![NONE; is_inside.len()];
-        let (mut polygon_of_ring, mut outer_rings) = (Vec::with_capacity(starts.len()), Vec::new());
-        for (ring, range) in starts.windows(2).enumerate() {
+        let mut polygon_of_ring = Vec::with_capacity(starts.len());
+        let mut polygon_count = 0;
+        for range in starts.windows(2) {
             let halfedges = &rings[range[0]..range[1]];
             let class = polygons.find(face(halfedges[0]));
             let number = &mut number_of[class as usize];
             if *number == NONE && !(has_exterior && class == exterior) {
-                *number = outer_rings.len() as u32;
-                outer_rings.push(NONE);
+                *number = polygon_count as u32;
+                polygon_count += 1;
             }
             polygon_of_ring.push(*number);
-            if *number != NONE && is_counterclockwise(halfedges) {
-                outer_rings[*number as usize] = ring as u32;
-            }
         }
-        let polygon_count = outer_rings.len();
         for number in polygon_of_ring.iter_mut().filter(|number| **number == NONE) {
             *number = polygon_count as u32;
         }
         let list_count = polygon_count + usize::from(has_exterior);
         let mut by_polygon = RaggedArray::grouped(list_count, polygon_of_ring.iter().copied());
         let list_starts: Vec<usize> = (0..=polygon_count).map(|polygon| by_polygon.start(polygon)).collect();
-        for (polygon, &outer) in outer_rings.iter().enumerate() {
-            let list = &mut by_polygon.items_mut()[list_starts[polygon]..list_starts[polygon + 1]];
-            if let Some(at) = list.iter().position(|&ring| ring == outer) {
-                list[..=at].rotate_right(1);
-            }
+        // The last ring that runs counterclockwise comes first; of one ring alone it is known.
+        let outer_places: Vec<(u32, u32)> = (0..polygon_count as u32)
+            .into_par_iter()
+            .filter(|&polygon| by_polygon.list(polygon as usize).len() > 1)
+            .filter_map(|polygon| {
+                let place = by_polygon.list(polygon as usize).iter().rposition(|&ring| {
+                    is_counterclockwise(&rings[starts[ring as usize]..starts[ring as usize + 1]])
+                });
+                place.map(|place| (polygon, place as u32))
+            })
+            .collect();
+        for (polygon, place) in outer_places {
+            let first = list_starts[polygon as usize];
+            by_polygon.items_mut()[first..=first + place as usize].rotate_right(1);
         }
         let polygon_of_face = (0..face_count)
             .map(|face| if is_inside[face as usize] { number_of[polygons.find(face) as usize] } else { NONE })
@@ -130,15 +142,23 @@ pub(crate) struct ChainEdges {
 }
 
 impl ChainEdges {
-    /// The edges of the chains of an overlay.
-    pub(super) fn new(chains: &[Chain]) -> Self {
+    /// The edges of the chains of an overlay, given the sides that may run along each other.
+    pub(super) fn new(rings: &Rings, chains: &Chains, collinear: &[[u32; 2]]) -> Self {
+        let mut is_collinear = vec![false; if collinear.is_empty() { 0 } else { rings.points.len() }];
+        collinear.as_flattened().iter().for_each(|&side| is_collinear[side as usize] = true);
+        let has_equals = |chain: &u32| {
+            let side = chains.breaks[*chain as usize].side as usize;
+            is_collinear[side] && chains.chain(rings, *chain).corner_count == 0
+        };
         // Straight pieces between the same nodes are equal.
-        let mut straight: Vec<([u32; 2], u32)> = (0..)
-            .zip(chains)
-            .filter(|(_, chain)| chain.corner_count == 0)
-            .map(|(number, chain)| {
-                let [a, b] = chain.nodes;
-                ([a.min(b), a.max(b)], number)
+        let candidates = 0..if collinear.is_empty() { 0 } else { chains.len() as u32 };
+        let mut straight: Vec<(u64, u32)> = candidates
+            .into_par_iter()
+            .with_min_len(1 << 12)
+            .filter(has_equals)
+            .map(|chain| {
+                let [a, b] = chains.nodes_of(rings, chain);
+                (u64::from(a.min(b)) << 32 | u64::from(a.max(b)), chain)
             })
             .collect();
         straight.par_sort_unstable();
@@ -146,8 +166,10 @@ impl ChainEdges {
         for group in straight.chunk_by(|a, b| a.0 == b.0) {
             group[1..].iter().for_each(|&(_, number)| first_of[number as usize] = group[0].1);
         }
-        Self::of_equal_chains(chains.iter().map(|chain| chain.nodes), &first_of, |chain, first| {
-            chains[chain as usize].nodes != chains[first as usize].nodes
+        drop(straight);
+        let nodes_of = |chain: u32| chains.nodes_of(rings, chain);
+        Self::of_equal_chains((0..chains.len() as u32).map(nodes_of), &first_of, |chain, first| {
+            nodes_of(chain) != nodes_of(first)
         })
     }
 
@@ -169,7 +191,11 @@ impl ChainEdges {
                 halfedge_of_chain.push(halfedge ^ u32::from(is_against(chain, first)));
             }
         }
-        let chains = RaggedArray::grouped(ends.len(), halfedge_of_chain.iter().map(|&h| h / 2));
+        let chains = if ends.len() == halfedge_of_chain.len() {
+            RaggedArray::uniform(1, (0..ends.len() as u32).collect()).expect("a chain for each edge")
+        } else {
+            RaggedArray::grouped(ends.len(), halfedge_of_chain.iter().map(|&h| h / 2))
+        };
         Self { chains, halfedge_of_chain, ends }
     }
 

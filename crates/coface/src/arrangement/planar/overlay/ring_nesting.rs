@@ -72,22 +72,41 @@ impl RingCells {
     }
 
     /// The smallest ring around each of some rings, given their halfedges, and where each begins and the last ends; rings are
-    /// numbered in a new order. They neither cross nor overlap.
+    /// numbered in a new order. They neither cross nor overlap, and what is on the sides of their edges is not the same.
+    ///
+    /// Each face but the unbounded one was entered across one edge when winding numbers were found; going these ways again crosses
+    /// each ring.
     pub(crate) fn parents_in_order(
         &self,
         halfedges: &[u32],
         starts: &[usize],
         order: &[u32],
     ) -> Vec<Option<u32>> {
-        let mut ring_of_halfedge = vec![NONE; self.orbits.next.len()];
-        for (number, &ring) in (0..).zip(order) {
+        // Twice the ring along each edge, and one more if it runs against the edge.
+        let mut ring_of_edge = vec![NONE; self.edges.ends.len()];
+        for (number, &ring) in (0u32..).zip(order) {
             for &halfedge in &halfedges[starts[ring as usize]..starts[ring as usize + 1]] {
-                ring_of_halfedge[halfedge as usize] = number;
+                ring_of_edge[halfedge as usize / 2] = 2 * number + halfedge % 2;
             }
         }
-        let nesting = self.nesting(&ring_of_halfedge, order.len());
-        let parents = nesting.expect("rings around faces do not cross").parents;
-        parents.into_iter().map(|parent| (parent != NONE).then_some(parent)).collect()
+        let mut nesting = RingNesting {
+            parents: vec![UNKNOWN; order.len()],
+            is_counterclockwise: vec![false; order.len()],
+        };
+        let mut smallest = vec![NONE; self.faces.orbits.len()];
+        for &entry in self.windings.entries() {
+            let before = self.face(entry ^ 1);
+            let here = if before == NONE { NONE } else { smallest[before as usize] };
+            let known = ring_of_edge[entry as usize / 2];
+            smallest[self.face(entry) as usize] = if known == NONE {
+                here
+            } else {
+                let is_before_left = known % 2 != entry % 2;
+                nesting.cross(known / 2, is_before_left, here).expect("rings around faces do not cross")
+            };
+        }
+        debug_assert!(!nesting.parents.contains(&UNKNOWN), "each ring is crossed on the way to a face");
+        nesting.parents.into_iter().map(|parent| (parent != NONE).then_some(parent)).collect()
     }
 
     /// What keeps rings from being simple and almost disjoint, the first along edges and then at nodes, given the ring that each

@@ -1,6 +1,5 @@
 //! The rings around selected faces.
 
-use super::chains::Chain;
 use super::regions::Parts;
 use super::ring_cells::TracedRings;
 use super::{PlanarOverlay, PlanarPolygons};
@@ -9,6 +8,7 @@ use crate::algebra::RaggedArray;
 use crate::arrangement::planar::faces::NONE;
 use crate::geometry::Positions;
 use crate::geometry::predicates::{PlanarPoint, direction_turn};
+use rayon::prelude::*;
 
 impl PlanarOverlay {
     /// The polygons of the faces whose winding numbers satisfy a condition: for each face it gets the regions with a winding number
@@ -57,9 +57,12 @@ impl PlanarOverlay {
         let TracedRings { halfedges, starts, by_polygon, has_exterior, polygon_of_face } = traced;
         // Rings are written polygon after polygon.
         let mut writer = Writer::new(self, &halfedges);
+        let passages = writer.passages(&halfedges, &starts);
         for &ring in by_polygon.items() {
-            writer.write(&halfedges[starts[ring as usize]..starts[ring as usize + 1]]);
+            let own = starts[ring as usize]..starts[ring as usize + 1];
+            writer.write(&halfedges[own.clone()], &passages[own]);
         }
+        drop(passages);
         let mut ring_numbers = 0u32..;
         let polygons = RaggedArray::from_lists(
             by_polygon.iter().map(|list| ring_numbers.by_ref().take(list.len()).collect::<Vec<_>>()),
@@ -69,8 +72,9 @@ impl PlanarOverlay {
 
     /// Whether a simple ring runs counterclockwise: it does at its lowest point.
     fn is_counterclockwise(&self, parts: &Parts<'_>, halfedges: &[u32]) -> bool {
-        let rank = |at: &usize| self.chains.ranks[self.cells.tail(halfedges[*at]) as usize];
-        let Some(at_node) = (0..halfedges.len()).min_by_key(rank) else { return false };
+        let tail = |at: usize| self.cells.tail(halfedges[at]);
+        let lowest_node = (0..halfedges.len()).min_by(|&a, &b| parts.compare_nodes(tail(a), tail(b)));
+        let Some(at_node) = lowest_node else { return false };
         let point = |corner: u32| self.rings.soup.points[corner as usize];
         let corners = halfedges.iter().enumerate().filter_map(|(at, &halfedge)| {
             let corner = self.lowest_corners[halfedge as usize / 2];
@@ -92,6 +96,16 @@ impl PlanarOverlay {
             }
         }
     }
+}
+
+/// What a ring makes of one of its halfedges.
+#[derive(Clone, Copy)]
+struct Passage {
+    /// The side along which the halfedge leaves its node.
+    departure: u32,
+    corner_count: u32,
+    /// Whether the ring has a vertex where the halfedge begins.
+    is_kept: bool,
 }
 
 /// Writes rings with positions and sources.
@@ -119,9 +133,12 @@ impl<'a> Writer<'a> {
         let edge_count = overlay.cells.edges.ends.len();
         let mut degrees = vec![0u8; overlay.chains.nodes.len()];
         let mut is_known = vec![false; edge_count];
-        let (mut corner_count, mut has_walls) = (0, false);
+        let corner_counts = halfedges.par_iter().with_min_len(1 << 12);
+        let corner_count = corner_counts
+            .map(|&halfedge| parts.first_chain(halfedge / 2).corner_count as usize + 1)
+            .sum::<usize>();
+        let mut has_walls = false;
         for edge in halfedges.iter().map(|halfedge| halfedge / 2) {
-            corner_count += parts.first_chain(edge).corner_count as usize + 1;
             // An edge with polygons on both sides counts once.
             if std::mem::replace(&mut is_known[edge as usize], true) {
                 has_walls = true;
@@ -147,32 +164,61 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn write(&mut self, halfedges: &[u32]) {
+    /// What the halfedges of rings are to them.
+    fn passages(&self, halfedges: &[u32], starts: &[usize]) -> Vec<Passage> {
+        let positions = (0..halfedges.len()).into_par_iter().with_min_len(1 << 12);
+        positions
+            .map_init(
+                || 0,
+                |ring, at| {
+                    // Mostly the same ring as before, or the next.
+                    let is_on = |ring: usize| starts[ring] <= at && at < starts[ring + 1];
+                    if !is_on(*ring) {
+                        *ring = match *ring + 1 {
+                            next if next + 1 < starts.len() && is_on(next) => next,
+                            _ => starts.partition_point(|&start| start <= at) - 1,
+                        };
+                    }
+                    let before = halfedges[if at == starts[*ring] { starts[*ring + 1] } else { at } - 1];
+                    let halfedge = halfedges[at];
+                    let chain = self.parts.first_chain(halfedge / 2);
+                    Passage {
+                        departure: chain.sides[usize::from(!halfedge.is_multiple_of(2))],
+                        corner_count: chain.corner_count,
+                        is_kept: self.degrees[self.overlay.cells.tail(halfedge) as usize] != 2
+                            || !self.goes_straight_on(before, halfedge),
+                    }
+                },
+            )
+            .collect()
+    }
+
+    fn write(&mut self, halfedges: &[u32], passages: &[Passage]) {
         let count = halfedges.len();
         // Begin where an edge of the ring begins. Other sides run along chains without corners only.
-        let has_corners = |i: usize| self.parts.first_chain(halfedges[i] / 2).corner_count > 0;
-        let start =
-            (0..count).find(|&i| self.is_kept(halfedges, i)).or_else(|| (0..count).find(|&i| has_corners(i)));
-        let start = start.unwrap_or(0);
+        let start = passages.iter().position(|own| own.is_kept);
+        let start = start.or_else(|| passages.iter().position(|own| own.corner_count > 0)).unwrap_or(0);
         for i in (start..count).chain(0..start) {
-            let halfedge = halfedges[i];
-            let chain = self.parts.first_chain(halfedge / 2);
-            let is_along = halfedge.is_multiple_of(2);
-            let departure = chain.sides[usize::from(!is_along)];
-            if self.is_kept(halfedges, i) {
+            let (halfedge, own) = (halfedges[i], passages[i]);
+            if own.is_kept {
                 self.push_node(self.overlay.cells.tail(halfedge));
-                self.sides.push(departure);
+                self.sides.push(own.departure);
             }
             // Where no edge of the ring begins, one goes on, and other sides may run along this part of it only.
-            self.push_other_sides(halfedge);
-            self.push_corners(halfedge, chain);
+            if !own.is_kept || self.overlay.cells.edges.chains.list(halfedge as usize / 2).len() > 1 {
+                self.push_other_sides(halfedge);
+            }
+            if own.corner_count > 0 {
+                self.push_corners(halfedge);
+            }
         }
         self.starts.push(self.rings.len() as u32);
     }
 
     /// The corners within an edge, with the sides that go on from them. What is a wall is written again with the same vertices.
-    fn push_corners(&mut self, halfedge: u32, chain: &Chain) {
+    fn push_corners(&mut self, halfedge: u32) {
         let rings = &self.overlay.rings;
+        let chain = self.parts.first_chain(halfedge / 2);
         let corners = chain.corners(rings);
         let written = self.first_corners.get(halfedge as usize / 2).copied().filter(|&first| first != NONE);
         let first = written.unwrap_or(self.events.len() as u32);
@@ -197,20 +243,13 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Whether a ring has a vertex where one of its halfedges begins.
-    fn is_kept(&self, halfedges: &[u32], i: usize) -> bool {
-        let before = halfedges[if i == 0 { halfedges.len() } else { i } - 1];
-        self.degrees[self.overlay.cells.tail(halfedges[i]) as usize] != 2
-            || !self.goes_straight_on(before, halfedges[i])
-    }
-
     fn push_node(&mut self, node: u32) {
         let vertex = &mut self.vertex_of_node[node as usize];
         if *vertex == NONE {
             *vertex = self.events.len() as u32;
             let event = self.overlay.chains.nodes[node as usize];
             self.events.push(event);
-            self.positions.extend(self.parts.event_point(event).rounded());
+            self.positions.extend(self.parts.rounded_node(node));
             if self.degrees[node as usize] > 2 {
                 self.pinches.push(*vertex);
             }
@@ -224,7 +263,7 @@ impl<'a> Writer<'a> {
             let chains = self.overlay.cells.edges.chains.list(h as usize / 2);
             chains.iter().map(move |&chain| {
                 let along = self.overlay.cells.edges.halfedge_of_chain[chain as usize] == h;
-                self.overlay.chains.chains[chain as usize].sides[usize::from(is_end == along)]
+                self.parts.end_side(chain, is_end == along)
             })
         };
         sides(before, true).any(|side| sides(halfedge, false).any(|other| other == side))
@@ -237,7 +276,7 @@ impl<'a> Writer<'a> {
         let Some((edge, &first)) = self.sides.iter().enumerate().skip(begin).next_back() else { return };
         for &chain in self.overlay.cells.edges.chains.list(halfedge as usize / 2) {
             let along = self.overlay.cells.edges.halfedge_of_chain[chain as usize] == halfedge;
-            let side = self.overlay.chains.chains[chain as usize].sides[usize::from(!along)];
+            let side = self.parts.end_side(chain, !along);
             if side != first {
                 self.other_sides.push([edge as u32, side]);
             }
@@ -251,10 +290,21 @@ impl<'a> Writer<'a> {
         has_exterior: bool,
     ) -> Result<PlanarPolygons<'a>, Error> {
         let places = &self.overlay.rings.places;
-        self.sides.iter_mut().for_each(|side| *side = places[*side as usize]);
+        self.sides.par_iter_mut().with_min_len(1 << 12).for_each(|side| *side = places[*side as usize]);
         self.other_sides.iter_mut().for_each(|[_, side]| *side = places[*side as usize]);
-        self.other_sides.sort_unstable();
+        self.other_sides.par_sort_unstable();
         self.other_sides.dedup();
+        let mut other_starts = Vec::new();
+        if !self.other_sides.is_empty() {
+            other_starts.reserve_exact(self.sides.len() + 1);
+            let mut at = 0;
+            for edge in 0..=self.sides.len() as u32 {
+                while self.other_sides.get(at).is_some_and(|pair| pair[0] < edge) {
+                    at += 1;
+                }
+                other_starts.push(at as u32);
+            }
+        }
         self.pinches.sort_unstable();
         Ok(PlanarPolygons {
             overlay: self.overlay,
@@ -264,7 +314,8 @@ impl<'a> Writer<'a> {
             polygon_of_face,
             has_exterior,
             sides: self.sides,
-            other_sides: self.other_sides,
+            other_sides: self.other_sides.into_iter().map(|pair| pair[1]).collect(),
+            other_starts,
             pinch_vertices: self.pinches,
             events: self.events,
         })
