@@ -1,0 +1,23 @@
+/**
+ * Colors that can be told apart with any sort of color vision: those of M. Okabe and K. Ito (2008), without black and yellow, which
+ * vanish on one of the two backgrounds.
+ */
+export const PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+
+/** For what is wrong. */
+export const ALARM = "#d0021b";
+
+/** What a click selects, and its star, closure and link. */
+export const NEIGHBORHOOD = { selection: "#d55e00", star: "#e69f00", closure: "#56b4e9", link: "#009e73", boundary: "#0072b2" };
+
+export function colorOf(place: number): string {
+  return PALETTE[place % PALETTE.length];
+}
+
+/** The colors of the page in light and in dark. */
+export const THEMES = {
+  light: { background: "#ffffff", surface: "#d9dee4", edge: "#5c6670", text: "#1b1f23" },
+  dark: { background: "#15181c", surface: "#7d8792", edge: "#2b3138", text: "#e6e9ec" },
+};
+
+export type Theme = keyof typeof THEMES;

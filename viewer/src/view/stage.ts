@@ -1,0 +1,157 @@
+/**
+ * The window onto the model: renderer, camera, light, and what is drawn on demand. Nothing is drawn while nothing changes.
+ */
+
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { THEMES, type Theme } from "./palette";
+
+export class Stage {
+  readonly scene = new THREE.Scene();
+  readonly camera: THREE.OrthographicCamera | THREE.PerspectiveCamera;
+  readonly controls: OrbitControls;
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly lineMaterials = new Set<LineMaterial>();
+  private isWaiting = false;
+  private listeners: (() => void)[] = [];
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    readonly isFlat: boolean,
+    readonly center: THREE.Vector3,
+    readonly radius: number,
+  ) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.localClippingEnabled = true;
+    const reach = Math.max(radius, 1e-30);
+    if (isFlat) {
+      this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -100 * reach, 100 * reach);
+    } else {
+      this.camera = new THREE.PerspectiveCamera(35, 1, reach / 1000, reach * 100);
+    }
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.screenSpacePanning = true;
+    if (isFlat) {
+      this.controls.enableRotate = false;
+      this.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
+      this.controls.touches.ONE = THREE.TOUCH.PAN;
+    }
+    this.controls.addEventListener("change", () => this.draw());
+    const key = new THREE.DirectionalLight(0xffffff, 2.2);
+    key.position.set(0.4, 0.7, 1);
+    this.camera.add(key);
+    const fill = new THREE.DirectionalLight(0xffffff, 0.8);
+    fill.position.set(-0.8, -0.3, 0.6);
+    this.camera.add(fill);
+    this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 0.7));
+    this.reset();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
+    this.resize();
+  }
+
+  /** Lines of a width in pixels. */
+  lineMaterial(color: string, width: number): LineMaterial {
+    const material = new LineMaterial({ color, linewidth: width });
+    this.lineMaterials.add(material);
+    material.resolution.set(this.canvas.clientWidth, this.canvas.clientHeight);
+    return material;
+  }
+
+  setTheme(theme: Theme): void {
+    this.renderer.setClearColor(THEMES[theme].background);
+    this.draw();
+  }
+
+  /** The first view again. */
+  reset(): void {
+    this.look(this.center, this.radius, this.isFlat ? new THREE.Vector3(0, 0, 1) : new THREE.Vector3(0.5, 0.35, 1));
+  }
+
+  /** Looks at a ball from a direction, or from where the camera is. */
+  look(center: THREE.Vector3, radius: number, from?: THREE.Vector3): void {
+    const direction = (from ?? this.camera.position.clone().sub(this.controls.target)).clone().normalize();
+    const reach = Math.max(radius, this.radius * 1e-4, 1e-30);
+    this.controls.target.copy(center);
+    if (this.camera instanceof THREE.PerspectiveCamera) {
+      const distance = (1.15 * reach) / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2));
+      this.camera.position.copy(center).addScaledVector(direction, distance);
+    } else {
+      this.camera.position.copy(center).addScaledVector(direction, 10 * this.radius);
+      this.camera.zoom = 1;
+      this.halfHeight = 1.1 * reach;
+    }
+    this.resize();
+    this.controls.update();
+    this.draw();
+  }
+
+  private halfHeight = 1;
+
+  private resize(): void {
+    const parent = this.canvas.parentElement;
+    const width = Math.max(parent?.clientWidth ?? 1, 1);
+    const height = Math.max(parent?.clientHeight ?? 1, 1);
+    this.renderer.setSize(width, height, false);
+    const aspect = width / height;
+    if (this.camera instanceof THREE.PerspectiveCamera) {
+      this.camera.aspect = aspect;
+    } else {
+      this.camera.left = -this.halfHeight * aspect;
+      this.camera.right = this.halfHeight * aspect;
+      this.camera.top = this.halfHeight;
+      this.camera.bottom = -this.halfHeight;
+    }
+    this.camera.updateProjectionMatrix();
+    for (const material of this.lineMaterials) material.resolution.set(width, height);
+    this.draw();
+  }
+
+  /** Draws before the next frame. */
+  draw(): void {
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      this.drawNow();
+    });
+  }
+
+  drawNow(): void {
+    this.renderer.render(this.scene, this.camera);
+    for (const listener of this.listeners) listener();
+  }
+
+  /** Calls back after each picture. */
+  onDraw(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** The picture as a PNG. */
+  async png(): Promise<Blob> {
+    this.drawNow();
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture"))), "image/png");
+    });
+  }
+
+  /** The ray through a point of the window, in pixels from its upper left corner. */
+  ray(x: number, y: number): THREE.Raycaster {
+    const caster = new THREE.Raycaster();
+    const place = new THREE.Vector2((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
+    caster.setFromCamera(place, this.camera);
+    return caster;
+  }
+
+  /** Where a point is in the window, in pixels from its upper left corner, and how deep. */
+  project(point: THREE.Vector3): THREE.Vector3 {
+    const at = point.clone().project(this.camera);
+    return new THREE.Vector3(
+      ((at.x + 1) / 2) * this.canvas.clientWidth,
+      ((1 - at.y) / 2) * this.canvas.clientHeight,
+      at.z,
+    );
+  }
+}
