@@ -31,5 +31,5 @@ function oneFile(): Plugin {
 export default defineConfig({
   base: "./",
   plugins: [oneFile()],
-  build: { target: "es2022", modulePreload: false, cssCodeSplit: false, assetsInlineLimit: 1 << 30, emptyOutDir: true },
+  build: { outDir: "../crates/coface-cli/page", target: "es2022", modulePreload: false, cssCodeSplit: false, assetsInlineLimit: 1 << 30, emptyOutDir: true },
 });

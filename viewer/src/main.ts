@@ -31,13 +31,14 @@ class Page {
   private marks: DrawnLayer[] = [];
   private theme: Theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   private clip = 1;
+  private explode = 0;
 
   constructor(private readonly model: Scene) {
     document.title = model.title;
     const sphere = boundsOf(model);
     this.stage = new Stage(this.canvas, model.dimension === 2, sphere.center, sphere.radius);
     this.surface = new Surface(model, this.stage);
-    this.complex = new Complex(model.positions.length / 3, model.polygons, model.simplices);
+    this.complex = new Complex(model.positions.length / 3, model.polygons, model.simplices, model.cells);
     let next = 0;
     this.colors = model.layers.map((layer) => {
       if (layer.group === "witness") return ALARM;
@@ -70,10 +71,15 @@ class Page {
     );
     const clip = element("input", { type: "range", min: "0", max: "1", step: "0.005", value: String(this.clip), id: "clip" });
     clip.addEventListener("input", () => this.setClip(Number(clip.value)));
+    const explode = element("input", { type: "range", min: "0", max: "1", step: "0.01", value: String(this.explode), id: "explode" });
+    explode.addEventListener("input", () => this.setExplode(Number(explode.value)));
     panel.replaceChildren(
       element("h1", {}, this.model.title),
       view,
       element("div", { class: "row" }, element("label", { for: "clip" }, "cut"), clip),
+      this.model.cells.starts.length > 1
+        ? element("div", { class: "row" }, element("label", { for: "explode" }, "take apart"), explode)
+        : "",
       this.neighborhoodPanel.root,
       layersElement(this.model.layers, this.colors, {
         show: (index, isOn) => this.showLayer(index, isOn),
@@ -210,6 +216,11 @@ class Page {
     this.surface.setClip(share);
   }
 
+  private setExplode(share: number): void {
+    this.explode = share;
+    this.surface.setExplode(share);
+  }
+
   private placeLabels(): void {
     const wanted = this.model.layers.flatMap((layer) =>
       layer.on ? layer.labels.map((label) => ({ text: label.text, at: new THREE.Vector3().fromArray(layer.positions, 3 * label.point) })) : [],
@@ -245,7 +256,7 @@ class Page {
       neighborhood: this.shown,
       theme: this.theme,
       edges: this.surface.edges.visible,
-      explode: 0,
+      explode: this.explode,
       clip: this.clip,
     };
   }
@@ -271,6 +282,7 @@ class Page {
     if (state.theme === "light" || state.theme === "dark") this.theme = state.theme;
     if (state.edges !== undefined) this.surface.edges.visible = state.edges;
     if (state.clip !== undefined) this.setClip(state.clip);
+    if (state.explode) this.setExplode(state.explode);
     const word = NEIGHBORHOODS.find((known) => known === state.neighborhood);
     if (word) this.shown = word;
     const count = this.complex.vertexCount;

@@ -41,6 +41,16 @@ describe("neighborhoods", () => {
     expect(cube.closure(CellSet.of([cube.polygonCell(0)])).counts()).toEqual([4, 4, 1]);
   });
 
+  it("knows solids", () => {
+    // Two tetrahedra with a common face, by their triangles.
+    const solids = new Complex(5, ragged([[0, 1, 2], [0, 1, 3], [1, 2, 3], [0, 2, 3], [1, 2, 4], [1, 3, 4], [2, 3, 4]]), none, ragged([[0, 1, 2, 3], [2, 4, 5, 6]]));
+    const corner = CellSet.of([solids.vertexCell(0)]);
+    expect(solids.star(corner).counts()).toEqual([1, 3, 3, 1]);
+    expect(solids.link(corner).counts()).toEqual([3, 3, 1]);
+    expect(solids.star(CellSet.of([solids.polygonCell(2)])).counts()).toEqual([0, 0, 1, 2]);
+    expect(solids.boundary(CellSet.of([solids.solidCell(0), solids.solidCell(1)]))?.counts()).toEqual([5, 9, 6]);
+  });
+
   it("knows tetrahedra", () => {
     const two = new Complex(5, none, ragged([[0, 1, 2, 3], [1, 2, 3, 4]]));
     const shared = CellSet.of([{ dimension: 2, vertices: [1, 2, 3] }]);

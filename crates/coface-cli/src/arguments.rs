@@ -102,6 +102,7 @@ pub(crate) enum Verb {
     Yin(commands::yin::Yin),
     Generate(commands::generate::Generate),
     Convert(commands::convert::Convert),
+    View(commands::view::View),
     Completions(commands::completions::Completions),
     Man(commands::man::Man),
 }

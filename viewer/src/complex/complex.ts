@@ -77,18 +77,23 @@ function compareCells(a: Cell, b: Cell): number {
 export class Complex {
   /** For each vertex the top cells that contain it. */
   private readonly around: Ragged;
+  /** For each polygon the 3-cells that it bounds. */
+  private readonly cellsOfPolygon: Ragged;
 
   /**
    * @param vertexCount the number of vertices
    * @param polygons the vertices around each polygon
    * @param simplices the vertices of each further top cell, a simplex
+   * @param cells the polygons around each 3-cell
    */
   constructor(
     readonly vertexCount: number,
     readonly polygons: Ragged,
     readonly simplices: Ragged,
+    readonly cells: Ragged = { starts: new Uint32Array(1), items: new Uint32Array(0) },
   ) {
     this.around = transpose(vertexCount, [polygons, simplices]);
+    this.cellsOfPolygon = transpose(polygons.starts.length - 1, [cells]);
   }
 
   get polygonCount(): number {
@@ -114,9 +119,11 @@ export class Complex {
     const star = new CellSet();
     for (const cell of of.list()) {
       star.add(cell);
+      if (cell.dimension === 3) continue;
       for (const top of this.topCellsAround(cell.vertices[0])) {
         const faces = this.facesOfTop(top);
         if (!faces.some((face) => keyOf(face) === keyOf(cell))) continue;
+        if (top < this.polygonCount) for (const around of this.cellsAround(top)) star.add(this.solidCell(around));
         const own = new Set(cell.vertices);
         for (const face of faces) {
           if (face.dimension <= cell.dimension) continue;
@@ -162,8 +169,32 @@ export class Complex {
     return this.closure(CellSet.of([...uses.values()].filter((use) => use.count === 1).map((use) => use.cell)));
   }
 
+  /** A 3-cell by its vertices. */
+  solidCell(index: number): Cell {
+    const polygons = this.polygonsOfCell(index);
+    return { dimension: 3, vertices: rising([...new Set(polygons.flatMap((polygon) => this.polygon(polygon)))]) };
+  }
+
+  private polygonsOfCell(index: number): number[] {
+    return Array.from(this.cells.items.subarray(this.cells.starts[index], this.cells.starts[index + 1]));
+  }
+
+  private cellsAround(polygon: number): number[] {
+    const { starts, items } = this.cellsOfPolygon;
+    return Array.from(items.subarray(starts[polygon], starts[polygon + 1]));
+  }
+
   /** A cell and all its faces. */
   faces(cell: Cell): Cell[] {
+    if (cell.dimension === 3) {
+      for (const top of this.topCellsAround(cell.vertices[0])) {
+        if (top >= this.polygonCount) continue;
+        for (const solid of this.cellsAround(top)) {
+          if (keyOf(this.solidCell(solid)) !== keyOf(cell)) continue;
+          return [...this.polygonsOfCell(solid).flatMap((polygon) => this.facesOfTop(polygon)), cell];
+        }
+      }
+    }
     if (cell.dimension === 2 && cell.vertices.length > 3) {
       for (const top of this.topCellsAround(cell.vertices[0])) {
         if (top < this.polygonCount && keyOf(this.polygonCell(top)) === keyOf(cell)) return this.facesOfTop(top);

@@ -54,8 +54,10 @@ export interface SceneText {
   positions: string;
   polygons: RaggedText;
   simplices: RaggedText;
-  /** What is shaded: three vertices each, and the polygon of each. */
-  triangles: { items: string; polygons: string };
+  /** The polygons around each 3-cell. */
+  cells: RaggedText;
+  /** What is shaded: three vertices each, the polygon of each, and where there are 3-cells the cell of each. */
+  triangles: { items: string; polygons: string; cells: string };
   layers: LayerText[];
   panes: PaneText[];
 }
@@ -87,8 +89,10 @@ export interface Scene {
   positions: Float32Array;
   polygons: Ragged;
   simplices: Ragged;
+  cells: Ragged;
   triangles: Uint32Array;
   polygonOfTriangle: Uint32Array;
+  cellOfTriangle: Uint32Array;
   layers: Layer[];
   panes: Pane[];
 }
@@ -143,8 +147,10 @@ export function readScene(text: SceneText): Scene {
     positions,
     polygons: lists(text.polygons),
     simplices: lists(text.simplices),
+    cells: lists(text.cells),
     triangles: numbers(text.triangles.items),
     polygonOfTriangle: numbers(text.triangles.polygons),
+    cellOfTriangle: numbers(text.triangles.cells),
     layers: text.layers.map((layer) => readLayer(layer, positions)),
     panes: text.panes.map((pane) => {
       const flat = lifted(reals(pane.positions));

@@ -10,6 +10,9 @@ export class Surface {
   readonly edges: THREE.LineSegments;
   private readonly material: THREE.MeshLambertMaterial;
   private readonly edgeMaterial: THREE.LineBasicMaterial;
+  /** The middle of the 3-cell of each triangle, three numbers each; empty without 3-cells. */
+  private readonly middles: Float32Array;
+  private readonly corners: Float32Array;
   private readonly clip = new THREE.Plane(new THREE.Vector3(-1, 0, 0), 0);
 
   constructor(
@@ -22,7 +25,9 @@ export class Surface {
     for (let i = 0; i < model.triangles.length; i++) {
       for (let axis = 0; axis < 3; axis++) corners[3 * i + axis] = model.positions[3 * model.triangles[i] + axis];
     }
-    geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
+    this.corners = corners;
+    this.middles = middlesOfCells(model, corners);
+    geometry.setAttribute("position", new THREE.BufferAttribute(corners.slice(), 3));
     geometry.computeVertexNormals();
     this.material = new THREE.MeshLambertMaterial({
       side: THREE.DoubleSide,
@@ -51,6 +56,22 @@ export class Surface {
     this.stage.draw();
   }
 
+  /** Moves 3-cells away from the middle: not at all at 0, to twice their distance at 1. */
+  setExplode(share: number): void {
+    if (this.middles.length === 0) return;
+    const attribute = this.mesh.geometry.getAttribute("position") as THREE.BufferAttribute;
+    const places = attribute.array as Float32Array;
+    const center = this.stage.center.toArray();
+    for (let i = 0; i < places.length; i++) {
+      const axis = i % 3;
+      places[i] = this.corners[i] + share * (this.middles[3 * Math.floor(i / 9) + axis] - center[axis]);
+    }
+    attribute.needsUpdate = true;
+    this.mesh.geometry.computeBoundingSphere();
+    this.edges.visible = share === 0;
+    this.stage.draw();
+  }
+
   /** The triangle under a place in the window, and the place on it. */
   pick(x: number, y: number): { triangle: number; point: THREE.Vector3 } | null {
     if (!this.mesh.visible) return null;
@@ -62,6 +83,25 @@ export class Surface {
   vertex(index: number): THREE.Vector3 {
     return new THREE.Vector3().fromArray(this.model.positions, 3 * index);
   }
+}
+
+/** For each triangle the middle of the corners of its 3-cell. */
+function middlesOfCells(model: Scene, corners: Float32Array): Float32Array {
+  const { cellOfTriangle } = model;
+  if (cellOfTriangle.length === 0) return new Float32Array();
+  const count = model.cells.starts.length - 1;
+  const sums = new Float64Array(4 * count);
+  cellOfTriangle.forEach((cell, triangle) => {
+    if (cell >= count) return;
+    for (let i = 0; i < 9; i++) sums[4 * cell + (i % 3)] += corners[9 * triangle + i];
+    sums[4 * cell + 3] += 3;
+  });
+  const middles = new Float32Array(3 * cellOfTriangle.length);
+  cellOfTriangle.forEach((cell, triangle) => {
+    if (cell >= count) return;
+    for (let axis = 0; axis < 3; axis++) middles[3 * triangle + axis] = sums[4 * cell + axis] / sums[4 * cell + 3];
+  });
+  return middles;
 }
 
 /** The sides of polygons, each once, and the edges that are in none. */

@@ -22,6 +22,7 @@ pub(crate) mod pi1;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 pub(crate) mod yin;
+pub(crate) mod view;
 
 use crate::arguments::{Arguments, Verb};
 use crate::failure::Failure;
@@ -50,6 +51,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Yin(verb) => verb.run(common),
         Verb::Generate(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
+        Verb::View(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(common),
     }

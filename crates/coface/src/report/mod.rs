@@ -27,6 +27,7 @@ mod polygons;
 mod problem;
 mod producer;
 mod repair;
+mod scene;
 mod simplices;
 mod simplicial;
 mod spatial;
@@ -48,6 +49,7 @@ pub use planar::{
 pub use problem::{Problem, ProblemKind};
 pub use producer::Producer;
 pub use repair::{RepairRequest, repaired};
+pub use scene::{Layer, Pane, Scene};
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{
     InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,

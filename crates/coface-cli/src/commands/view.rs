@@ -1,0 +1,113 @@
+//! `coface view`: a page that shows a model and what is known about it.
+
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{print_bytes, print_json, write_file};
+use crate::progress::Progress;
+use clap::Args;
+use coface::report::{Report, Scene};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Write one page that shows a model: opens from disk in any browser, without a network.
+///
+/// The page has the model to turn, cut and take apart, the report beside it, and layers for what --with gives: generators of
+/// homology, seams, loops, cocycles, sets of simplices, persistence diagrams. A click on a vertex, an edge or a face shows its star, closure,
+/// link and boundary.
+#[derive(Args)]
+pub(crate) struct View {
+    /// The model; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    /// Show an answer of coface over the model: the JSON of another verb; may be given several times
+    #[arg(long, value_name = "RESULT.json")]
+    with: Vec<PathBuf>,
+    /// Leave the report out, which takes most of the time on large models
+    #[arg(long)]
+    no_report: bool,
+}
+
+/// The page without a scene. It is made from the sources in `viewer/`.
+const PAGE: &str = include_str!("../../page/viewer.html");
+
+/// What stands in the page where the scene belongs.
+const PLACE: &str = r#"<script type="application/json" id="scene">null</script>"#;
+
+impl View {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let progress = Progress::start(common.quiet);
+        let loaded = input::read(&self.input, common.reading(), &progress)?;
+        progress.stage("drawing");
+        let title = Path::new(&loaded.name)
+            .file_name()
+            .map_or(loaded.name.clone(), |name| name.to_string_lossy().into_owned());
+        let mut scene =
+            Scene::of(&title, &loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
+        for path in &self.with {
+            let result = read_result(path)?;
+            scene.add_result(&input::name(path), &result)?;
+        }
+        if !self.no_report {
+            progress.stage(format!("examining {}", loaded.name));
+            let report = Report::of(loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
+            scene = scene.with_report(report.to_json(100));
+        }
+        progress.stage("writing the page");
+        let page = page_of(&scene.to_json());
+        drop(progress);
+        match &common.output {
+            Some(path) => write_file(path, page.as_bytes())?,
+            None if common.json => {}
+            None => return print_bytes(|out| out.write_all(page.as_bytes())),
+        }
+        if common.json {
+            let layers: Vec<Value> = scene
+                .layers()
+                .iter()
+                .map(|layer| json!({"group": layer.group, "name": layer.name, "detail": layer.detail}))
+                .collect();
+            let panes: Vec<&str> = scene.panes().iter().map(|pane| pane.name.as_str()).collect();
+            print_json(&json!({
+                "file": loaded.name,
+                "page": common.output.as_ref().map(|path| path.display().to_string()),
+                "bytes": page.len(),
+                "triangles": scene.triangles().len(),
+                "layers": layers,
+                "panes": panes,
+            }))?;
+        }
+        Ok(())
+    }
+}
+
+/// The page with a scene in it.
+fn page_of(scene: &Value) -> String {
+    // No text in the scene can end the element that it stands in.
+    let text = scene.to_string().replace("</", "<\\/");
+    PAGE.replacen(PLACE, &format!(r#"<script type="application/json" id="scene">{text}</script>"#), 1)
+}
+
+fn read_result(path: &Path) -> Result<Value, Failure> {
+    let name = input::name(path);
+    let bytes =
+        std::fs::read(path).map_err(|error| Failure::new(format!("{name}: cannot be read: {error}")))?;
+    serde_json::from_slice(&bytes).map_err(|error| {
+        Failure::new(format!(
+            "{name}:{}: {error}; give the JSON that another verb of coface wrote",
+            error.line()
+        ))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_has_a_place_for_the_scene() {
+        assert_eq!(PAGE.matches(PLACE).count(), 1);
+        let page = page_of(&json!({"title": "</script>"}));
+        assert!(page.contains(r#"{"title":"<\/script>"}"#));
+    }
+}

@@ -1,0 +1,19 @@
+//! Scenes: what a picture shows of a model and of answers about it.
+//!
+//! # Words and conventions
+//! * A **scene** has the cells of a model with their positions, what is shaded of it as triangles, and **layers** that can be shown or
+//!   not: generators, seams, boundary loops, witnesses. A **pane** is a flat picture beside it, such as a persistence diagram.
+//! * Cells are named by vertices as everywhere in results, so an answer that was written as JSON becomes layers without the
+//!   computation that it came from.
+//! * Positions in the page have 32 bits; the middle of the model is taken away before, so that coordinates far from zero keep their
+//!   digits.
+
+mod document;
+mod layers;
+mod layout;
+mod model;
+mod results;
+mod shading;
+
+pub use layers::{Layer, Pane};
+pub use model::Scene;
