@@ -103,6 +103,7 @@ pub(crate) enum Verb {
     Generate(commands::generate::Generate),
     Convert(commands::convert::Convert),
     View(commands::view::View),
+    Render(commands::render::Render),
     Completions(commands::completions::Completions),
     Man(commands::man::Man),
 }

@@ -19,6 +19,7 @@ pub(crate) mod link;
 pub(crate) mod man;
 pub(crate) mod persistence;
 pub(crate) mod pi1;
+pub(crate) mod render;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 pub(crate) mod yin;
@@ -52,6 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Generate(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::View(verb) => verb.run(common),
+        Verb::Render(verb) => verb.run(common),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(common),
     }

@@ -88,7 +88,7 @@ fn page_of(scene: &Value) -> String {
     PAGE.replacen(PLACE, &format!(r#"<script type="application/json" id="scene">{text}</script>"#), 1)
 }
 
-fn read_result(path: &Path) -> Result<Value, Failure> {
+pub(super) fn read_result(path: &Path) -> Result<Value, Failure> {
     let name = input::name(path);
     let bytes =
         std::fs::read(path).map_err(|error| Failure::new(format!("{name}: cannot be read: {error}")))?;

@@ -22,6 +22,7 @@ mod lookup;
 mod moments;
 mod ordered_simplices;
 mod pair;
+mod picture;
 mod planar;
 mod polygons;
 mod problem;
@@ -42,6 +43,7 @@ pub use json::{groups_to_json, integer_to_json};
 pub use moments::Moment;
 pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
+pub use picture::{Camera, Picture, PictureStyle, matrix_picture};
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
     is_planar,

@@ -72,7 +72,7 @@ impl Scene {
             }
             _ => {
                 let count = parts.vertex_count(model);
-                layout::laid_out(count, &parts.edges())
+                layout::laid_out(count, &edges_of(&parts.polygons, &parts.simplices))
             }
         };
         let mut scene = Self {
@@ -125,6 +125,16 @@ impl Scene {
     /// The polygons, those around 3-cells included, by the vertices around them.
     pub fn polygons(&self) -> &RaggedArray {
         &self.polygons
+    }
+
+    /// The number of coordinates that matter: 2 for drawings, else 3.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The sides of polygons and the edges of simplices, rising and each once. $O(n \log n)$.
+    pub fn edges(&self) -> Vec<[u32; 2]> {
+        edges_of(&self.polygons, &self.simplices)
     }
 
     /// What is shaded.
@@ -279,20 +289,20 @@ impl Parts {
         let used = self.polygons.items().iter().chain(self.simplices.items());
         used.max().map_or(0, |&last| last as usize + 1).max(model.vertex_count())
     }
+}
 
-    fn edges(&self) -> Vec<[u32; 2]> {
-        let mut edges = Vec::new();
-        for walk in self.polygons.iter() {
-            edges.extend((0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]]));
-        }
-        for simplex in self.simplices.iter() {
-            for (i, &a) in simplex.iter().enumerate() {
-                edges.extend(simplex[i + 1..].iter().map(|&b| [a, b]));
-            }
-        }
-        edges.iter_mut().for_each(|edge| edge.sort_unstable());
-        edges.sort_unstable();
-        edges.dedup();
-        edges
+fn edges_of(polygons: &RaggedArray, simplices: &RaggedArray) -> Vec<[u32; 2]> {
+    let mut edges = Vec::new();
+    for walk in polygons.iter() {
+        edges.extend((0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]]));
     }
+    for simplex in simplices.iter() {
+        for (i, &a) in simplex.iter().enumerate() {
+            edges.extend(simplex[i + 1..].iter().map(|&b| [a, b]));
+        }
+    }
+    edges.iter_mut().for_each(|edge| edge.sort_unstable());
+    edges.sort_unstable();
+    edges.dedup();
+    edges
 }
