@@ -22,8 +22,8 @@ pub(crate) mod pi1;
 pub(crate) mod render;
 pub(crate) mod skeleton;
 pub(crate) mod star;
-pub(crate) mod yin;
 pub(crate) mod view;
+pub(crate) mod yin;
 
 use crate::arguments::{Arguments, Verb};
 use crate::failure::Failure;

@@ -58,6 +58,6 @@ pub use spatial::{
 };
 pub use surface_model::SurfaceModel;
 pub use triangulation::triangulated;
-pub use yin::{KinkRequest, Picture, PlanarSet, SetRequest};
+pub use yin::{KinkRequest, PlanarSet, SetPicture, SetRequest};
 
 use labels::Labels;

@@ -14,7 +14,7 @@ use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use clap::{Args, Subcommand, ValueEnum};
 use coface::io::{self, Format, replace_file};
-use coface::report::{KinkRequest, Picture, PlanarSet, SetRequest};
+use coface::report::{KinkRequest, PlanarSet, SetPicture, SetRequest};
 use coface::yin::{EndCondition, KnotIndex, Order};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -234,8 +234,8 @@ impl SetOptions {
         let Some((path, format)) = output else { return Ok(()) };
         replace_file(path, |out| match self.picture {
             Shown::Set => set.write(out, format, common.flatten),
-            Shown::Kinks => set.draw(out, Picture::Kinks),
-            Shown::Forest => set.draw(out, Picture::Forest),
+            Shown::Kinks => set.draw(out, SetPicture::Kinks),
+            Shown::Forest => set.draw(out, SetPicture::Forest),
         })?;
         let is_lost =
             !matches!(format, Format::Json) && self.picture == Shown::Set && !set.set().kinks().is_empty();

@@ -10,4 +10,4 @@ mod picture;
 mod writing;
 
 pub use making::{KinkRequest, PlanarSet, SetRequest};
-pub use picture::Picture;
+pub use picture::SetPicture;

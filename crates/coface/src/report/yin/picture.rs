@@ -9,7 +9,7 @@ use std::io::Write;
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Picture {
+pub enum SetPicture {
     /// The set alone, in its own coordinates: the file is read again as the set.
     #[default]
     Set,
@@ -35,7 +35,7 @@ const MARK: &str = "#c33";
 impl PlanarSet {
     /// Draws the set as SVG.
     ///
-    /// [`Picture::Set`] is one path, its numbers the coordinates of the set; browsers show the second axis pointing up. The rest of the plane
+    /// [`SetPicture::Set`] is one path, its numbers the coordinates of the set; browsers show the second axis pointing up. The rest of the plane
     /// within a frame belongs to a set that is unbounded, and an attribute says so to readers. The others are pictures for the eye.
     ///
     /// # Errors
@@ -47,20 +47,20 @@ impl PlanarSet {
     ///
     /// # Examples
     /// ```
-    /// use coface::report::{Picture, PlanarSet};
+    /// use coface::report::{SetPicture, PlanarSet};
     /// use coface::yin::{Curve, YinSet};
     /// # fn main() -> Result<(), coface::Error> {
     /// let triangle = Curve::polyline(&[[0., 0.], [4., 0.], [0., 3.], [0., 0.]])?;
     /// let mut text = Vec::new();
-    /// PlanarSet::from_set(YinSet::new(&[triangle])?).draw(&mut text, Picture::Set)?;
+    /// PlanarSet::from_set(YinSet::new(&[triangle])?).draw(&mut text, SetPicture::Set)?;
     /// assert!(String::from_utf8_lossy(&text).contains("d=\"M0 0L4 0L0 3Z\""));
     /// # Ok(()) }
     /// ```
-    pub fn draw(&self, mut out: impl Write, picture: Picture) -> Result<(), Error> {
+    pub fn draw(&self, mut out: impl Write, picture: SetPicture) -> Result<(), Error> {
         let text = match picture {
-            Picture::Set => self.alone()?,
-            Picture::Kinks => self.with_kinks()?,
-            Picture::Forest => self.with_forest()?,
+            SetPicture::Set => self.alone()?,
+            SetPicture::Kinks => self.with_kinks()?,
+            SetPicture::Forest => self.with_forest()?,
         };
         out.write_all(text.as_bytes())?;
         out.flush()?;

@@ -1,6 +1,6 @@
 //! Sets as files of any format of the plane.
 
-use super::{Picture, PlanarSet};
+use super::{PlanarSet, SetPicture};
 use crate::algebra::RaggedArray;
 use crate::geometry::Positions;
 use crate::io::{self, CellData, Format, GroupKind, Model, yin};
@@ -26,10 +26,10 @@ impl PlanarSet {
         match format {
             Format::Json => return yin::write_json(&self.set, &self.names, out),
             Format::Dat => return yin::write_dat(&self.set, out),
-            Format::Svg if self.set.order() <= Order::CUBIC => return self.draw(out, Picture::Set),
+            Format::Svg if self.set.order() <= Order::CUBIC => return self.draw(out, SetPicture::Set),
             Format::Svg => {
                 let flat = self.flattened(flatten)?;
-                return flat.draw(out, Picture::Set);
+                return flat.draw(out, SetPicture::Set);
             }
             _ => {}
         }
