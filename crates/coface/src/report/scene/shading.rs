@@ -13,12 +13,12 @@ pub(super) fn shaded(corners: &[[f64; 3]]) -> Vec<[u32; 3]> {
         return fan();
     }
     // Newell's normal: the sum of cross products around.
-    let mut normal = [0.0; 3];
+    let mut normal = [0.0_f64; 3];
     for (i, a) in corners.iter().enumerate() {
         let b = corners[(i + 1) % corners.len()];
-        for axis in 0..3 {
+        for (axis, sum) in normal.iter_mut().enumerate() {
             let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-            normal[axis] += (a[u] - corners[0][u]) * (b[v] - corners[0][v])
+            *sum += (a[u] - corners[0][u]) * (b[v] - corners[0][v])
                 - (a[v] - corners[0][v]) * (b[u] - corners[0][u]);
         }
     }
@@ -42,7 +42,8 @@ mod tests {
     #[test]
     fn a_notch_stays_open() {
         // An L in the plane x = 1, seen from behind.
-        let corners = [[1., 0., 0.], [1., 0., 2.], [1., 1., 2.], [1., 1., 1.], [1., 2., 1.], [1., 2., 0.]];
+        let corners: [[f64; 3]; 6] =
+            [[1., 0., 0.], [1., 0., 2.], [1., 1., 2.], [1., 1., 1.], [1., 2., 1.], [1., 2., 0.]];
         let area = |[a, b, c]: [u32; 3]| {
             let [a, b, c] = [a, b, c].map(|i| corners[i as usize]);
             0.5 * ((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])).abs()
