@@ -3,144 +3,166 @@
 import * as THREE from "three";
 import { CellSet, Complex, keyOf, type Cell } from "./complex/complex";
 import { button, download, element, toggle } from "./panel/elements";
-import { layersElement } from "./panel/layers";
+import { showHelp } from "./panel/help";
+import { LayersPanel } from "./panel/layers";
 import { NEIGHBORHOODS, NeighborhoodPanel, neighborhoodOf, type Neighborhood } from "./panel/neighborhood";
 import { paneElement } from "./panel/panes";
 import { reportElement } from "./panel/report";
 import { readScene, type Scene, type SceneText } from "./scene/document";
 import { fromFragment, toFragment, type ViewState } from "./state/fragment";
-import { layerOfCells } from "./view/cells";
+import { listenToKeys } from "./state/keys";
+import { layerOfCells, TrianglesOfPolygons } from "./view/cells";
 import { DrawnLayer } from "./view/layers";
 import { ALARM, colorOf, NEIGHBORHOOD, type Theme } from "./view/palette";
-import { pick } from "./view/picking";
+import { pick, PICKS, type Pick } from "./view/picking";
 import { Stage } from "./view/stage";
 import { Surface } from "./view/surface";
 import { svgText } from "./view/svg";
+
+const AXES = ["x", "y", "z"];
+
+/** So many texts are written into the window at most. */
+const MOST_LABELS = 400;
 
 class Page {
   private readonly stage: Stage;
   private readonly surface: Surface;
   private readonly complex: Complex;
+  private readonly shaded: TrianglesOfPolygons;
   private readonly colors: string[];
   private readonly drawn: DrawnLayer[];
   private readonly canvas = document.querySelector<HTMLCanvasElement>("#canvas")!;
   private readonly labels = document.querySelector<HTMLElement>("#labels")!;
   private readonly neighborhoodPanel: NeighborhoodPanel;
+  private readonly layersPanel: LayersPanel;
+  private readonly controls: Record<"edges" | "vertices" | "theme" | "axis", HTMLButtonElement>;
+  private readonly sliders: Record<"clip" | "explode", HTMLInputElement>;
   private selection = new CellSet();
+  /** The part that the last cell was picked on. */
+  private part: number | null = null;
   private shown: Neighborhood = "link";
-  private marks: DrawnLayer[] = [];
+  private what: Pick = "nearest";
+  private marks: { drawn: DrawnLayer; moves: boolean }[] = [];
   private theme: Theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   private clip = 1;
+  private axis = 0;
   private explode = 0;
+  private current = -1;
 
   constructor(private readonly model: Scene) {
     document.title = model.title;
-    const sphere = boundsOf(model);
-    this.stage = new Stage(this.canvas, model.dimension === 2, sphere.center, sphere.radius);
+    const { center, radius } = boundsOf(model);
+    this.stage = new Stage(this.canvas, model.dimension === 2, center, radius);
     this.surface = new Surface(model, this.stage);
-    this.complex = new Complex(model.positions.length / 3, model.polygons, model.simplices, model.cells);
+    const { positions, polygons, simplices, cells, signs, rims, polygonsOfRims } = model;
+    this.complex = new Complex(positions.length / 3, polygons, simplices, cells, signs, rims, polygonsOfRims);
+    this.shaded = new TrianglesOfPolygons(model);
     let next = 0;
-    this.colors = model.layers.map((layer) => {
-      if (layer.group === "witness") return ALARM;
-      return colorOf(layer.color ?? next++);
-    });
-    this.drawn = model.layers.map((layer, i) => new DrawnLayer(this.stage, layer, this.colors[i]));
+    this.colors = model.layers.map((layer) => (layer.group === "witness" ? ALARM : colorOf(layer.color ?? next++)));
+    this.drawn = model.layers.map((layer, i) => new DrawnLayer(this.stage, layer, this.colors[i], 4, i));
     for (const layer of this.drawn) this.stage.scene.add(layer.object);
-    this.neighborhoodPanel = new NeighborhoodPanel(this.complex, (word) => {
-      this.shown = word;
-      this.drawNeighborhood();
+    this.neighborhoodPanel = new NeighborhoodPanel(this.complex, model, {
+      choose: (word) => this.showNeighborhood(word),
+      pick: (what) => this.setPick(what),
     });
-    this.restore(fromFragment(location.hash));
+    this.layersPanel = new LayersPanel(model.layers, this.colors, {
+      show: (index, isOn) => this.showLayer(index, isOn),
+      zoom: (index) => this.zoomTo(index),
+    });
+    this.controls = {
+      edges: toggle("edges", "edges (E)", false, (isOn) => this.surface.showEdges(isOn)),
+      vertices: toggle("vertices", "vertices (V)", false, (isOn) => this.surface.showVertices(isOn)),
+      theme: toggle("dark", "light or dark (D)", false, (isOn) => this.setTheme(isOn ? "dark" : "light")),
+      axis: button("x", "which way the cutting plane looks (C)", () => this.setAxis((this.axis + 1) % 3)),
+    };
+    this.sliders = {
+      clip: slider("clip", "0.005", (share) => this.setClip(share)),
+      explode: slider("explode", "0.01", (share) => this.setExplode(share)),
+    };
     this.fillPanel();
-    this.setTheme(this.theme);
+    this.restore(fromFragment(location.hash));
     this.listen();
-    this.drawNeighborhood();
   }
 
   private fillPanel(): void {
     const panel = document.querySelector<HTMLElement>("#panel")!;
+    const { edges, vertices, theme, axis } = this.controls;
     const view = element(
       "div",
       { class: "row" },
       button("reset", "look at everything (R)", () => this.stage.reset()),
-      toggle("edges", "edges (E)", this.surface.edges.visible, (isOn) => this.showEdges(isOn)),
-      toggle("dark", "light or dark (D)", this.theme === "dark", (isOn) => this.setTheme(isOn ? "dark" : "light")),
-      button("PNG", "save the picture (P)", () => void this.savePng()),
-      button("SVG", "save the picture as SVG", () => this.saveSvg()),
+      edges,
+      vertices,
+      theme,
+      button("PNG", "save the picture as PNG (P)", () => void this.savePng()),
+      button("SVG", "save the picture as SVG (S)", () => this.saveSvg()),
       button("link", "copy a link to this view (L)", () => this.share()),
+      button("?", "what keys do (?)", showHelp),
     );
-    const clip = element("input", { type: "range", min: "0", max: "1", step: "0.005", value: String(this.clip), id: "clip" });
-    clip.addEventListener("input", () => this.setClip(Number(clip.value)));
-    const explode = element("input", { type: "range", min: "0", max: "1", step: "0.01", value: String(this.explode), id: "explode" });
-    explode.addEventListener("input", () => this.setExplode(Number(explode.value)));
-    panel.replaceChildren(
+    const told = element(
+      "div",
+      { id: "told" },
       element("h1", {}, this.model.title),
       view,
-      element("div", { class: "row" }, element("label", { for: "clip" }, "cut"), clip),
-      this.model.cells.starts.length > 1
-        ? element("div", { class: "row" }, element("label", { for: "explode" }, "take apart"), explode)
+      element("div", { class: "row" }, element("label", { for: "clip" }, "cut"), axis, this.sliders.clip),
+      this.surface.parts
+        ? element("div", { class: "row" }, element("label", { for: "explode" }, "take apart"), this.sliders.explode)
         : "",
       this.neighborhoodPanel.root,
-      layersElement(this.model.layers, this.colors, {
-        show: (index, isOn) => this.showLayer(index, isOn),
-        zoom: (index) => {
-          const { center, radius } = this.drawn[index].sphere;
-          this.stage.look(center, radius);
-        },
-      }),
-      ...this.model.panes.map(paneElement),
+      this.layersPanel.root,
       this.model.report ? reportElement(this.model.report) : "",
     );
+    panel.replaceChildren(told);
+    if (this.model.panes.length > 0) panel.prepend(element("div", { id: "pictures" }, ...this.model.panes.map(paneElement)));
   }
 
   private listen(): void {
     let pressed: { x: number; y: number } | null = null;
-    this.canvas.addEventListener("pointerdown", (event) => (pressed = { x: event.clientX, y: event.clientY }));
+    this.canvas.addEventListener("pointerdown", (event) => {
+      // A second finger is no tap.
+      pressed = event.isPrimary ? { x: event.clientX, y: event.clientY } : null;
+    });
     this.canvas.addEventListener("pointerup", (event) => {
       const moved = pressed ? Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) : Infinity;
       pressed = null;
-      if (moved < 5 && event.button === 0) {
-        const frame = this.canvas.getBoundingClientRect();
-        const cell = pick(event.clientX - frame.left, event.clientY - frame.top, this.model, this.complex, this.surface, this.stage);
-        this.select(cell, event.shiftKey);
-      }
+      if (moved < 6 && event.button === 0) this.click(event);
     });
-    window.addEventListener("keydown", (event) => {
-      if (event.ctrlKey || event.metaKey || event.target instanceof HTMLInputElement) return;
-      const step = event.shiftKey ? 0.02 : 0.12;
-      const actions: Record<string, () => void> = {
-        r: () => this.stage.reset(),
-        e: () => document.querySelector<HTMLElement>("#panel button[title^='edges']")?.click(),
-        d: () => document.querySelector<HTMLElement>("#panel button[title^='light']")?.click(),
-        p: () => void this.savePng(),
-        l: () => this.share(),
-        escape: () => this.select(null, false),
-        arrowleft: () => this.turn(step, 0),
-        arrowright: () => this.turn(-step, 0),
-        arrowup: () => this.turn(0, step),
-        arrowdown: () => this.turn(0, -step),
-        "+": () => this.zoomBy(0.85),
-        "-": () => this.zoomBy(1 / 0.85),
-      };
-      NEIGHBORHOODS.forEach((word, i) => {
-        actions[String(i + 1)] = () => {
-          this.shown = word;
-          this.drawNeighborhood();
-        };
-      });
-      const action = actions[event.key.toLowerCase()];
-      if (action) {
-        action();
-        event.preventDefault();
-      }
+    listenToKeys({
+      turn: (around, over) => this.turn(around, over),
+      zoom: (factor) => this.zoomBy(factor),
+      reset: () => this.stage.reset(),
+      edges: () => this.controls.edges.click(),
+      vertices: () => this.controls.vertices.click(),
+      theme: () => this.controls.theme.click(),
+      png: () => void this.savePng(),
+      svg: () => this.saveSvg(),
+      share: () => this.share(),
+      help: showHelp,
+      clear: () => this.select(null, false),
+      neighborhood: (number) => this.showNeighborhood(NEIGHBORHOODS[number]),
+      nextPick: () => this.setPick(PICKS[(PICKS.indexOf(this.what) + 1) % PICKS.length]),
+      nextLayer: (step) => this.nextLayer(step),
+      clip: (step) => this.setClip(this.clip + step),
+      nextAxis: () => this.setAxis((this.axis + 1) % 3),
+      explode: (step) => this.setExplode(this.explode + step),
     });
+    window.addEventListener("hashchange", () => this.restore(fromFragment(location.hash)));
     this.stage.onDraw(() => this.placeLabels());
+  }
+
+  private click(event: PointerEvent): void {
+    const frame = this.canvas.getBoundingClientRect();
+    const what = event.altKey ? "cell" : this.what;
+    const [x, y] = [event.clientX - frame.left, event.clientY - frame.top];
+    const picked = pick(x, y, what, this.model, this.complex, this.surface, this.stage);
+    this.part = picked?.part ?? null;
+    this.select(picked?.cell ?? null, event.shiftKey);
   }
 
   private turn(around: number, over: number): void {
     const { camera, controls } = this.stage;
     if (this.model.dimension === 2) {
-      const step = this.stage.radius * 0.5;
+      const step = (this.stage.radius * 0.5) / camera.zoom;
       const move = new THREE.Vector3(-around * step, over * step, 0);
       camera.position.add(move);
       controls.target.add(move);
@@ -177,54 +199,93 @@ class Page {
     this.drawNeighborhood();
   }
 
+  private setPick(what: Pick): void {
+    this.what = what === "cell" && this.model.cells.starts.length === 1 ? "nearest" : what;
+    this.neighborhoodPanel.update(this.selection, this.shown, this.what);
+  }
+
+  private showNeighborhood(word: Neighborhood): void {
+    this.shown = word;
+    this.drawNeighborhood();
+  }
+
   private drawNeighborhood(): void {
-    for (const mark of this.marks) mark.dispose();
+    for (const { drawn } of this.marks) drawn.dispose();
     this.marks = [];
     const show = (word: Neighborhood, width: number) => {
       const cells = neighborhoodOf(this.complex, this.selection, word);
       if (!cells || cells.size === 0) return;
-      const mark = new DrawnLayer(this.stage, layerOfCells(word, cells, this.complex, this.model), NEIGHBORHOOD[word], width);
-      this.marks.push(mark);
-      this.stage.scene.add(mark.object);
+      const layer = layerOfCells(word, cells, this.complex, this.model, this.shaded);
+      const drawn = new DrawnLayer(this.stage, layer, NEIGHBORHOOD[word], width, 1000 + this.marks.length);
+      this.marks.push({ drawn, moves: word === "selection" });
+      this.stage.scene.add(drawn.object);
     };
     if (this.shown !== "selection") show(this.shown, 4);
     show("selection", 5);
-    this.neighborhoodPanel.update(this.selection, this.shown);
+    this.moveMarks();
+    this.neighborhoodPanel.update(this.selection, this.shown, this.what);
     this.stage.draw();
+  }
+
+  /** What is selected stays on the part that it was picked on. */
+  private moveMarks(): void {
+    const offset = this.part === null ? new THREE.Vector3() : this.surface.offsetOfPart(this.part);
+    for (const { drawn, moves } of this.marks) if (moves) drawn.object.position.copy(offset);
   }
 
   private showLayer(index: number, isOn: boolean): void {
     this.model.layers[index].on = isOn;
-    this.drawn[index].object.visible = isOn;
+    this.drawn[index].show(isOn);
     this.stage.draw();
   }
 
-  private showEdges(isOn: boolean): void {
-    this.surface.edges.visible = isOn;
-    this.stage.draw();
+  private zoomTo(index: number): void {
+    const { center, radius } = this.drawn[index].sphere;
+    this.stage.look(center, radius);
+  }
+
+  /** Shows the next layer alone. */
+  private nextLayer(step: number): void {
+    const count = this.model.layers.length;
+    if (count === 0) return;
+    this.current = (this.current + step + count + (this.current < 0 && step < 0 ? 1 : 0)) % count;
+    for (let i = 0; i < count; i++) this.layersPanel.set(i, i === this.current);
+    this.zoomTo(this.current);
   }
 
   private setTheme(theme: Theme): void {
     this.theme = theme;
     document.body.classList.toggle("dark", theme === "dark");
+    this.controls.theme.setAttribute("aria-pressed", String(theme === "dark"));
     this.surface.setTheme(theme);
     this.stage.setTheme(theme);
   }
 
   private setClip(share: number): void {
-    this.clip = share;
-    this.surface.setClip(share);
+    this.clip = Math.min(Math.max(share, 0), 1);
+    this.sliders.clip.value = String(this.clip);
+    this.surface.setClip(this.clip, this.axis);
+  }
+
+  private setAxis(axis: number): void {
+    this.axis = axis;
+    this.controls.axis.textContent = AXES[axis];
+    this.surface.setClip(this.clip, axis);
   }
 
   private setExplode(share: number): void {
-    this.explode = share;
-    this.surface.setExplode(share);
+    this.explode = Math.min(Math.max(share, 0), 1);
+    this.sliders.explode.value = String(this.explode);
+    this.surface.setExplode(this.explode);
+    this.moveMarks();
   }
 
   private placeLabels(): void {
-    const wanted = this.model.layers.flatMap((layer) =>
-      layer.on ? layer.labels.map((label) => ({ text: label.text, at: new THREE.Vector3().fromArray(layer.positions, 3 * label.point) })) : [],
-    );
+    const wanted = this.model.layers
+      .flatMap((layer) =>
+        layer.on ? layer.labels.map((label) => ({ text: label.text, at: new THREE.Vector3().fromArray(layer.positions, 3 * label.point) })) : [],
+      )
+      .slice(0, MOST_LABELS);
     while (this.labels.childElementCount > wanted.length) this.labels.lastElementChild?.remove();
     while (this.labels.childElementCount < wanted.length) this.labels.append(element("span"));
     wanted.forEach(({ text, at }, i) => {
@@ -243,7 +304,7 @@ class Page {
   private saveSvg(): void {
     const layers = this.model.layers.map((layer, i) => ({ layer, color: this.colors[i] })).filter(({ layer }) => layer.on);
     const size = { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
-    const text = svgText(this.model, layers, this.stage, this.theme, size, this.surface.edges.visible);
+    const text = svgText(this.model, layers, this.stage, this.surface, this.theme, size);
     download(`${this.model.title}.svg`, new Blob([text], { type: "image/svg+xml" }));
   }
 
@@ -252,18 +313,30 @@ class Page {
       camera: this.stage.camera.position.toArray(),
       target: this.stage.controls.target.toArray(),
       on: this.model.layers.filter((layer) => layer.on).map((layer) => `${layer.group}/${layer.name}`),
-      selection: this.selection.list().map((cell) => cell.vertices.join(",")),
+      selection: this.selection.list().map(keyOf),
       neighborhood: this.shown,
       theme: this.theme,
-      edges: this.surface.edges.visible,
+      edges: this.surface.hasEdges,
       explode: this.explode,
       clip: this.clip,
+      axis: this.axis,
+      zoom: this.stage.camera.zoom,
     };
   }
 
   private share(): void {
-    location.hash = toFragment(this.state());
-    void navigator.clipboard?.writeText(location.href).catch(() => undefined);
+    history.replaceState(null, "", `#${toFragment(this.state())}`);
+    const say = (text: string) => {
+      const message = document.querySelector<HTMLElement>("#message")!;
+      message.textContent = text;
+      message.classList.add("seen");
+      setTimeout(() => message.classList.remove("seen"), 1800);
+    };
+    const copied = navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error("no clipboard"));
+    copied.then(
+      () => say("the link is copied"),
+      () => say("the link is in the address bar"),
+    );
   }
 
   private restore(state: Partial<ViewState>): void {
@@ -271,45 +344,62 @@ class Page {
       const on = new Set(state.on);
       this.model.layers.forEach((layer, i) => {
         layer.on = on.has(`${layer.group}/${layer.name}`);
-        this.drawn[i].object.visible = layer.on;
+        this.drawn[i].show(layer.on);
       });
+      this.layersPanel.update();
     }
     if (state.camera && state.target) {
       this.stage.camera.position.fromArray(state.camera);
       this.stage.controls.target.fromArray(state.target);
+      this.stage.camera.zoom = state.zoom ?? 1;
+      this.stage.camera.updateProjectionMatrix();
       this.stage.controls.update();
     }
-    if (state.theme === "light" || state.theme === "dark") this.theme = state.theme;
-    if (state.edges !== undefined) this.surface.edges.visible = state.edges;
-    if (state.clip !== undefined) this.setClip(state.clip);
-    if (state.explode) this.setExplode(state.explode);
-    const word = NEIGHBORHOODS.find((known) => known === state.neighborhood);
-    if (word) this.shown = word;
-    const count = this.complex.vertexCount;
-    const cells = (state.selection ?? []).map((text) => text.split(",").map(Number));
-    this.selection = CellSet.of(
-      cells
-        .filter((vertices) => vertices.every((v) => Number.isInteger(v) && v >= 0 && v < count))
-        .map((vertices) => ({ dimension: Math.min(vertices.length - 1, 2), vertices })),
-    );
+    if (state.edges !== undefined) this.surface.showEdges(state.edges);
+    this.controls.edges.setAttribute("aria-pressed", String(this.surface.hasEdges));
+    this.controls.vertices.setAttribute("aria-pressed", String(this.surface.hasVertices));
+    this.setTheme(state.theme === "light" || state.theme === "dark" ? state.theme : this.theme);
+    this.setAxis(state.axis ?? this.axis);
+    this.setClip(state.clip ?? this.clip);
+    this.setExplode(state.explode ?? this.explode);
+    this.shown = NEIGHBORHOODS.find((known) => known === state.neighborhood) ?? this.shown;
+    const cells = (state.selection ?? []).map((text) => {
+      const [dimension, vertices] = text.split(":");
+      return { dimension: Number(dimension), vertices: (vertices ?? "").split(",").map(Number) };
+    });
+    // An address may have been written for another model, or by hand.
+    this.selection = CellSet.of(cells.filter((cell) => this.complex.has(cell)));
+    this.drawNeighborhood();
   }
 }
 
-function boundsOf(model: Scene): THREE.Sphere {
-  const box = new THREE.Box3();
-  const point = new THREE.Vector3();
-  const all = [model.positions, ...model.layers.map((layer) => layer.positions)];
-  for (const positions of new Set(all)) {
-    for (let i = 0; i < positions.length; i += 3) box.expandByPoint(point.fromArray(positions, i));
-  }
-  if (box.isEmpty()) return new THREE.Sphere(new THREE.Vector3(), 1);
-  const sphere = box.getBoundingSphere(new THREE.Sphere());
-  if (sphere.radius === 0) sphere.radius = 1;
-  return sphere;
+function slider(id: string, step: string, move: (share: number) => void): HTMLInputElement {
+  const found = element("input", { type: "range", min: "0", max: "1", step, id });
+  found.addEventListener("input", () => move(Number(found.value)));
+  return found;
 }
 
-const text = document.querySelector("#scene")?.textContent ?? "null";
-const scene = JSON.parse(text) as SceneText | null;
+/** A ball around the box around everything. */
+function boundsOf(model: Scene): { center: THREE.Vector3; radius: number } {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const positions of new Set([model.positions, ...model.layers.map((layer) => layer.positions)])) {
+    for (let i = 0; i < positions.length; i++) {
+      const axis = i % 3;
+      if (positions[i] < low[axis]) low[axis] = positions[i];
+      if (positions[i] > high[axis]) high[axis] = positions[i];
+    }
+  }
+  if (low[0] > high[0]) return { center: new THREE.Vector3(), radius: 1 };
+  const center = new THREE.Vector3(...low.map((x, axis) => (x + high[axis]) / 2));
+  const radius = Math.hypot(...low.map((x, axis) => high[axis] - x)) / 2;
+  return { center, radius: radius > 0 ? radius : 1 };
+}
+
+const holder = document.querySelector("#scene");
+const scene = JSON.parse(holder?.textContent ?? "null") as SceneText | null;
+// The text is not needed any more, and may be long.
+holder?.replaceChildren();
 if (scene) {
   new Page(readScene(scene));
 } else {

@@ -5,12 +5,14 @@ const state: ViewState = {
   camera: [1, 2.5, -3],
   target: [0, 0, 0.125],
   on: ["homology/H1 generator 0", "model/edges"],
-  selection: ["0,4"],
+  selection: ["1:0,4"],
   neighborhood: "link",
   theme: "dark",
   edges: true,
   explode: 0.25,
   clip: 0.5,
+  axis: 2,
+  zoom: 1.5,
 };
 
 it("comes back from the address", () => {

@@ -3,12 +3,13 @@
 
 mod tally;
 mod test;
+mod viewer;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 const USAGE: &str = "usage:
-  cargo xtask test            format, lints, docs, all tests, the command of the README
+  cargo xtask test            format, lints, docs, all tests, the viewer, the commands of the README
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
 
 fn main() -> ExitCode {

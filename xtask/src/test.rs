@@ -1,9 +1,10 @@
 //! `cargo xtask test`: everything that a change must pass.
 
 use crate::tally::Tally;
+use crate::viewer::viewer;
 use crate::{cargo, root};
 use std::io::{BufRead, BufReader};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
@@ -21,6 +22,7 @@ pub(crate) fn run() -> ExitCode {
     check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
     tests(&mut tally, "tests", cargo(&["test", "--workspace", "--no-fail-fast"]));
     graphblas(&mut tally);
+    viewer(&mut tally);
     guide(&mut tally);
     readme(&mut tally);
     skips(&mut tally);
@@ -29,7 +31,7 @@ pub(crate) fn run() -> ExitCode {
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-fn check(tally: &mut Tally, name: &str, command: &mut Command) {
+pub(crate) fn check(tally: &mut Tally, name: &str, command: &mut Command) {
     println!("== {name}: {}", words(command));
     let begin = Instant::now();
     let has_passed = match command.stdin(Stdio::null()).status() {
@@ -101,7 +103,7 @@ fn graphblas(tally: &mut Tally) {
     check(tally, "lints of graphblas", &mut lints(&[&of_library[..], &["--lib"], &of_tests].concat()));
     check(tally, "lints of its crate", &mut lints(&[&of_crate[..], &["--all-targets"]].concat()));
     if !has_graphblas() {
-        install_graphblas();
+        install_package("libgraphblas-dev");
     }
     if !has_graphblas() {
         println!(
@@ -123,8 +125,8 @@ fn has_graphblas() -> bool {
     output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains('/'))
 }
 
-/// Installs the library on a system with apt, as root; else nothing happens.
-fn install_graphblas() {
+/// Installs a package on a system with apt, as root; else nothing happens.
+pub(crate) fn install_package(name: &str) {
     let user = Command::new("id").arg("-u").output();
     if !user.is_ok_and(|output| output.stdout.trim_ascii() == b"0") {
         return;
@@ -134,8 +136,8 @@ fn install_graphblas() {
         command.args(words).env("DEBIAN_FRONTEND", "noninteractive").stdin(Stdio::null());
         command.status().is_ok_and(|status| status.success())
     };
-    let install = ["install", "-y", "-q", "--no-install-recommends", "libgraphblas-dev"];
-    println!("== graphblas: apt-get {}", install.join(" "));
+    let install = ["install", "-y", "-q", "--no-install-recommends", name];
+    println!("== {name}: apt-get {}", install.join(" "));
     if !apt(&install) && apt(&["update", "-q"]) {
         apt(&install);
     }
@@ -195,16 +197,15 @@ fn skips(tally: &mut Tally) {
         }
         Some(_) => {}
     }
-    for (folder, what) in [("crates/coface-py", "the Python package"), ("viewer", "the browser viewer")] {
-        if !root().join(folder).is_dir() {
-            skip(what, "it does not exist yet");
-        }
+    if !root().join("crates/coface-py").is_dir() {
+        skip("the Python package", "it does not exist yet");
     }
 }
 
 fn words(command: &Command) -> String {
     let arguments = command.get_args().map(|word| word.to_string_lossy());
-    std::iter::once("cargo".into()).chain(arguments).collect::<Vec<_>>().join(" ")
+    let program = Path::new(command.get_program()).file_stem().unwrap_or_default();
+    std::iter::once(program.to_string_lossy()).chain(arguments).collect::<Vec<_>>().join(" ")
 }
 
 fn verdict(has_passed: bool) -> &'static str {

@@ -66,7 +66,7 @@ pub(crate) fn vertex(surface: &SurfaceModel, number: u32, name: &str) -> Result<
 }
 
 /// Writes the model that a verb made: in the format of the extension; as .json the answer of the verb with the faces by their
-/// vertices and the numbers in the file of the vertices.
+/// vertices and the numbers in the file of the vertices; with "positions" and the "copy" of each face where there are any.
 pub(crate) fn save(path: &Path, model: &Model, answer: &Value, common: &Common) -> Result<(), Failure> {
     if is_json(path) {
         let source = model.data_named("source", GroupKind::Vertices);
@@ -78,6 +78,14 @@ pub(crate) fn save(path: &Path, model: &Model, answer: &Value, common: &Common) 
         let key = if is_facets { "facets" } else { "polygons" };
         object[key] = model.polygons().iter().map(|polygon| json!(polygon)).collect();
         object["source"] = sources.map(|row| row.map(|row| json!(row[0])).unwrap_or_default()).collect();
+        if !model.positions().is_empty() {
+            let point = |vertex| json!(model.positions().point(VertexId::new(vertex)));
+            object["positions"] = (0..model.vertex_count()).map(point).collect();
+        }
+        if let Some(copy) = model.data_named("copy", GroupKind::Polygons) {
+            let rows = (0..model.polygons().len()).filter_map(|face| copy.integer_row(face));
+            object["copy"] = rows.map(|row| json!(row[0])).collect();
+        }
         return write_json(path, &object);
     }
     if model.positions().is_empty() && model.vertex_count() > 0 {

@@ -12,6 +12,8 @@ export interface Ragged {
   items: Uint32Array;
 }
 
+const NO_LISTS: Ragged = { starts: new Uint32Array(1), items: new Uint32Array(0) };
+
 /** A cell: its vertices rising, and its dimension. */
 export interface Cell {
   dimension: number;
@@ -79,20 +81,31 @@ export class Complex {
   private readonly around: Ragged;
   /** For each polygon the 3-cells that it bounds. */
   private readonly cellsOfPolygon: Ragged;
+  /** For each polygon its rims. */
+  private readonly rimsOfPolygon = new Map<number, number[]>();
 
   /**
    * @param vertexCount the number of vertices
    * @param polygons the vertices around each polygon
    * @param simplices the vertices of each further top cell, a simplex
    * @param cells the polygons around each 3-cell
+   * @param signs for each of these whether the cell has it with a minus; empty where that is not known
+   * @param rims walks around polygons beyond the first
+   * @param polygonsOfRims the polygon of each rim
    */
   constructor(
     readonly vertexCount: number,
     readonly polygons: Ragged,
     readonly simplices: Ragged,
-    readonly cells: Ragged = { starts: new Uint32Array(1), items: new Uint32Array(0) },
+    readonly cells: Ragged = NO_LISTS,
+    readonly signs: Uint32Array = new Uint32Array(0),
+    readonly rims: Ragged = NO_LISTS,
+    polygonsOfRims: Uint32Array = new Uint32Array(0),
   ) {
-    this.around = transpose(vertexCount, [polygons, simplices]);
+    polygonsOfRims.forEach((polygon, rim) => {
+      this.rimsOfPolygon.set(polygon, [...(this.rimsOfPolygon.get(polygon) ?? []), rim]);
+    });
+    this.around = transpose(vertexCount, [polygons, simplices], { lists: rims, numbers: polygonsOfRims });
     this.cellsOfPolygon = transpose(polygons.starts.length - 1, [cells]);
   }
 
@@ -105,9 +118,55 @@ export class Complex {
     return Array.from(this.polygons.items.subarray(this.polygons.starts[index], this.polygons.starts[index + 1]));
   }
 
+  /** All walks around a polygon: around itself, and around its holes. */
+  walks(index: number): number[][] {
+    const { starts, items } = this.rims;
+    const rims = this.rimsOfPolygon.get(index) ?? [];
+    return [this.polygon(index), ...rims.map((rim) => Array.from(items.subarray(starts[rim], starts[rim + 1])))];
+  }
+
   /** A polygon as a cell. */
   polygonCell(index: number): Cell {
-    return { dimension: 2, vertices: rising(this.polygon(index)) };
+    return { dimension: 2, vertices: rising([...new Set(this.walks(index).flat())]) };
+  }
+
+  /** Whether this is a cell of the complex. */
+  has(cell: Cell): boolean {
+    const first = cell.vertices[0];
+    if (!(first >= 0 && first < this.vertexCount)) return false;
+    if (cell.dimension === 0) return cell.vertices.length === 1;
+    const key = keyOf(cell);
+    if (cell.dimension === 3 && this.solid(cell) !== null) return true;
+    for (const top of this.topCellsAround(first)) if (this.facesOfTop(top).some((face) => keyOf(face) === key)) return true;
+    return false;
+  }
+
+  /** The number of a 3-cell that is not a simplex of its own. */
+  solid(cell: Cell): number | null {
+    const key = keyOf(cell);
+    for (const top of this.topCellsAround(cell.vertices[0])) {
+      if (top >= this.polygonCount) continue;
+      for (const solid of this.cellsAround(top)) if (keyOf(this.solidCell(solid)) === key) return solid;
+    }
+    return null;
+  }
+
+  /** The number of a polygon. */
+  polygonNumber(cell: Cell): number | null {
+    const key = keyOf(cell);
+    for (const top of this.topCellsAround(cell.vertices[0])) {
+      if (top < this.polygonCount && keyOf(this.polygonCell(top)) === key) return top;
+    }
+    return null;
+  }
+
+  /** The boundary of a 3-cell as a chain of polygons with signs; without signs where they are not known. */
+  chain(solid: number): { polygon: number; sign: string }[] {
+    const start = this.cells.starts[solid];
+    return this.polygonsOfCell(solid).map((polygon, i) => ({
+      polygon,
+      sign: this.signs.length === 0 ? "" : this.signs[start + i] ? "-" : "+",
+    }));
   }
 
   vertexCell(vertex: number): Cell {
@@ -187,18 +246,12 @@ export class Complex {
   /** A cell and all its faces. */
   faces(cell: Cell): Cell[] {
     if (cell.dimension === 3) {
-      for (const top of this.topCellsAround(cell.vertices[0])) {
-        if (top >= this.polygonCount) continue;
-        for (const solid of this.cellsAround(top)) {
-          if (keyOf(this.solidCell(solid)) !== keyOf(cell)) continue;
-          return [...this.polygonsOfCell(solid).flatMap((polygon) => this.facesOfTop(polygon)), cell];
-        }
-      }
+      const solid = this.solid(cell);
+      if (solid !== null) return [...this.polygonsOfCell(solid).flatMap((polygon) => this.facesOfTop(polygon)), cell];
     }
     if (cell.dimension === 2 && cell.vertices.length > 3) {
-      for (const top of this.topCellsAround(cell.vertices[0])) {
-        if (top < this.polygonCount && keyOf(this.polygonCell(top)) === keyOf(cell)) return this.facesOfTop(top);
-      }
+      const polygon = this.polygonNumber(cell);
+      if (polygon !== null) return this.facesOfTop(polygon);
     }
     return subsets(cell.vertices);
   }
@@ -213,9 +266,9 @@ export class Complex {
       const index = top - this.polygonCount;
       return subsets(rising(Array.from(items.subarray(starts[index], starts[index + 1]))));
     }
-    const walk = this.polygon(top);
-    const sides = walk.map((v, i) => ({ dimension: 1, vertices: rising([v, walk[(i + 1) % walk.length]]) }));
-    return [...walk.map((v) => this.vertexCell(v)), ...sides, { dimension: 2, vertices: rising(walk) }];
+    const walks = this.walks(top);
+    const sides = walks.flatMap((walk) => walk.map((v, i) => ({ dimension: 1, vertices: rising([v, walk[(i + 1) % walk.length]]) })));
+    return [...walks.flat().map((v) => this.vertexCell(v)), ...sides, this.polygonCell(top)];
   }
 }
 
@@ -233,10 +286,14 @@ function subsets(vertices: number[]): Cell[] {
   return found;
 }
 
-/** For each vertex the lists that it is in, over several arrays of lists numbered one after the other. */
-function transpose(vertexCount: number, parts: Ragged[]): Ragged {
+/**
+ * For each vertex the lists that it is in, over several arrays of lists numbered one after the other; further lists have numbers of
+ * their own.
+ */
+function transpose(vertexCount: number, parts: Ragged[], more?: { lists: Ragged; numbers: Uint32Array }): Ragged {
   const starts = new Uint32Array(vertexCount + 1);
-  for (const { items } of parts) for (const v of items) starts[v + 1] += 1;
+  const all = more ? [...parts, more.lists] : parts;
+  for (const { items } of all) for (let i = 0; i < items.length; i++) starts[items[i] + 1] += 1;
   for (let v = 0; v < vertexCount; v++) starts[v + 1] += starts[v];
   const next = starts.slice();
   const items = new Uint32Array(starts[vertexCount]);
@@ -246,5 +303,9 @@ function transpose(vertexCount: number, parts: Ragged[]): Ragged {
       for (let at = part.starts[i]; at < part.starts[i + 1]; at++) items[next[part.items[at]]++] = number;
     }
   }
+  more?.numbers.forEach((own, i) => {
+    const { lists } = more;
+    for (let at = lists.starts[i]; at < lists.starts[i + 1]; at++) items[next[lists.items[at]]++] = own;
+  });
   return { starts, items };
 }

@@ -37,6 +37,11 @@ export function reportElement(report: Record<string, unknown>): HTMLElement {
   say("orientable", yesNo(report.orientable));
   say("genus", number(report.genus));
   for (const group of (report.homology as Group[] | null) ?? []) say(`H${group.degree}`, groupText(group));
+  for (const [key, word] of [["order", "order"], ["perimeter", "perimeter"], ["kinks", "kinks"]]) say(word, number(report[key]));
+  say("bounded", yesNo(report.bounded));
+  for (const [key, word] of [["betti_open", "components, holes"], ["betti_closed", "of the closure"], ["curve_counts", "curves +, -"]]) {
+    say(word, (report[key] as number[] | undefined)?.join(", "));
+  }
   say("area", number(report.area));
   say("signed volume", number(report.signed_volume));
   const section = element("section", {}, element("h2", {}, "report"), list);

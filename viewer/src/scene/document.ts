@@ -4,8 +4,10 @@
 
 import type { Ragged } from "../complex/complex";
 
+/** Lists by where they start, or all of one width. */
 export interface RaggedText {
-  starts: string;
+  starts?: string;
+  width?: number;
   items: string;
 }
 
@@ -20,6 +22,8 @@ export interface LayerText {
   color?: number;
   /** Whether it is shown at first. */
   on?: boolean;
+  /** Whether lines have arrowheads. */
+  arrows?: boolean;
   /** Its own positions (three numbers a point); those of the model when absent. */
   positions?: string;
   /** Polylines, as lists of points. */
@@ -53,11 +57,18 @@ export interface SceneText {
   origin: [number, number, number];
   positions: string;
   polygons: RaggedText;
+  /** Walks around polygons beyond the first, with the polygon of each. */
+  rims: RaggedText;
+  polygonsOfRims: string;
   simplices: RaggedText;
   /** The polygons around each 3-cell. */
   cells: RaggedText;
-  /** What is shaded: three vertices each, the polygon of each, and where there are 3-cells the cell of each. */
-  triangles: { items: string; polygons: string; cells: string };
+  /** For each polygon of each 3-cell whether it has it with a minus; empty where that is not known. */
+  signs: string;
+  /** What is known of each 3-cell, or of each polygon where there are none. */
+  notes: string[];
+  /** What is shaded: three vertices each, the polygon of each, and where there are 3-cells the cell of each; null for the polygons. */
+  triangles: { items: string; polygons: string; cells: string } | null;
   layers: LayerText[];
   panes: PaneText[];
 }
@@ -68,6 +79,9 @@ export interface Layer {
   detail: string;
   color: number | null;
   on: boolean;
+  arrows: boolean;
+  /** Whether its points are its own, and no vertices of the model. */
+  own: boolean;
   positions: Float32Array;
   lines: Ragged;
   points: Uint32Array;
@@ -88,10 +102,15 @@ export interface Scene {
   origin: [number, number, number];
   positions: Float32Array;
   polygons: Ragged;
+  rims: Ragged;
+  polygonsOfRims: Uint32Array;
   simplices: Ragged;
   cells: Ragged;
+  signs: Uint32Array;
+  notes: string[];
   triangles: Uint32Array;
-  polygonOfTriangle: Uint32Array;
+  /** null where each polygon is one triangle. */
+  polygonOfTriangle: Uint32Array | null;
   cellOfTriangle: Uint32Array;
   layers: Layer[];
   panes: Pane[];
@@ -100,6 +119,9 @@ export interface Scene {
 const NO_LISTS: Ragged = { starts: new Uint32Array(1), items: new Uint32Array(0) };
 
 function bytes(text: string): ArrayBuffer {
+  // Recent engines decode by themselves, much faster.
+  const decode = (Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array<ArrayBuffer> }).fromBase64;
+  if (decode) return decode.call(Uint8Array, text).buffer;
   const raw = atob(text);
   const found = new Uint8Array(raw.length);
   for (let i = 0; i < raw.length; i++) found[i] = raw.charCodeAt(i);
@@ -108,8 +130,15 @@ function bytes(text: string): ArrayBuffer {
 
 const numbers = (text?: string) => (text ? new Uint32Array(bytes(text)) : new Uint32Array(0));
 const reals = (text: string) => new Float32Array(bytes(text));
-const lists = (text?: RaggedText): Ragged =>
-  text ? { starts: numbers(text.starts), items: numbers(text.items) } : NO_LISTS;
+function lists(text?: RaggedText): Ragged {
+  if (!text) return NO_LISTS;
+  const items = numbers(text.items);
+  if (text.starts !== undefined) return { starts: numbers(text.starts), items };
+  const width = text.width ?? 1;
+  const starts = new Uint32Array(items.length / width + 1);
+  for (let i = 0; i < starts.length; i++) starts[i] = i * width;
+  return { starts, items };
+}
 
 function readLayer(text: LayerText, positions: Float32Array): Layer {
   return {
@@ -118,6 +147,8 @@ function readLayer(text: LayerText, positions: Float32Array): Layer {
     detail: text.detail ?? "",
     color: text.color ?? null,
     on: text.on ?? false,
+    arrows: text.arrows ?? false,
+    own: text.positions !== undefined,
     positions: text.positions ? reals(text.positions) : positions,
     lines: lists(text.lines),
     points: numbers(text.points),
@@ -139,22 +170,33 @@ function lifted(flat: Float32Array): Float32Array {
 export function readScene(text: SceneText): Scene {
   if (text.coface_scene !== 1) throw new Error("this page shows scenes of version 1");
   const positions = reals(text.positions);
+  const polygons = lists(text.polygons);
+  const { triangles } = text;
   return {
     title: text.title,
     report: text.report,
     dimension: text.dimension,
     origin: text.origin,
     positions,
-    polygons: lists(text.polygons),
+    polygons,
+    rims: lists(text.rims),
+    polygonsOfRims: numbers(text.polygonsOfRims),
     simplices: lists(text.simplices),
     cells: lists(text.cells),
-    triangles: numbers(text.triangles.items),
-    polygonOfTriangle: numbers(text.triangles.polygons),
-    cellOfTriangle: numbers(text.triangles.cells),
+    signs: numbers(text.signs),
+    notes: text.notes,
+    triangles: triangles ? numbers(triangles.items) : polygons.items,
+    polygonOfTriangle: triangles ? numbers(triangles.polygons) : null,
+    cellOfTriangle: triangles ? numbers(triangles.cells) : new Uint32Array(0),
     layers: text.layers.map((layer) => readLayer(layer, positions)),
     panes: text.panes.map((pane) => {
       const flat = lifted(reals(pane.positions));
       return { name: pane.name, axes: pane.axes ?? null, layers: pane.layers.map((l) => readLayer(l, flat)) };
     }),
   };
+}
+
+/** The polygon that a triangle is part of. */
+export function polygonOf(scene: Scene, triangle: number): number {
+  return scene.polygonOfTriangle ? scene.polygonOfTriangle[triangle] : triangle;
 }

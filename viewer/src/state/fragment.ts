@@ -8,7 +8,7 @@ export interface ViewState {
   target: number[];
   /** The names of the layers that are on, with their groups. */
   on: string[];
-  /** The vertices of the selected cells. */
+  /** The selected cells: dimension:vertices. */
   selection: string[];
   neighborhood: string;
   theme: string;
@@ -16,6 +16,9 @@ export interface ViewState {
   /** How far cells are moved apart, and where the cutting plane is, from 0 to 1. */
   explode: number;
   clip: number;
+  /** Which way the cutting plane looks, 0 to 2. */
+  axis: number;
+  zoom: number;
 }
 
 export function toFragment(state: ViewState): string {
@@ -23,13 +26,15 @@ export function toFragment(state: ViewState): string {
   const query = new URLSearchParams();
   query.set("camera", part(state.camera));
   query.set("target", part(state.target));
-  if (state.on.length) query.set("on", state.on.join("|"));
+  query.set("on", state.on.join("|"));
   if (state.selection.length) query.set("select", state.selection.join("|"));
   query.set("show", state.neighborhood);
   query.set("theme", state.theme);
   query.set("edges", state.edges ? "1" : "0");
   if (state.explode) query.set("explode", String(state.explode));
   if (state.clip < 1) query.set("clip", String(state.clip));
+  if (state.axis) query.set("axis", String(state.axis));
+  if (state.zoom !== 1) query.set("zoom", String(Number(state.zoom.toPrecision(6))));
   return query.toString();
 }
 
@@ -58,6 +63,10 @@ export function fromFragment(fragment: string): Partial<ViewState> {
   };
   found.explode = share("explode");
   found.clip = share("clip");
+  const axis = Number(query.get("axis") ?? NaN);
+  if ([0, 1, 2].includes(axis)) found.axis = axis;
+  const zoom = Number(query.get("zoom") ?? NaN);
+  if (zoom > 0 && Number.isFinite(zoom)) found.zoom = zoom;
   for (const key of Object.keys(found) as (keyof ViewState)[]) if (found[key] === undefined) delete found[key];
   return found;
 }

@@ -6,61 +6,157 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import type { Layer } from "../scene/document";
 import type { Stage } from "./stage";
 
-/** A layer in the window. */
+/** So many arrowheads are on one line at most. */
+const HEADS = 24;
+
+/** A layer in the window. What it is drawn with is made when it is shown for the first time. */
 export class DrawnLayer {
   readonly object = new THREE.Group();
-  readonly sphere = new THREE.Sphere();
+  private isMade = false;
+  private ball: THREE.Sphere | null = null;
 
-  constructor(stage: Stage, layer: Layer, color: string, width = 4) {
-    const points: THREE.Vector3[] = [];
-    const at = (point: number) => {
-      const place = new THREE.Vector3().fromArray(layer.positions, 3 * point);
-      points.push(place);
-      return place;
-    };
-    const segments: number[] = [];
-    for (let line = 0; line + 1 < layer.lines.starts.length; line++) {
-      for (let i = layer.lines.starts[line]; i + 1 < layer.lines.starts[line + 1]; i++) {
-        segments.push(...at(layer.lines.items[i]).toArray(), ...at(layer.lines.items[i + 1]).toArray());
+  constructor(
+    private readonly stage: Stage,
+    private readonly layer: Layer,
+    private readonly color: string,
+    private readonly width = 4,
+    /** Among layers at one place in the plane, the higher one is seen. */
+    private readonly order = 1,
+  ) {
+    this.show(layer.on);
+  }
+
+  show(isOn: boolean): void {
+    if (isOn && !this.isMade) {
+      this.isMade = true;
+      this.make();
+    }
+    this.object.visible = isOn;
+  }
+
+  /** A ball around everything in it. */
+  get sphere(): THREE.Sphere {
+    if (!this.ball) {
+      const { layer } = this;
+      const used = [...layer.lines.items, ...layer.points, ...layer.triangles];
+      this.ball = new THREE.Sphere().setFromPoints(used.map((point) => new THREE.Vector3().fromArray(layer.positions, 3 * point)));
+    }
+    return this.ball;
+  }
+
+  private make(): void {
+    const { layer } = this;
+    if (layer.triangles.length > 0) this.object.add(this.triangles());
+    if (layer.lines.items.length > 0) {
+      this.object.add(this.lines());
+      if (layer.arrows) this.object.add(this.heads());
+    }
+    if (layer.points.length > 0) this.object.add(this.points());
+  }
+
+  /** Whether each line is one arrow. */
+  private get isOfArrows(): boolean {
+    const { starts, items } = this.layer.lines;
+    return this.layer.own && starts.length > 2 && items.length === 2 * (starts.length - 1);
+  }
+
+  private at(point: number, place = new THREE.Vector3()): THREE.Vector3 {
+    return place.fromArray(this.layer.positions, 3 * point);
+  }
+
+  private lines(): THREE.Object3D {
+    const { starts, items } = this.layer.lines;
+    const places = new Float32Array(6 * items.length);
+    let next = 0;
+    for (let line = 0; line + 1 < starts.length; line++) {
+      for (let i = starts[line]; i + 1 < starts[line + 1]; i++) {
+        for (const point of [items[i], items[i + 1]]) {
+          places.set(this.layer.positions.subarray(3 * point, 3 * point + 3), next);
+          next += 3;
+        }
       }
     }
-    if (segments.length > 0) {
-      const geometry = new LineSegmentsGeometry();
-      geometry.setPositions(segments);
-      const material = stage.lineMaterial(color, width);
-      // Lines on the surface are drawn in front of it.
-      material.polygonOffset = true;
-      material.polygonOffsetFactor = -2;
-      material.polygonOffsetUnits = -8;
-      this.object.add(new LineSegments2(geometry, material));
+    const geometry = new LineSegmentsGeometry();
+    geometry.setPositions(places.subarray(0, next));
+    // Lines that are arrows leave room for their heads.
+    const material = this.stage.lineMaterial(this.color, this.layer.arrows && this.isOfArrows ? 1.5 : this.width);
+    // Lines on the surface are drawn in front of it.
+    material.polygonOffset = true;
+    material.polygonOffsetFactor = -2;
+    material.polygonOffsetUnits = -8;
+    material.depthTest = !this.stage.isFlat;
+    // In the plane everything is drawn in the order of the layers, as what is transparent is.
+    material.transparent = this.stage.isFlat;
+    const lines = new LineSegments2(geometry, material);
+    lines.renderOrder = this.stage.isFlat ? 100 + this.order : 0;
+    return lines;
+  }
+
+  private triangles(): THREE.Object3D {
+    const { layer, color } = this;
+    const corners = new Float32Array(3 * layer.triangles.length);
+    const place = new THREE.Vector3();
+    layer.triangles.forEach((point, i) => this.at(point, place).toArray(corners, 3 * i));
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
+    const common = { color, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 };
+    const material = this.stage.isFlat
+      ? new THREE.MeshBasicMaterial({ ...common, transparent: true, opacity: 0.45, depthTest: false })
+      : new THREE.MeshLambertMaterial({ ...common, flatShading: true });
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.renderOrder = this.stage.isFlat ? this.order : 0;
+    return mesh;
+  }
+
+  private points(): THREE.Object3D {
+    const { layer, color, width } = this;
+    const places = new Float32Array(3 * layer.points.length);
+    const place = new THREE.Vector3();
+    layer.points.forEach((point, i) => this.at(point, place).toArray(places, 3 * i));
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
+    const size = layer.points.length > 1000 ? width : 2.5 * width;
+    const marks = new THREE.Points(geometry, new THREE.PointsMaterial({ color, size, sizeAttenuation: false, depthTest: false, transparent: true }));
+    marks.renderOrder = 200 + this.order;
+    return marks;
+  }
+
+  /** Cones along the lines. */
+  private heads(): THREE.Object3D {
+    const { starts, items } = this.layer.lines;
+    const [from, to] = [new THREE.Vector3(), new THREE.Vector3()];
+    const matrices: THREE.Matrix4[] = [];
+    const isFull = this.isOfArrows;
+    const most = 0.035 * this.stage.radius;
+    for (let line = 0; line + 1 < starts.length; line++) {
+      const count = starts[line + 1] - starts[line] - 1;
+      const step = Math.max(1, Math.ceil(count / HEADS));
+      for (let i = Math.floor((step - 1) / 2); i < count; i += step) {
+        this.at(items[starts[line] + i], from);
+        this.at(items[starts[line] + i + 1], to);
+        const along = to.clone().sub(from);
+        const length = along.length();
+        if (length === 0) continue;
+        const size = Math.min(most, 0.5 * length);
+        const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.divideScalar(length));
+        // Arrows that stand alone have their heads at their ends.
+        const place = from.clone().lerp(to, isFull ? 1 - (0.5 * size) / length : 0.5);
+        matrices.push(new THREE.Matrix4().compose(place, turn, new THREE.Vector3(size, size, size)));
+      }
     }
-    if (layer.triangles.length > 0) {
-      const corners = new Float32Array(3 * layer.triangles.length);
-      layer.triangles.forEach((point, i) => at(point).toArray(corners, 3 * i));
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
-      geometry.computeVertexNormals();
-      const material = new THREE.MeshLambertMaterial({
-        color,
-        side: THREE.DoubleSide,
-        polygonOffset: true,
-        polygonOffsetFactor: -1,
-        polygonOffsetUnits: -2,
-      });
-      this.object.add(new THREE.Mesh(geometry, material));
-    }
-    if (layer.points.length > 0) {
-      const places = new Float32Array(3 * layer.points.length);
-      layer.points.forEach((point, i) => at(point).toArray(places, 3 * i));
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
-      const material = new THREE.PointsMaterial({ color, size: 2.5 * width, sizeAttenuation: false, depthTest: false });
-      const marks = new THREE.Points(geometry, material);
-      marks.renderOrder = 2;
-      this.object.add(marks);
-    }
-    this.sphere.setFromPoints(points);
-    this.object.visible = layer.on;
+    const material = new THREE.MeshBasicMaterial({
+      color: this.color,
+      depthTest: !this.stage.isFlat,
+      transparent: this.stage.isFlat,
+      polygonOffset: true,
+      polygonOffsetFactor: -3,
+      polygonOffsetUnits: -8,
+    });
+    const heads = new THREE.InstancedMesh(new THREE.ConeGeometry(0.38, 1, 10), material, matrices.length);
+    matrices.forEach((matrix, i) => heads.setMatrixAt(i, matrix));
+    heads.renderOrder = this.stage.isFlat ? 150 + this.order : 0;
+    heads.frustumCulled = false;
+    return heads;
   }
 
   dispose(): void {
@@ -68,7 +164,9 @@ export class DrawnLayer {
     this.object.traverse((part) => {
       if (part instanceof THREE.Mesh || part instanceof THREE.Points) {
         part.geometry.dispose();
-        (part.material as THREE.Material).dispose();
+        const material = part.material as THREE.Material;
+        this.stage.forget(material);
+        material.dispose();
       }
     });
   }

@@ -16,8 +16,8 @@ export function colorOf(place: number): string {
 
 /** The colors of the page in light and in dark. */
 export const THEMES = {
-  light: { background: "#ffffff", surface: "#d9dee4", edge: "#5c6670", text: "#1b1f23" },
-  dark: { background: "#15181c", surface: "#7d8792", edge: "#2b3138", text: "#e6e9ec" },
+  light: { background: "#ffffff", surface: "#d9dee4", edge: "#5c6670", curve: "#1b1f23", text: "#1b1f23" },
+  dark: { background: "#15181c", surface: "#7d8792", edge: "#2b3138", curve: "#e6e9ec", text: "#e6e9ec" },
 };
 
 export type Theme = keyof typeof THEMES;

@@ -7,12 +7,22 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { THEMES, type Theme } from "./palette";
 
+/** A moving picture that takes longer than this, in milliseconds, is drawn with less; after this pause it moves no more. */
+const SLOW = 80;
+const PAUSE = 250;
+
 export class Stage {
   readonly scene = new THREE.Scene();
   readonly camera: THREE.OrthographicCamera | THREE.PerspectiveCamera;
   readonly controls: OrbitControls;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly lineMaterials = new Set<LineMaterial>();
+  /** When the picture moved last, and when it was drawn last; how many moving pictures in a row took long. */
+  private movedAt = -Infinity;
+  private drawnAt = -Infinity;
+  private slow = 0;
+  private isHurried = false;
+  private hurry: ((isHurried: boolean) => void) | null = null;
   private isWaiting = false;
   private listeners: (() => void)[] = [];
 
@@ -39,7 +49,10 @@ export class Stage {
       this.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
       this.controls.touches.ONE = THREE.TOUCH.PAN;
     }
-    this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("change", () => {
+      this.movedAt = performance.now();
+      this.draw();
+    });
     const key = new THREE.DirectionalLight(0xffffff, 2.2);
     key.position.set(0.4, 0.7, 1);
     this.camera.add(key);
@@ -60,6 +73,11 @@ export class Stage {
     return material;
   }
 
+  /** A material that was thrown away needs to know the size of the window no more. */
+  forget(material: THREE.Material): void {
+    this.lineMaterials.delete(material as LineMaterial);
+  }
+
   setTheme(theme: Theme): void {
     this.renderer.setClearColor(THEMES[theme].background);
     this.draw();
@@ -73,15 +91,18 @@ export class Stage {
   /** Looks at a ball from a direction, or from where the camera is. */
   look(center: THREE.Vector3, radius: number, from?: THREE.Vector3): void {
     const direction = (from ?? this.camera.position.clone().sub(this.controls.target)).clone().normalize();
-    const reach = Math.max(radius, this.radius * 1e-4, 1e-30);
+    // What is small is seen with what is around it.
+    const reach = Math.max(radius, this.radius * 0.08, 1e-30);
     this.controls.target.copy(center);
     if (this.camera instanceof THREE.PerspectiveCamera) {
-      const distance = (1.15 * reach) / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2));
+      // The ball is as wide as it is high, but windows are not.
+      const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * Math.min(this.aspect, 1);
+      const distance = (1.05 * reach) / Math.sin(Math.atan(half));
       this.camera.position.copy(center).addScaledVector(direction, distance);
     } else {
       this.camera.position.copy(center).addScaledVector(direction, 10 * this.radius);
       this.camera.zoom = 1;
-      this.halfHeight = 1.1 * reach;
+      this.halfHeight = (1.1 * reach) / Math.min(this.aspect, 1);
     }
     this.resize();
     this.controls.update();
@@ -89,6 +110,11 @@ export class Stage {
   }
 
   private halfHeight = 1;
+
+  private get aspect(): number {
+    const parent = this.canvas.parentElement;
+    return Math.max(parent?.clientWidth ?? 1, 1) / Math.max(parent?.clientHeight ?? 1, 1);
+  }
 
   private resize(): void {
     const parent = this.canvas.parentElement;
@@ -105,6 +131,7 @@ export class Stage {
       this.camera.bottom = -this.halfHeight;
     }
     this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
     for (const material of this.lineMaterials) material.resolution.set(width, height);
     this.draw();
   }
@@ -120,8 +147,30 @@ export class Stage {
   }
 
   drawNow(): void {
+    this.pace();
     this.renderer.render(this.scene, this.camera);
     for (const listener of this.listeners) listener();
+  }
+
+  /** Calls back when a moving picture has to be drawn with less, and when it may be drawn whole again. */
+  onHurry(listener: (isHurried: boolean) => void): void {
+    this.hurry = listener;
+  }
+
+  /** Watches how long pictures take while they move. */
+  private pace(): void {
+    if (!this.hurry) return;
+    const now = performance.now();
+    const isMoving = now - this.movedAt < PAUSE;
+    const interval = now - this.drawnAt;
+    this.drawnAt = now;
+    // After a pause an interval says nothing.
+    if (isMoving && !this.isHurried && interval < 20 * PAUSE) this.slow = interval > SLOW ? this.slow + 1 : 0;
+    const wanted = isMoving && this.slow >= 2;
+    if (wanted) setTimeout(() => performance.now() - this.movedAt >= PAUSE && this.draw(), PAUSE + 20);
+    if (wanted === this.isHurried) return;
+    this.isHurried = wanted;
+    this.hurry(wanted);
   }
 
   /** Calls back after each picture. */
@@ -131,6 +180,7 @@ export class Stage {
 
   /** The picture as a PNG. */
   async png(): Promise<Blob> {
+    this.movedAt = -Infinity;
     this.drawNow();
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture"))), "image/png");
@@ -138,11 +188,11 @@ export class Stage {
   }
 
   /** The ray through a point of the window, in pixels from its upper left corner. */
-  ray(x: number, y: number): THREE.Raycaster {
+  ray(x: number, y: number): THREE.Ray {
     const caster = new THREE.Raycaster();
     const place = new THREE.Vector2((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
     caster.setFromCamera(place, this.camera);
-    return caster;
+    return caster.ray;
   }
 
   /** Where a point is in the window, in pixels from its upper left corner, and how deep. */

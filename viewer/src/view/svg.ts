@@ -1,8 +1,10 @@
-/** The picture as SVG: what faces the camera, from back to front, and the layers that are on. */
+/** The picture as SVG: what faces the camera and the layers that are on, from back to front. */
 
 import * as THREE from "three";
 import type { Layer, Scene } from "../scene/document";
+import { loneEdges } from "./edges";
 import type { Stage } from "./stage";
+import type { Surface } from "./surface";
 import { THEMES, type Theme } from "./palette";
 
 /** More triangles than this are not written: the file would be of no use. */
@@ -12,53 +14,80 @@ export function svgText(
   model: Scene,
   layers: { layer: Layer; color: string }[],
   stage: Stage,
+  surface: Surface,
   theme: Theme,
   size: { width: number; height: number },
-  showsEdges: boolean,
 ): string {
   const colors = THEMES[theme];
-  const place = (positions: Float32Array, point: number) =>
-    stage.project(new THREE.Vector3().fromArray(positions, 3 * point));
   const number = (x: number) => x.toFixed(2);
-  const parts: string[] = [];
+  // What is drawn with its depth; what is at one depth is drawn as it comes.
+  const parts: { depth: number; text: string }[] = [];
+  const light = new THREE.Vector3(0.3, 0.5, 1).normalize();
+  const addTriangle = (world: THREE.Vector3[], color: string, nearer: number, opacity: string, stroke: string | null) => {
+    const [a, b, c] = world.map((place) => stage.project(place));
+    if ([a, b, c].some((corner) => Math.abs(corner.z) > 1)) return;
+    const slope = world[1].clone().sub(world[0]).cross(world[2].clone().sub(world[0])).normalize();
+    slope.transformDirection(stage.camera.matrixWorldInverse);
+    const shade = stage.isFlat ? 1 : 0.45 + 0.55 * Math.abs(slope.dot(light));
+    const fill = `#${new THREE.Color(color).multiplyScalar(shade).getHexString()}`;
+    const corners = [a, b, c].map((p) => `${number(p.x)},${number(p.y)}`).join(" ");
+    parts.push({
+      depth: (a.z + b.z + c.z) / 3 - nearer,
+      text: `<polygon points="${corners}" fill="${fill}"${opacity} stroke="${stroke ?? fill}" stroke-width="0.5" stroke-linejoin="round"/>`,
+    });
+  };
+  const addLine = (from: THREE.Vector3, to: THREE.Vector3, color: string, width: number, nearer: number) => {
+    const [a, b] = [stage.project(from), stage.project(to)];
+    if (Math.abs(a.z) > 1 || Math.abs(b.z) > 1) return;
+    const ends = `x1="${number(a.x)}" y1="${number(a.y)}" x2="${number(b.x)}" y2="${number(b.y)}"`;
+    parts.push({ depth: (a.z + b.z) / 2 - nearer, text: `<line ${ends} stroke="${color}" stroke-width="${width}" stroke-linecap="round"/>` });
+  };
+  // In the plane everything is at one depth, and layers lie on the model in their order.
+  const near = depthOf(stage);
   const count = model.triangles.length / 3;
   if (count <= MOST_TRIANGLES) {
-    const light = new THREE.Vector3(0.3, 0.5, 1).normalize();
-    const base = new THREE.Color(colors.surface);
-    const faces: { depth: number; text: string }[] = [];
     for (let t = 0; t < count; t++) {
-      const [a, b, c] = [0, 1, 2].map((i) => place(model.positions, model.triangles[3 * t + i]));
-      if (Math.abs(a.z) > 1) continue;
-      const normal = new THREE.Vector3(b.x - a.x, a.y - b.y, 0).cross(new THREE.Vector3(c.x - a.x, a.y - c.y, 0));
-      const world = [0, 1, 2].map((i) => new THREE.Vector3().fromArray(model.positions, 3 * model.triangles[3 * t + i]));
-      const slope = world[1].sub(world[0]).cross(world[2].sub(world[0])).normalize();
-      slope.transformDirection(stage.camera.matrixWorldInverse);
-      if (normal.z < 0) slope.negate();
-      const shade = 0.45 + 0.55 * Math.max(Math.abs(slope.dot(light)), 0);
-      const fill = `#${base.clone().multiplyScalar(shade).getHexString()}`;
-      const corners = [a, b, c].map((p) => `${number(p.x)},${number(p.y)}`).join(" ");
-      const stroke = showsEdges ? colors.edge : fill;
-      const text = `<polygon points="${corners}" fill="${fill}" stroke="${stroke}" stroke-width="0.5" stroke-linejoin="round"/>`;
-      faces.push({ depth: a.z + b.z + c.z, text });
+      if (surface.isShown(t)) addTriangle([0, 1, 2].map((i) => surface.corner(t, i)), colors.surface, 0, "", surface.hasEdges ? colors.edge : null);
     }
-    faces.sort((p, q) => q.depth - p.depth);
-    parts.push(...faces.map((face) => face.text));
   }
-  for (const { layer, color } of layers) {
+  const lone = loneEdges(model);
+  for (let i = 0; i < lone.length; i += 2) addLine(surface.vertex(lone[i]), surface.vertex(lone[i + 1]), colors.curve, 2, near);
+  layers.forEach(({ layer, color }, place) => {
+    const at = (point: number) => new THREE.Vector3().fromArray(layer.positions, 3 * point);
+    const opacity = stage.isFlat ? ' fill-opacity="0.45"' : "";
+    for (let t = 0; t + 2 < layer.triangles.length; t += 3) {
+      addTriangle([0, 1, 2].map((i) => at(layer.triangles[t + i])), color, near * (1 + 0.01 * place), opacity, stage.isFlat ? "none" : null);
+    }
     for (let line = 0; line + 1 < layer.lines.starts.length; line++) {
-      const points = Array.from(layer.lines.items.subarray(layer.lines.starts[line], layer.lines.starts[line + 1]));
-      const text = points.map((p) => place(layer.positions, p)).map((p) => `${number(p.x)},${number(p.y)}`).join(" ");
-      parts.push(`<polyline points="${text}" fill="none" stroke="${color}" stroke-width="3" stroke-linecap="round"/>`);
+      for (let i = layer.lines.starts[line]; i + 1 < layer.lines.starts[line + 1]; i++) {
+        addLine(at(layer.lines.items[i]), at(layer.lines.items[i + 1]), color, 3.5, near * (2 + 0.01 * place));
+      }
     }
     for (const point of layer.points) {
-      const at = place(layer.positions, point);
-      parts.push(`<circle cx="${number(at.x)}" cy="${number(at.y)}" r="4" fill="${color}"/>`);
+      const place = stage.project(at(point));
+      parts.push({ depth: -Infinity, text: `<circle cx="${number(place.x)}" cy="${number(place.y)}" r="4" fill="${color}"/>` });
     }
-  }
+    for (const { point, text } of layer.labels) {
+      const place = stage.project(at(point));
+      const plain = text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+      parts.push({
+        depth: -Infinity,
+        text: `<text x="${number(place.x + 6)}" y="${number(place.y + 4)}" font-family="sans-serif" font-size="12" fill="${colors.text}">${plain}</text>`,
+      });
+    }
+  });
+  parts.sort((p, q) => (p.depth === q.depth ? 0 : q.depth - p.depth));
   const { width, height } = size;
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">
 <rect width="100%" height="100%" fill="${colors.background}"/>
-${parts.join("\n")}
+${parts.map((part) => part.text).join("\n")}
 </svg>
 `;
+}
+
+/** A step in depth that puts what lies on a surface before it. */
+function depthOf(stage: Stage): number {
+  const toEye = stage.camera.position.clone().sub(stage.controls.target).setLength(0.03 * stage.radius);
+  const [a, b] = [stage.controls.target.clone(), stage.controls.target.clone().add(toEye)].map((place) => stage.project(place));
+  return Math.abs(a.z - b.z);
 }

@@ -6,15 +6,20 @@ use crate::input;
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use clap::Args;
-use coface::report::{Report, Scene};
+use coface::io::{self, Format, Model};
+use coface::report::{PlanarSet, Report, Scene, SetRequest};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Write one page that shows a model: opens from disk in any browser, without a network.
 ///
-/// The page has the model to turn, cut and take apart, the report beside it, and layers for what --with gives: generators of
-/// homology, seams, loops, cocycles, sets of simplices, persistence diagrams. A click on a vertex, an edge or a face shows its star, closure,
-/// link and boundary.
+/// The page has the model to turn, cut and take apart, the report beside it, its boundary and what is wrong with it, and layers for what
+/// --with gives: generators of homology, cocycles and harmonic forms, loops, seams with the fundamental domain (coface cut -o cut.json),
+/// the universal cover (coface cover -o cover.json), facts about the cells of an arrangement (coface arrange --json), sets of simplices,
+/// forests, persistence diagrams. A click on a vertex, an edge, a face or a cell shows its star, closure, link and boundary.
+///
+/// Models are all that coface reads: surfaces, volumes, drawings, chain complexes with positions, and Yin sets with their splines, kinks and
+/// knots.
 #[derive(Args)]
 pub(crate) struct View {
     /// The model; - is standard input
@@ -37,21 +42,15 @@ const PLACE: &str = r#"<script type="application/json" id="scene">null</script>"
 impl View {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.reading(), &progress)?;
-        progress.stage("drawing");
-        let title = Path::new(&loaded.name)
-            .file_name()
-            .map_or(loaded.name.clone(), |name| name.to_string_lossy().into_owned());
-        let mut scene =
-            Scene::of(&title, &loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
+        let (name, mut scene, model) = self.read(common, &progress)?;
         for path in &self.with {
             let result = read_result(path)?;
             scene.add_result(&input::name(path), &result)?;
         }
-        if !self.no_report {
-            progress.stage(format!("examining {}", loaded.name));
-            let report = Report::of(loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
-            scene = scene.with_report(report.to_json(100));
+        if let Some(model) = model.filter(|_| !self.no_report) {
+            progress.stage(format!("examining {name}"));
+            let report = Report::of(model).map_err(|error| error.in_file(name.clone()))?;
+            scene = scene.with_boundary().with_report(report.to_json(100));
         }
         progress.stage("writing the page");
         let page = page_of(&scene.to_json());
@@ -69,7 +68,7 @@ impl View {
                 .collect();
             let panes: Vec<&str> = scene.panes().iter().map(|pane| pane.name.as_str()).collect();
             print_json(&json!({
-                "file": loaded.name,
+                "file": name,
                 "page": common.output.as_ref().map(|path| path.display().to_string()),
                 "bytes": page.len(),
                 "triangles": scene.triangles().len(),
@@ -79,12 +78,45 @@ impl View {
         }
         Ok(())
     }
+
+    /// The name of the model for people, its scene, and the model itself if it can be examined: sets have their report already.
+    fn read(&self, common: &Common, progress: &Progress) -> Result<(String, Scene, Option<Model>), Failure> {
+        let loaded = input::read(&self.input, common.reading(), progress);
+        progress.stage("drawing");
+        let title = |name: &str| {
+            Path::new(name).file_name().map_or(name.to_owned(), |name| name.to_string_lossy().into_owned())
+        };
+        let may_be_set = match &loaded {
+            Ok(loaded) => {
+                let model = &loaded.model;
+                matches!(loaded.format, Format::Json | Format::Dat)
+                    && model.polygons().is_empty()
+                    && model.cells().is_empty()
+                    && model.structure().is_none()
+            }
+            Err(_) => true,
+        };
+        if may_be_set
+            && self.input.as_os_str() != "-"
+            && let Ok(drawing) = io::read_boundary_path(&self.input, &common.reading())
+        {
+            let name = input::name(&self.input);
+            let in_file = |error: coface::Error| error.in_file(name.clone());
+            let set = PlanarSet::of(&drawing, &SetRequest::default()).map_err(in_file)?;
+            let scene = Scene::of_set(&title(&name), &set).map_err(in_file)?;
+            return Ok((name, scene, None));
+        }
+        let loaded = loaded?;
+        let scene = Scene::of(&title(&loaded.name), &loaded.model)
+            .map_err(|error| error.in_file(loaded.name.clone()))?;
+        Ok((loaded.name, scene, Some(loaded.model)))
+    }
 }
 
 /// The page with a scene in it.
 fn page_of(scene: &Value) -> String {
-    // No text in the scene can end the element that it stands in.
-    let text = scene.to_string().replace("</", "<\\/");
+    // No text in the scene can end the element that it stands in, nor begin a comment there. Outside of strings JSON has no such sign.
+    let text = scene.to_string().replace('<', "\\u003c");
     PAGE.replacen(PLACE, &format!(r#"<script type="application/json" id="scene">{text}</script>"#), 1)
 }
 
@@ -108,6 +140,6 @@ mod tests {
     fn the_page_has_a_place_for_the_scene() {
         assert_eq!(PAGE.matches(PLACE).count(), 1);
         let page = page_of(&json!({"title": "</script>"}));
-        assert!(page.contains(r#"{"title":"<\/script>"}"#));
+        assert!(page.contains(r#"{"title":"\u003c/script>"}"#));
     }
 }

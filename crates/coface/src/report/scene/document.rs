@@ -1,5 +1,6 @@
 //! A scene as the JSON document that a page holds.
 
+use super::parts::common_width;
 use super::{Layer, Pane, Scene};
 use crate::algebra::RaggedArray;
 use base64::Engine;
@@ -18,9 +19,14 @@ fn reals(reals: impl IntoIterator<Item = f64>) -> String {
     STANDARD.encode(bytes)
 }
 
+/// Lists by where they start; lists that all have one length say it instead.
 fn lists(lists: &RaggedArray) -> Value {
+    let items = numbers(lists.items().iter().copied());
+    if let Some(width) = common_width(lists) {
+        return json!({ "width": width, "items": items });
+    }
     let starts = numbers((0..=lists.len()).map(|i| lists.start(i) as u32));
-    json!({ "starts": starts, "items": numbers(lists.items().iter().copied()) })
+    json!({ "starts": starts, "items": items })
 }
 
 impl Scene {
@@ -28,7 +34,7 @@ impl Scene {
     pub fn to_json(&self) -> Value {
         let shifted = |point: &[f64; 3]| [0, 1, 2].map(|axis| point[axis] - self.origin[axis]);
         let layers: Vec<Value> = self.layers.iter().map(|layer| layer_to_json(layer, shifted)).collect();
-        json!({
+        let mut object = json!({
             "coface_scene": 1,
             "title": self.title,
             "report": self.report,
@@ -36,16 +42,28 @@ impl Scene {
             "origin": self.origin,
             "positions": reals(self.positions.iter().flat_map(shifted)),
             "polygons": lists(&self.polygons),
+            "rims": lists(&self.rims),
+            "polygonsOfRims": numbers(self.polygon_of_rim.iter().copied()),
             "simplices": lists(&self.simplices),
             "cells": lists(&self.cells),
-            "triangles": {
+            "signs": numbers(self.cell_signs.iter().map(|&is_negative| u32::from(is_negative))),
+            "notes": self.notes,
+            "triangles": null,
+            "layers": layers,
+            "panes": self.panes.iter().map(pane_to_json).collect::<Vec<_>>(),
+        });
+        // Triangles that are the polygons need not be there twice.
+        let is_plain = self.cells.is_empty()
+            && common_width(&self.polygons) == Some(3)
+            && self.triangles.as_flattened() == self.polygons.items();
+        if !is_plain {
+            object["triangles"] = json!({
                 "items": numbers(self.triangles.as_flattened().iter().copied()),
                 "polygons": numbers(self.polygon_of_triangle.iter().copied()),
                 "cells": numbers(self.cell_of_triangle.iter().copied()),
-            },
-            "layers": layers,
-            "panes": self.panes.iter().map(pane_to_json).collect::<Vec<_>>(),
-        })
+            });
+        }
+        object
     }
 }
 
@@ -62,6 +80,12 @@ fn layer_to_json(layer: &Layer, shifted: impl Fn(&[f64; 3]) -> [f64; 3] + Copy) 
         "triangles": numbers(layer.triangles.as_flattened().iter().copied()),
         "labels": labels,
     });
+    if let Some(color) = layer.color {
+        object["color"] = color.into();
+    }
+    if layer.has_arrows {
+        object["arrows"] = true.into();
+    }
     if let Some(positions) = &layer.positions {
         object["positions"] = reals(positions.iter().flat_map(shifted)).into();
     }

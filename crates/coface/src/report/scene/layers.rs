@@ -14,6 +14,10 @@ pub struct Layer {
     pub detail: String,
     /// Whether it is shown at first.
     pub is_on: bool,
+    /// A place in the palette, for layers that belong together; none for the next free one.
+    pub color: Option<u32>,
+    /// Whether lines have arrowheads: they run from their first point to their last.
+    pub has_arrows: bool,
     /// Three coordinates a point if it has points of its own; else points are vertices of the model.
     pub positions: Option<Vec<[f64; 3]>>,
     /// Polylines through points.
@@ -46,6 +50,19 @@ impl Layer {
                 }
             }
         }
+    }
+
+    /// Adds a cell with a coefficient: edges run backwards where it is negative.
+    pub(super) fn push_term(&mut self, vertices: &[u32], is_negative: bool) {
+        match *vertices {
+            [a, b] if is_negative => self.lines.push(&[b, a]),
+            _ => self.push_simplex(vertices),
+        }
+    }
+
+    /// Adds triangles around a point, for a polygon that bends little.
+    pub(super) fn push_fan(&mut self, walk: &[u32]) {
+        self.triangles.extend(walk.windows(2).skip(1).map(|pair| [walk[0], pair[0], pair[1]]));
     }
 
     /// Whether nothing would be seen of it.

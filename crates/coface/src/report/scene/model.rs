@@ -1,5 +1,7 @@
 //! The scene of a model.
 
+use super::parts::{Parts, common_width};
+use super::regions::region_layers;
 use super::shading::shaded;
 use super::{Layer, Pane, layout};
 use crate::algebra::RaggedArray;
@@ -28,9 +30,16 @@ pub struct Scene {
     pub(super) origin: [f64; 3],
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) polygons: RaggedArray,
+    /// Further walks around polygons: holes.
+    pub(super) rims: RaggedArray,
+    pub(super) polygon_of_rim: Vec<u32>,
     pub(super) simplices: RaggedArray,
     /// The polygons around each 3-cell.
     pub(super) cells: RaggedArray,
+    /// Whether a 3-cell has its polygon with a minus, for chain complexes; else empty.
+    pub(super) cell_signs: Vec<bool>,
+    /// What is known of each 3-cell, or of each polygon where there are none; else empty.
+    pub(super) notes: Vec<String>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) polygon_of_triangle: Vec<u32>,
     /// The 3-cell of each triangle; empty without 3-cells.
@@ -72,36 +81,71 @@ impl Scene {
             }
             _ => {
                 let count = parts.vertex_count(model);
-                layout::laid_out(count, &edges_of(&parts.polygons, &parts.simplices))
+                layout::laid_out(count, &edges_of(&parts.polygons, &parts.rims, &parts.simplices))
             }
         };
-        let mut scene = Self {
+        let mut scene = Self::flat(title, positions, parts.simplices);
+        scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
+        scene.polygons = parts.polygons;
+        scene.rims = parts.rims;
+        scene.polygon_of_rim = parts.polygon_of_rim;
+        scene.cells = parts.cells;
+        scene.cell_signs = parts.cell_signs;
+        scene.shade();
+        for layer in region_layers(model, &scene.positions) {
+            scene.push_layer(layer);
+        }
+        Ok(scene)
+    }
+
+    /// A scene in the plane without shading, its vertices with these points and edges.
+    pub(super) fn flat(title: &str, positions: Vec<[f64; 3]>, simplices: RaggedArray) -> Self {
+        Self {
             title: title.to_owned(),
             report: Value::Null,
-            dimension: if model.positions().dimension() == 2 { 2 } else { 3 },
+            dimension: 2,
             origin: middle(&positions),
             positions,
-            polygons: parts.polygons,
-            simplices: parts.simplices,
-            cells: parts.cells,
+            polygons: RaggedArray::new(),
+            rims: RaggedArray::new(),
+            polygon_of_rim: Vec::new(),
+            simplices,
+            cells: RaggedArray::new(),
+            cell_signs: Vec::new(),
+            notes: Vec::new(),
             triangles: Vec::new(),
             polygon_of_triangle: Vec::new(),
             cell_of_triangle: Vec::new(),
             layers: Vec::new(),
             panes: Vec::new(),
-        };
-        scene.shade();
-        Ok(scene)
+        }
     }
 
-    /// The same with a report beside it, as JSON; its witness becomes a layer.
+    /// The same with a report beside it, as JSON; its witness and its problems become layers.
     pub fn with_report(mut self, report: Value) -> Self {
-        if let Some(witness) = report["manifold"]["witness"].as_object() {
-            let mut layer = Layer::new("witness", "not a manifold");
-            layer.detail = witness.get("message").and_then(Value::as_str).unwrap_or_default().to_owned();
+        let witness = &report["manifold"]["witness"];
+        let problems = report["problems"].as_array().into_iter().flatten();
+        let marks = problems.map(|problem| {
+            let count = problem["count"].as_u64().unwrap_or(0);
+            (problem["kind"].as_str().unwrap_or("problem").replace('_', " "), count, problem)
+        });
+        let mut found: Vec<(String, u64, &Value)> = marks.collect();
+        // The witness is one of the places of such a problem.
+        if !witness.is_null() && !found.iter().any(|mark| mark.0.starts_with("nonmanifold")) {
+            found.push(("no manifold".to_owned(), 1, witness));
+        }
+        for (name, count, fault) in found {
+            let mut layer = Layer::new("witness", name);
+            let message = fault["message"].as_str().unwrap_or_default();
+            layer.detail = if count > 1 { format!("{count}: {message}") } else { message.to_owned() };
             layer.is_on = true;
-            for cell in witness.get("cells").and_then(Value::as_array).into_iter().flatten() {
-                layer.push_simplex(&super::results::vertices(cell));
+            for cell in fault["cells"].as_array().into_iter().flatten() {
+                let vertices = super::results::vertices(cell);
+                if self.cells.is_empty() && vertices.len() > 3 {
+                    layer.push_fan(&vertices);
+                } else {
+                    layer.push_simplex(&vertices);
+                }
             }
             self.push_layer(layer);
         }
@@ -134,7 +178,7 @@ impl Scene {
 
     /// The sides of polygons and the edges of simplices, rising and each once. $O(n \log n)$.
     pub fn edges(&self) -> Vec<[u32; 2]> {
-        edges_of(&self.polygons, &self.simplices)
+        edges_of(&self.polygons, &self.rims, &self.simplices)
     }
 
     /// What is shaded.
@@ -153,14 +197,29 @@ impl Scene {
     }
 
     fn shade(&mut self) {
-        let shaded_polygons: Vec<Vec<[u32; 3]>> = self
-            .polygons
-            .iter()
-            .map(|walk| {
-                let corners: Vec<[f64; 3]> = walk.iter().map(|&v| self.positions[v as usize]).collect();
-                shaded(&corners).into_iter().map(|triangle| triangle.map(|i| walk[i as usize])).collect()
-            })
-            .collect();
+        let mut rims_of_polygon =
+            vec![Vec::new(); if self.rims.is_empty() { 0 } else { self.polygons.len() }];
+        for (rim, &polygon) in self.polygon_of_rim.iter().enumerate() {
+            rims_of_polygon[polygon as usize].push(rim);
+        }
+        let at = |&vertex: &u32| self.positions[vertex as usize];
+        let shade = |(polygon, walk): (usize, &[u32])| -> Vec<[u32; 3]> {
+            let rims = rims_of_polygon.get(polygon).map_or(&[][..], Vec::as_slice);
+            let walks = std::iter::once(walk).chain(rims.iter().map(|&rim| self.rims.list(rim)));
+            let vertices: Vec<u32> = walks.clone().flatten().copied().collect();
+            let corners: Vec<[f64; 3]> = vertices.iter().map(at).collect();
+            let lengths: Vec<usize> = walks.map(<[u32]>::len).collect();
+            shaded(&corners, &lengths)
+                .into_iter()
+                .map(|triangle| triangle.map(|i| vertices[i as usize]))
+                .collect()
+        };
+        if self.cells.is_empty() && self.rims.is_empty() && common_width(&self.polygons) == Some(3) {
+            self.triangles = self.polygons.iter().map(|walk| [walk[0], walk[1], walk[2]]).collect();
+            self.polygon_of_triangle = (0..self.triangles.len() as u32).collect();
+            return;
+        }
+        let shaded_polygons: Vec<Vec<[u32; 3]>> = self.polygons.iter().enumerate().map(shade).collect();
         let mut in_cell = vec![false; self.polygons.len()];
         for (cell, polygons) in self.cells.iter().enumerate() {
             for &polygon in polygons {
@@ -199,101 +258,9 @@ fn middle(positions: &[[f64; 3]]) -> [f64; 3] {
     })
 }
 
-/// The cells of a model for drawing.
-#[derive(Default)]
-struct Parts {
-    polygons: RaggedArray,
-    simplices: RaggedArray,
-    cells: RaggedArray,
-}
-
-impl Parts {
-    fn add(&mut self, model: &Model) {
-        for polygon in model.polygons().iter() {
-            self.polygons.push(polygon);
-        }
-        for line in model.lines().iter() {
-            line.windows(2).for_each(|edge| self.simplices.push(edge));
-        }
-        for point in model.points() {
-            self.simplices.push(&[point.to_u32()]);
-        }
-        if let Some(Structure::Facets(facets)) = model.structure() {
-            self.add_facets(facets);
-        }
-        self.add_cells(model);
-    }
-
-    /// Facets: triangles are polygons, and so are the triangles of higher simplices, each once.
-    fn add_facets(&mut self, facets: &RaggedArray) {
-        let mut triangles: Vec<[u32; 3]> = Vec::new();
-        for facet in facets.iter() {
-            if let &[a, b, c] = facet {
-                let mut sorted = [a, b, c];
-                sorted.sort_unstable();
-                triangles.push(sorted);
-                continue;
-            }
-            self.simplices.push(facet);
-            let mut sorted = facet.to_vec();
-            sorted.sort_unstable();
-            for (i, &a) in sorted.iter().enumerate() {
-                for (j, &b) in sorted.iter().enumerate().skip(i + 1) {
-                    triangles.extend(sorted.iter().skip(j + 1).map(|&c| [a, b, c]));
-                }
-            }
-        }
-        triangles.sort_unstable();
-        triangles.dedup();
-        triangles.iter().for_each(|triangle| self.polygons.push(triangle));
-    }
-
-    /// 3-cells by their polygons; a polygon between two cells, or in the list of polygons too, is one.
-    fn add_cells(&mut self, model: &Model) {
-        if model.cells().is_empty() {
-            return;
-        }
-        let own = self.polygons.len();
-        let mut faces: Vec<(Vec<u32>, u32, Vec<u32>)> = Vec::new();
-        let key = |walk: &[u32]| {
-            let mut sorted = walk.to_vec();
-            sorted.sort_unstable();
-            sorted
-        };
-        faces.extend(self.polygons.iter().map(|walk| (key(walk), u32::MAX, Vec::new())));
-        for (cell, (shape, vertices)) in model.shapes().iter().zip(model.cells().iter()).enumerate() {
-            for face in shape.faces() {
-                let walk: Vec<u32> = face.iter().map(|&i| vertices[i]).collect();
-                faces.push((key(&walk), cell as u32, walk));
-            }
-        }
-        let mut order: Vec<u32> = (0..faces.len() as u32).collect();
-        order.sort_by(|&a, &b| faces[a as usize].0.cmp(&faces[b as usize].0).then(a.cmp(&b)));
-        let mut polygons_of_cell = vec![Vec::new(); model.cells().len()];
-        for group in order.chunk_by(|&a, &b| faces[a as usize].0 == faces[b as usize].0) {
-            let first = group[0] as usize;
-            let polygon = if first < own {
-                first as u32
-            } else {
-                self.polygons.push(&faces[first].2);
-                self.polygons.len() as u32 - 1
-            };
-            for &face in group.iter().filter(|&&face| face as usize >= own) {
-                polygons_of_cell[faces[face as usize].1 as usize].push(polygon);
-            }
-        }
-        self.cells = RaggedArray::from_lists(polygons_of_cell);
-    }
-
-    fn vertex_count(&self, model: &Model) -> usize {
-        let used = self.polygons.items().iter().chain(self.simplices.items());
-        used.max().map_or(0, |&last| last as usize + 1).max(model.vertex_count())
-    }
-}
-
-fn edges_of(polygons: &RaggedArray, simplices: &RaggedArray) -> Vec<[u32; 2]> {
+fn edges_of(polygons: &RaggedArray, rims: &RaggedArray, simplices: &RaggedArray) -> Vec<[u32; 2]> {
     let mut edges = Vec::new();
-    for walk in polygons.iter() {
+    for walk in polygons.iter().chain(rims.iter()) {
         edges.extend((0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]]));
     }
     for simplex in simplices.iter() {

@@ -1,8 +1,12 @@
 //! Answers that were written as JSON, as layers and panes.
 
-use super::{Layer, Pane, Scene};
+use super::cochains::cocycle_layers;
+use super::cover::cover_pane;
+use super::domain::domain_panes;
+use super::forest::forest_pane;
+use super::persistence::diagram_pane;
+use super::{Layer, Scene};
 use crate::Error;
-use crate::algebra::RaggedArray;
 use serde_json::Value;
 
 /// The vertices of a cell.
@@ -14,98 +18,182 @@ pub(super) fn vertices(cell: &Value) -> Vec<u32> {
         .collect()
 }
 
-fn array<'a>(value: &'a Value, key: &str) -> &'a [Value] {
+/// The list at a key, empty where there is none.
+pub(super) fn array<'a>(value: &'a Value, key: &str) -> &'a [Value] {
     value[key].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// The cells of a chain `[[coefficient, cell], ..]`.
-fn push_chain(layer: &mut Layer, chain: &Value) -> usize {
+/// The cells of a chain `[[coefficient, cell], ..]`; edges run backwards where the coefficient is negative.
+pub(super) fn push_chain(layer: &mut Layer, chain: &Value) -> usize {
     let terms = chain.as_array().map_or(&[][..], Vec::as_slice);
-    terms.iter().for_each(|term| layer.push_simplex(&vertices(&term[1])));
+    for term in terms {
+        let is_negative = match &term[0] {
+            Value::String(digits) => digits.starts_with('-'),
+            number => number.as_f64().is_some_and(|number| number < 0.0),
+        };
+        layer.push_term(&vertices(&term[1]), is_negative);
+    }
     terms.len()
 }
 
 impl Scene {
-    /// Adds what an answer of coface says, given as the JSON object of its verb: generators, seams, loops, cocycles, sets of
-    /// simplices, a persistence diagram.
+    /// Adds what an answer of coface says, given as the JSON object of its verb: generators, cocycles, harmonic forms, seams with the domain
+    /// that they cut, covers, loops, sets of simplices, facts about the cells of an arrangement, forests, persistence diagrams.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for an object with nothing that could be shown, or that names vertices which the model does not have.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for an object with nothing that could be shown, or that names vertices
+    /// or counts cells which the model does not have.
     pub fn add_result(&mut self, name: &str, result: &Value) -> Result<(), Error> {
         let before = (self.layers.len(), self.panes.len());
         let mut layers = Vec::new();
         generators(result, &mut layers);
         seams(result, &mut layers);
-        cocycles(result, &mut layers);
+        loops(result, &mut layers);
+        cocycle_layers(result, &mut layers);
         simplex_sets(result, &mut layers);
+        layers.extend(self.harmonic_layers(result));
         let vertex_count = self.positions.len();
-        if let Some(layer) =
-            layers.iter().find(|layer| layer.last_point().is_some_and(|last| last as usize >= vertex_count))
-        {
-            return Err(Error::invalid(format!(
-                "{} in {name} has vertex {}, but the model has {vertex_count}",
-                layer.name,
-                layer.last_point().unwrap_or(0)
-            ))
-            .with_cure("show it with the model that it was computed from"));
+        let other_model = |what: String| {
+            Err(Error::invalid(format!("{what} in {name}"))
+                .with_cure("show it with the model that it was computed from"))
+        };
+        let sources =
+            vertices(&result["source"]).into_iter().max().filter(|&last| last as usize >= vertex_count);
+        if let Some(last) = sources {
+            return other_model(format!("the model has {vertex_count} vertices, but there is vertex {last}"));
         }
+        let too_high = layers.iter().find_map(|layer| {
+            let count = layer.positions.as_ref().map_or(vertex_count, Vec::len);
+            layer.last_point().filter(|&last| last as usize >= count).map(|last| (layer, last))
+        });
+        if let Some((layer, last)) = too_high {
+            let what = layer.name.clone();
+            return other_model(format!(
+                "the model has {vertex_count} vertices, but {what} has vertex {last}"
+            ));
+        }
+        let has_notes = match self.add_notes(result) {
+            Ok(has_notes) => has_notes,
+            Err([here, there]) => {
+                return other_model(format!(
+                    "the model has {here} top cells, but there are {there} measures"
+                ));
+            }
+        };
         for layer in layers {
             self.push_layer(layer);
         }
-        self.panes.extend(diagram(result));
-        if (self.layers.len(), self.panes.len()) == before {
-            return Err(Error::invalid(format!("{name} has nothing that could be shown over a model"))
-                .with_cure("give the JSON of homology --generators, cut, pi1, cocycles, persistence, star, link, ..."));
+        self.panes.extend(domain_panes(result));
+        self.panes.extend(cover_pane(result));
+        self.panes.extend(diagram_pane(result));
+        self.panes.extend(forest_pane(result));
+        if (self.layers.len(), self.panes.len()) == before && !has_notes {
+            return Err(Error::invalid(format!("{name} has nothing that could be shown over a model")).with_cure(
+                "give the JSON of homology --generators, cut, cover, pi1, cocycles, arrange, persistence, star, link, ...",
+            ));
         }
         Ok(())
     }
+
+    /// What an arrangement says about its cells: volumes or areas, and the inputs that they lie in. The counts if they differ.
+    fn add_notes(&mut self, result: &Value) -> Result<bool, [usize; 2]> {
+        let Some(measures) = result["measures"].as_array() else { return Ok(false) };
+        let count = if self.cells.is_empty() { self.polygons.len() } else { self.cells.len() };
+        if count != measures.len() {
+            return Err([count, measures.len()]);
+        }
+        let files = if result["files"].is_array() { "files" } else { "inputs" };
+        let names: Vec<&str> =
+            array(result, files).iter().map(|file| file["file"].as_str().unwrap_or("input")).collect();
+        let word = if self.cells.is_empty() { "area" } else { "volume" };
+        let note = |(cell, measure): (usize, &Value)| {
+            let inside: Vec<String> = vertices(&result["inside"][cell])
+                .into_iter()
+                .map(|input| {
+                    names.get(input as usize).map_or_else(|| input.to_string(), |name| (*name).to_owned())
+                })
+                .collect();
+            let inside = if inside.is_empty() { "no input".to_owned() } else { inside.join(", ") };
+            format!("{word} {}, inside {inside}", measure.as_f64().unwrap_or(f64::NAN))
+        };
+        self.notes = measures.iter().enumerate().map(note).collect();
+        Ok(true)
+    }
 }
 
-/// Generators of homology, by degrees.
+/// Generators of homology or cohomology, by degrees.
 fn generators(result: &Value, layers: &mut Vec<Layer>) {
+    let is_dual = result["cohomology"] == Value::Bool(true);
+    let group = if is_dual { "cohomology" } else { "homology" };
     for (degree, list) in array(result, "generators").iter().enumerate() {
         for (number, generator) in list.as_array().into_iter().flatten().enumerate() {
-            let mut layer = Layer::new("homology", format!("H{degree} generator {number}"));
+            let power = if is_dual { "H^" } else { "H" };
+            let mut layer = Layer::new(group, format!("{power}{degree} generator {number}"));
             let count = push_chain(&mut layer, &generator["chain"]);
-            let order = generator["order"].as_u64().unwrap_or(0);
-            let free = if order == 0 { "free".to_owned() } else { format!("order {order}") };
-            layer.detail = format!("{count} cells, {free}");
+            let order = match &generator["order"] {
+                Value::String(digits) => digits.clone(),
+                number => number.as_u64().unwrap_or(0).to_string(),
+            };
+            let order = if order == "0" { "infinite order".to_owned() } else { format!("order {order}") };
+            layer.detail =
+                format!("length {}, {order}", generator["length"].as_u64().unwrap_or(count as u64));
             layer.is_on = degree == 1;
+            layer.has_arrows = degree == 1;
             layers.push(layer);
         }
     }
 }
 
-/// Seams of cut surfaces, and loops of fundamental groups.
+/// Seams of cut surfaces, and loops of fundamental groups. Each seam has the color of its sides in the domain.
 fn seams(result: &Value, layers: &mut Vec<Layer>) {
     for (at, component) in array(result, "components").iter().enumerate() {
-        for seam in array(component, "seams") {
+        for (place, seam) in array(component, "seams").iter().enumerate() {
             let number = seam["number"].as_u64().map_or_else(String::new, |number| format!(" {number}"));
             let kind = seam["kind"].as_str().unwrap_or("seam");
             let mut layer = Layer::new("cut", format!("{kind}{number} of component {at}"));
             layer.lines.push(&vertices(&seam["vertices"]));
-            layer.detail = format!("{} edges", seam["edges"]);
+            layer.detail = edges(seam["edges"].as_u64().unwrap_or(0));
+            layer.color = Some(place as u32);
+            layer.has_arrows = true;
             layer.is_on = true;
             layers.push(layer);
         }
         for (number, walk) in array(component, "loops").iter().enumerate() {
-            let mut layer = Layer::new("loops", format!("loop {} of component {at}", number + 1));
-            let walk = if walk.is_array() { walk } else { &walk["vertices"] };
-            layer.lines.push(&vertices(walk));
-            layer.is_on = true;
+            layers.push(loop_layer(walk, format!("loop {} of component {at}", number + 1)));
+        }
+    }
+}
+
+/// Loops that stand for themselves: closed walks, or chains.
+fn loops(result: &Value, layers: &mut Vec<Layer>) {
+    for key in ["loops", "walks"] {
+        for (number, walk) in array(result, key).iter().enumerate() {
+            let mut layer = loop_layer(walk, format!("loop {}", number + 1));
+            // Cocycles are shown first, and then the loops that they are measured on.
+            layer.is_on = array(result, "cocycles").is_empty();
             layers.push(layer);
         }
     }
 }
 
-/// Cocycles: the edges where they are not zero.
-fn cocycles(result: &Value, layers: &mut Vec<Layer>) {
-    for (number, cocycle) in array(result, "cocycles").iter().enumerate() {
-        let mut layer = Layer::new("cocycles", format!("cocycle {number}"));
-        let count = push_chain(&mut layer, cocycle);
-        layer.detail = format!("{count} edges");
-        layers.push(layer);
-    }
+fn loop_layer(walk: &Value, name: String) -> Layer {
+    let mut layer = Layer::new("loops", name);
+    let walk = if walk.is_array() { walk } else { &walk["vertices"] };
+    let count = if walk[0].is_array() {
+        push_chain(&mut layer, walk)
+    } else {
+        let walk = vertices(walk);
+        layer.lines.push(&walk);
+        walk.len().saturating_sub(1)
+    };
+    layer.detail = edges(count as u64);
+    layer.has_arrows = true;
+    layer.is_on = true;
+    layer
+}
+
+fn edges(count: u64) -> String {
+    if count == 1 { "1 edge".to_owned() } else { format!("{count} edges") }
 }
 
 /// Stars, links, closures, boundaries, skeleta.
@@ -118,41 +206,4 @@ fn simplex_sets(result: &Value, layers: &mut Vec<Layer>) {
         layer.is_on = true;
         layers.push(layer);
     }
-}
-
-/// The points of a persistence diagram, with the diagonal.
-fn diagram(result: &Value) -> Option<Pane> {
-    let pairs = array(result, "diagram");
-    let values = || pairs.iter().flat_map(|pair| [pair["birth"].as_f64(), pair["death"].as_f64()]).flatten();
-    let (low, high) =
-        values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-    if low > high {
-        return None;
-    }
-    // What never dies stands above everything else.
-    let top = high + 0.1 * (high - low).max(f64::MIN_POSITIVE);
-    let mut pane = Pane {
-        name: "persistence diagram".to_owned(),
-        axes: Some(["birth".to_owned(), "death".to_owned()]),
-        ..Pane::default()
-    };
-    pane.positions = vec![[low, low], [high, high], [low, top], [high, top]];
-    let mut frame = Layer::new("diagram", "diagonal");
-    frame.lines = RaggedArray::from_lists([[0, 1], [2, 3]]);
-    frame.labels.push((2, "never".to_owned()));
-    pane.layers.push(frame);
-    let highest = pairs.iter().filter_map(|pair| pair["degree"].as_u64()).max().unwrap_or(0);
-    for degree in 0..=highest {
-        let mut layer = Layer::new("diagram", format!("H{degree}"));
-        layer.is_on = true;
-        for pair in pairs.iter().filter(|pair| pair["degree"].as_u64() == Some(degree)) {
-            let Some(birth) = pair["birth"].as_f64() else { continue };
-            layer.points.push(pane.positions.len() as u32);
-            pane.positions.push([birth, pair["death"].as_f64().unwrap_or(top)]);
-        }
-        if !layer.is_empty() {
-            pane.layers.push(layer);
-        }
-    }
-    Some(pane)
 }

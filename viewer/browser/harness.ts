@@ -1,0 +1,151 @@
+/** Pages made by the program, in a browser that has no network. */
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import { expect } from "vitest";
+
+const program = needed("COFACE_PROGRAM");
+const folder = mkdtempSync(join(tmpdir(), "coface-page-"));
+
+function needed(name: string): string {
+  const value = process.env[name];
+  if (!value) throw new Error(`the environment variable ${name} is not set; cargo xtask test sets it`);
+  return value;
+}
+
+/** Where a file of this run is. */
+export function file(name: string, text?: string): string {
+  const path = join(folder, name);
+  if (text !== undefined) writeFileSync(path, text);
+  return path;
+}
+
+/** Runs the program in the folder of this run: what it prints. */
+export function coface(...words: string[]): string {
+  return execFileSync(program, [...words, "-q"], { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28 });
+}
+
+/** The JSON that the program answers, written to a file too. */
+export function answer(name: string, ...words: string[]): Record<string, unknown> {
+  const text = coface(...words, "--json");
+  file(name, text);
+  return JSON.parse(text) as Record<string, unknown>;
+}
+
+let browser: Browser | null = null;
+
+export async function start(): Promise<void> {
+  browser = await chromium.launch({
+    executablePath: needed("CHROMIUM"),
+    // Drawn by software: the same picture on every machine.
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-sandbox"],
+  });
+}
+
+export async function stop(): Promise<void> {
+  await browser?.close();
+}
+
+/** A page and what it did that it should not. */
+export interface Opened {
+  page: Page;
+  complaints: string[];
+}
+
+/** Opens a page from disk. Every request that is not for a file is refused, and noted. */
+export async function open(name: string, fragment = "", options: BrowserContextOptions = {}): Promise<Opened> {
+  if (!browser) throw new Error("the browser was not started");
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, colorScheme: "light", ...options });
+  const page = await context.newPage();
+  const complaints: string[] = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type()) && !isAboutDriver(message.text())) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(error.message));
+  await page.route("**/*", (route) => {
+    const url = route.request().url();
+    if (/^(file|data|blob):/.test(url)) return route.continue();
+    complaints.push(`asked for ${url}`);
+    return route.abort();
+  });
+  await page.goto(pathToFileURL(join(folder, name)).href + fragment);
+  await settle(page);
+  return { page, complaints };
+}
+
+/** Reading pixels back is slow, and drivers say so. */
+function isAboutDriver(text: string): boolean {
+  return text.includes("GPU stall due to ReadPixels") || text.includes("software WebGL");
+}
+
+/** Closes a page that did nothing wrong. */
+export async function close({ page, complaints }: Opened): Promise<void> {
+  expect(complaints).toEqual([]);
+  await page.context().close();
+}
+
+/** Waits until what was asked for is drawn. */
+export async function settle(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+}
+
+/** How many pixels of the window have nearly this color. */
+export async function pixels(page: Page, color: string): Promise<number> {
+  await settle(page);
+  return page.evaluate(count, { image: null, color });
+}
+
+/** How many pixels of a picture have nearly this color. */
+export async function pixelsOf(page: Page, path: string, color: string): Promise<number> {
+  return page.evaluate(count, { image: readFileSync(path).toString("base64"), color });
+}
+
+async function count({ image, color }: { image: string | null; color: string }): Promise<number> {
+  const source = image
+    ? await createImageBitmap(await (await fetch(`data:image/png;base64,${image}`)).blob())
+    : document.querySelector<HTMLCanvasElement>("#canvas")!;
+  const copy = new OffscreenCanvas(source.width, source.height);
+  const context = copy.getContext("2d")!;
+  context.drawImage(source, 0, 0);
+  const { data } = context.getImageData(0, 0, copy.width, copy.height);
+  const wanted = [1, 3, 5].map((i) => parseInt(color.slice(i, i + 2), 16));
+  let found = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    if (wanted.every((value, part) => Math.abs(data[i + part] - value) <= 12)) found += 1;
+  }
+  return found;
+}
+
+/** The picture in the window, to be compared. */
+export async function picture(page: Page): Promise<string> {
+  await settle(page);
+  return page.evaluate(() => document.querySelector<HTMLCanvasElement>("#canvas")!.toDataURL());
+}
+
+/** The share of pixels in which the window differs from a picture so that it can be seen. */
+export async function difference(page: Page, other: string): Promise<number> {
+  await settle(page);
+  return page.evaluate(async (other) => {
+    const canvas = document.querySelector<HTMLCanvasElement>("#canvas")!;
+    const image = await createImageBitmap(await (await fetch(other)).blob());
+    const read = (source: CanvasImageSource) => {
+      const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d")!;
+      context.drawImage(source, 0, 0);
+      return context.getImageData(0, 0, canvas.width, canvas.height).data;
+    };
+    const [a, b] = [read(canvas), read(image)];
+    let found = 0;
+    for (let i = 0; i < a.length; i += 4) if ([0, 1, 2].some((part) => Math.abs(a[i + part] - b[i + part]) > 48)) found += 1;
+    return found / (a.length / 4);
+  }, other);
+}
+
+/** Moves a slider. */
+export async function slide(page: Page, id: string, value: number): Promise<void> {
+  await page.locator(`#${id}`).fill(String(value));
+  await settle(page);
+}

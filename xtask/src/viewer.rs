@@ -1,0 +1,115 @@
+//! The browser viewer: its sources, the page that is made of them, and that page in a real browser.
+
+use crate::tally::Tally;
+use crate::test::{check, install_package};
+use crate::{cargo, root};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+/// The page that the program holds.
+const PAGE: &str = "crates/coface-cli/page/viewer.html";
+
+/// Types and tests of the viewer; that the page in the repository is what its sources make; and the page in a browser. What is not
+/// installed, and cannot be, is skipped.
+pub(crate) fn viewer(tally: &mut Tally) {
+    if let Err(why) = prepare() {
+        println!("== skipped: the viewer ({why})");
+        tally.skipped += 1;
+        return;
+    }
+    check(tally, "types of the viewer", &mut npm(&["run", "--silent", "check"]));
+    check(tally, "tests of the viewer", &mut npm(&["test", "--silent"]));
+    bundle(tally);
+    browser(tally);
+}
+
+/// The command `npm WORDS` in the folder of the viewer.
+fn npm(words: &[&str]) -> Command {
+    let mut command = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
+    command.args(words).current_dir(root().join("viewer")).env("NO_COLOR", "1");
+    command
+}
+
+/// Sees to it that Node is there, and what the lock file names.
+fn prepare() -> Result<(), String> {
+    let version = output(Command::new("node").arg("--version")).ok_or("node is not installed")?;
+    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
+    if major.is_none_or(|major: u32| major < 20) {
+        return Err(format!("node is {}, and 20 is needed", version.trim()));
+    }
+    output(npm(&["--version"]).stderr(Stdio::null())).ok_or("npm is not installed")?;
+    let viewer = root().join("viewer");
+    let modified = |path: PathBuf| path.metadata().and_then(|data| data.modified()).ok();
+    let installed = modified(viewer.join("node_modules/.package-lock.json"));
+    if installed.is_some() && installed >= modified(viewer.join("package-lock.json")) {
+        return Ok(());
+    }
+    println!("== viewer: npm ci");
+    let is_done = npm(&["ci", "--no-audit", "--no-fund"]).stdin(Stdio::null()).status();
+    match is_done.is_ok_and(|status| status.success()) {
+        true => Ok(()),
+        false => Err("npm ci cannot install what viewer/package-lock.json names".to_owned()),
+    }
+}
+
+/// Whether the page in the repository is what its sources make, byte for byte.
+fn bundle(tally: &mut Tally) {
+    let folder = root().join("target/viewer");
+    let place = folder.display().to_string();
+    check(tally, "page of the viewer", &mut npm(&["run", "--silent", "build", "--", "--outDir", &place]));
+    let [made, held] = [folder.join("viewer.html"), root().join(PAGE)].map(|path| std::fs::read(path).ok());
+    let is_same = made.is_some() && made == held;
+    println!(
+        "== page of the viewer: {}",
+        if is_same {
+            "the same as in the repository"
+        } else {
+            "differs from the repository; run `npm run build` in viewer/ and commit what changes"
+        }
+    );
+    tally.count(is_same);
+}
+
+/// The page in a browser.
+fn browser(tally: &mut Tally) {
+    let Some(chromium) = chromium() else {
+        println!("== skipped: the page in a browser (chromium is not installed, and cannot be)");
+        tally.skipped += 1;
+        return;
+    };
+    let mut build = cargo(&["build", "--package", "coface-cli"]);
+    if !build.stdin(Stdio::null()).status().is_ok_and(|status| status.success()) {
+        println!("== the page in a browser: failed, the program cannot be built");
+        tally.count(false);
+        return;
+    }
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let program = target.join("debug").join(format!("coface{}", std::env::consts::EXE_SUFFIX));
+    let mut tests = npm(&["run", "--silent", "test:browser"]);
+    tests.env("COFACE_PROGRAM", program).env("CHROMIUM", chromium);
+    check(tally, "the page in a browser", &mut tests);
+}
+
+/// A browser of the Chromium family; installed where that is possible.
+fn chromium() -> Option<PathBuf> {
+    let find = || {
+        let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+        let named = std::env::var_os("CHROMIUM").map(PathBuf::from).filter(|path| path.is_file());
+        named.or_else(|| names.iter().find_map(|name| on_path(name)))
+    };
+    find().or_else(|| {
+        install_package("chromium");
+        find()
+    })
+}
+
+fn on_path(name: &str) -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    std::env::split_paths(&folders).map(|folder| folder.join(name)).find(|path| path.is_file())
+}
+
+/// What a command prints, if it runs well.
+fn output(command: &mut Command) -> Option<String> {
+    let output = command.stdin(Stdio::null()).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+}
