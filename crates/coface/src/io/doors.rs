@@ -196,6 +196,9 @@ pub fn read_boundary_path(
     let read = || {
         let mut file = open(path)?;
         let (start, whole) = start_of(&mut file)?;
+        if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
+            return factories_started(&start, whole, &mut file);
+        }
         let format = match options.format {
             Some(format) => format,
             None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
@@ -249,11 +252,20 @@ pub fn read_boundary_with(
 ) -> Result<yin::BoundaryDrawing, Error> {
     options.check()?;
     let (start, whole) = start_of(&mut input)?;
+    if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
+        return factories_started(&start, whole, &mut input);
+    }
     let format = match options.format {
         Some(format) => format,
         None => format::decide(format::without_mark(&start), whole, None)?,
     };
     boundary_started(&start, whole, &mut input, format, options.flatten)
+}
+
+/// Curves as text: no format of its own, for nothing else reads it.
+fn factories_started(start: &[u8], whole: bool, rest: &mut dyn Read) -> Result<yin::BoundaryDrawing, Error> {
+    let rest = rest.take(if whole { 0 } else { u64::MAX });
+    yin::read_factories(format::without_mark(start).chain(rest))
 }
 
 fn boundary_started(

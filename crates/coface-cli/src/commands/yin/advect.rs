@@ -43,6 +43,12 @@ pub(super) struct Advect {
     /// The greatest distance of neighboring knots [default: a hundredth of the box around the set]
     #[arg(long, value_name = "LENGTH")]
     spacing: Option<f64>,
+    /// The least distance of neighboring knots as a part of --spacing, up to 1/3; orders 6 and 8 want it large
+    #[arg(long, value_name = "RATIO", default_value = "0.1")]
+    least_ratio: f64,
+    /// Add knots where the polygon through them turns by more degrees, as far as the least distance allows
+    #[arg(long, value_name = "DEGREES")]
+    turn: Option<f64>,
     /// The period of a vortex or deformation
     #[arg(long, value_name = "TIME", default_value = "4")]
     period: f64,
@@ -135,6 +141,8 @@ impl Advect {
             let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
             tracking.start = end * (frame - 1) as f64 / count as f64;
             tracking.scheme = scheme;
+            tracking.least_ratio = self.least_ratio;
+            tracking.most_turn = self.turn.map(f64::to_radians);
             tracking.verification = match self.verify {
                 When::EachStep => Verification::EachStep,
                 When::End => Verification::End,

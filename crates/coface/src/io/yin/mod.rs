@@ -22,9 +22,13 @@
 //! Little endian: the number of curves (32 bits); for each curve its dimension, which is 2, its order and the number n of its pieces (32 bits
 //! each), n + 1 parameters of knots (64 bits each), and for each piece the coefficients of the first coordinate, then of the second,
 //! the constant first, in the parameter from the knot on. It holds neither kinks nor names nor the whole plane.
+//!
+//! # Curves as text
+//! Circles, rectangles and lists of points by their numbers, a line each: see [`read_factories`]. They are only read.
 
 mod boundary;
 mod dat;
+mod factories;
 mod flattening;
 mod json;
 mod rings;
@@ -35,6 +39,8 @@ pub(in crate::io) use boundary::model_of_drawing;
 pub use boundary::{BoundaryCurve, BoundaryDrawing, Filling};
 pub(in crate::io) use dat::is_dat;
 pub use dat::{read_dat, write_dat};
+pub(in crate::io) use factories::is_factories;
+pub use factories::read_factories;
 pub use flattening::flattened;
 pub use json::write_json;
 pub use rings::drawing_of_model;

@@ -80,9 +80,8 @@ impl Partition {
                     if *vertex == u32::MAX {
                         *vertex = found.arcs.vertices.len() as u32;
                         found.arcs.vertices.push([0.0; 2]);
-                        found
-                            .is_kink
-                            .push(node_is_kink[node as usize] || (!is_closed && leaving(node).count() == 2));
+                        // At junctions phases have corners, though the way may go on smoothly.
+                        found.is_kink.push(!is_closed && leaving(node).count() == 2);
                     }
                     *vertex
                 });

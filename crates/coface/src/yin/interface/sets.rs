@@ -67,7 +67,7 @@ impl InterfaceGraph {
     /// arcs end become junctions, and kinks of the sets and points where the interface goes from one boundary to another vertices. If
     /// the sets have the order that is asked for and it is 4 or more, edges are parts of their curves bit for bit; else splines through
     /// the knots. At a junction two edges go on smoothly into each other when the way turns by at most an angle there, the ones that turn
-    /// least first.
+    /// least first, whether the sets have kinks there or not.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for sets that overlap, with a place and the area, if that is refused;

@@ -95,11 +95,8 @@ impl Fronts {
     /// Leaves curves out in which no others lie.
     fn retain(&mut self, stays: &[bool]) {
         let mut numbers = vec![u32::MAX; stays.len()];
-        let mut count = 0;
-        for (number, _) in numbers.iter_mut().zip(stays).filter(|(_, stays)| **stays) {
-            *number = count;
-            count += 1;
-        }
+        let kept_numbers = numbers.iter_mut().zip(stays).filter(|(_, stays)| **stays);
+        (0..).zip(kept_numbers).for_each(|(at, (number, _))| *number = at);
         let mut kept = stays.iter();
         self.fronts.retain(|_| *kept.next().expect("there is an entry for each curve"));
         for parent in self.fronts.iter_mut().filter_map(|front| front.parent.as_mut()) {

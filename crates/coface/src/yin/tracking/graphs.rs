@@ -1,6 +1,6 @@
 //! Interfaces that move.
 
-use super::markers::{MarkerRange, MovedMarkers, moved_markers, polyline_length};
+use super::markers::{MovedMarkers, moved_markers, polyline_length};
 use super::sets::in_step;
 use super::{TrackingCounts, TrackingOptions};
 use crate::Error;
@@ -98,7 +98,7 @@ impl InterfaceGraph {
         options: &TrackingOptions,
     ) -> Result<TrackedGraph, Error> {
         let (steps, step) = options.steps()?;
-        let range = MarkerRange { least: options.least_ratio * options.spacing, most: options.spacing };
+        let range = options.range();
         let mut graph = self.clone();
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
         let scheme = options.scheme_for(self.order());

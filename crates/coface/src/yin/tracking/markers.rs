@@ -11,6 +11,8 @@ use rayon::prelude::*;
 pub(super) struct MarkerRange {
     pub(super) least: f64,
     pub(super) most: f64,
+    /// The most that the polygon of the markers turns at a marker where there is room for more, in radians.
+    pub(super) turn: f64,
 }
 
 /// The markers of a curve after a step.
@@ -50,12 +52,19 @@ pub(super) fn moved_markers(
             return Err(Error::invalid(format!("the velocity near ({x}, {y}) leads to no finite point"))
                 .with_cure("give a velocity that is finite where the boundary comes, or shorter steps"));
         }
-        let gaps: Vec<usize> =
-            (1..points.len()).filter(|&at| distance(points[at - 1], points[at]) > range.most).collect();
+        let is_wide = |at: usize| distance(points[at - 1], points[at]) > range.most;
+        let is_bent = bent_gaps(&points, range, |at| match places[at] {
+            (knot, 0.0) => fixed(knot as usize),
+            _ => false,
+        });
+        let gaps: Vec<usize> = (1..points.len()).filter(|&at| is_wide(at) || is_bent[at]).collect();
         if gaps.is_empty() {
             break;
         }
         if round == ROUNDS {
+            if !gaps.iter().any(|&at| is_wide(at)) {
+                break;
+            }
             let [x, y] = points[gaps[0]];
             return Err(Error::invalid(format!(
                 "markers near ({x}, {y}) move apart faster than they can be added"
@@ -118,6 +127,26 @@ pub(super) fn moved_markers(
         points: kept.iter().map(|&at| points[at]).collect(),
         origins: kept.iter().map(|&at| knot(&places[at])).collect(),
     })
+}
+
+/// For each point whether there is to be another one before it, because the polyline turns much at one end of the gap, and there is room.
+fn bent_gaps(points: &[[f64; 2]], range: MarkerRange, is_kink: impl Fn(usize) -> bool) -> Vec<bool> {
+    let mut is_bent = vec![false; points.len()];
+    if range.turn >= std::f64::consts::PI {
+        return is_bent;
+    }
+    // Both parts are longer than the least distance then, unless the flow is very uneven.
+    let has_room = |at: usize| distance(points[at - 1], points[at]) > 2.5 * range.least;
+    for at in 1..points.len() - 1 {
+        let [a, b, c] = [points[at - 1], points[at], points[at + 1]];
+        let ([px, py], [qx, qy]) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
+        let turn = (px * qy - py * qx).atan2(px * qx + py * qy).abs();
+        if turn > range.turn && !is_kink(at) {
+            is_bent[at] |= has_room(at);
+            is_bent[at + 1] |= has_room(at + 1);
+        }
+    }
+    is_bent
 }
 
 /// The length of the polyline through points.

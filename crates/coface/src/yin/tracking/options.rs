@@ -1,6 +1,7 @@
 //! How boundaries are tracked.
 
 use super::RungeKutta;
+use super::markers::MarkerRange;
 use crate::Error;
 use crate::arrangement::boolean::InsideRule;
 use crate::yin::Order;
@@ -30,6 +31,9 @@ pub struct TrackingOptions {
     pub spacing: f64,
     /// The least distance of neighboring markers as a part r of h, at most 1/3 so that both can be kept.
     pub least_ratio: f64,
+    /// The most that the polygon of the markers turns at a marker that is no kink, in radians, as far as the least distance leaves room for
+    /// more markers: so they are nearer together where the boundary bends. None if their distance alone counts.
+    pub most_turn: Option<f64>,
     /// The scheme that maps markers; none for the one of the order of the boundary.
     pub scheme: Option<RungeKutta>,
     /// When the boundary is verified.
@@ -49,9 +53,19 @@ impl TrackingOptions {
             time_step,
             spacing,
             least_ratio: 0.1,
+            most_turn: None,
             scheme: None,
             verification: Verification::EachStep,
             repair: None,
+        }
+    }
+
+    /// The distances and turns of markers.
+    pub(super) fn range(&self) -> MarkerRange {
+        MarkerRange {
+            least: self.least_ratio * self.spacing,
+            most: self.spacing,
+            turn: self.most_turn.unwrap_or(f64::INFINITY),
         }
     }
 
@@ -91,6 +105,10 @@ impl TrackingOptions {
                 self.least_ratio
             ))
             .with_cure("give a number from 0 to 1/3"));
+        }
+        if let Some(turn) = self.most_turn.filter(|turn| turn.is_nan() || *turn <= 0.0) {
+            return Err(Error::invalid(format!("markers cannot turn by at most {turn}"))
+                .with_cure("give a positive angle in radians"));
         }
         Ok((count as usize, if count > 0.0 { span / count } else { 0.0 }))
     }

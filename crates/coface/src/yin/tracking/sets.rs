@@ -1,7 +1,6 @@
 //! Yin sets that move.
 
 use super::fronts::Fronts;
-use super::markers::MarkerRange;
 use super::{TrackingCounts, TrackingOptions};
 use crate::Error;
 use crate::yin::{YinFault, YinSet};
@@ -104,7 +103,7 @@ impl YinSet {
         options: &TrackingOptions,
     ) -> Result<TrackedSet, Error> {
         let (steps, step) = options.steps()?;
-        let range = MarkerRange { least: options.least_ratio * options.spacing, most: options.spacing };
+        let range = options.range();
         let scheme = options.scheme_for(self.order());
         let mut fronts = Fronts::new(self);
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
