@@ -23,6 +23,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
+    progress::end_on_interrupt();
     match start_threads(&arguments).and_then(|()| commands::run(&arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.

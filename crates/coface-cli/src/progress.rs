@@ -1,17 +1,27 @@
 //! A sign of life on standard error for work longer than a second.
 
+use coface::io::ReadProgress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// How long work may take unseen.
 const PATIENCE: Duration = Duration::from_secs(1);
+/// What stages of reading begin with.
+pub(crate) const READS: &str = "reading ";
 const TICK: Duration = Duration::from_millis(100);
 
-/// Shows the stage of the work and the time it has taken, from one second on and only on a terminal; dropping it
-/// clears the line.
+/// How far reading has come, over all threads.
+pub(crate) static READING: ReadProgress = ReadProgress::new();
+
+/// Whether a line is shown on standard error now.
+static IS_SHOWN: AtomicBool = AtomicBool::new(false);
+
+/// Shows the stage of the work and the time it has taken, while a file is read how much of it, how fast and how much longer, from one second on
+/// and only on a terminal; dropping it clears the line.
 pub(crate) struct Progress {
     shown: Option<(Sender<String>, JoinHandle<()>)>,
 }
@@ -27,6 +37,7 @@ impl Progress {
             let begin = Instant::now();
             let mut stage = String::new();
             let mut bar: Option<ProgressBar> = None;
+            let mut was_reading = false;
             loop {
                 match received.recv_timeout(TICK) {
                     Ok(next) => stage = next,
@@ -37,11 +48,23 @@ impl Progress {
                     continue;
                 }
                 let bar = bar.get_or_insert_with(|| new_bar(begin));
+                IS_SHOWN.store(true, Ordering::Relaxed);
+                let (done, total) = (READING.done(), READING.total());
+                let is_reading = stage.starts_with(READS) && done < total;
+                if is_reading != was_reading {
+                    bar.set_style(style(if is_reading { WITH_BYTES } else { WITHOUT_BYTES }));
+                    was_reading = is_reading;
+                }
+                if is_reading {
+                    bar.set_length(total);
+                    bar.set_position(done);
+                }
                 bar.set_message(stage.clone());
                 bar.tick();
             }
             if let Some(bar) = bar {
                 bar.finish_and_clear();
+                IS_SHOWN.store(false, Ordering::Relaxed);
             }
         });
         Self { shown: Some((stages, thread)) }
@@ -66,10 +89,35 @@ impl Drop for Progress {
     }
 }
 
+const WITHOUT_BYTES: &str = "{spinner} {msg} {elapsed}";
+const WITH_BYTES: &str = "{spinner} {msg} {bar:20} {bytes} of {total_bytes}, {bytes_per_sec}, {eta} left";
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_spinner())
+}
+
 fn new_bar(begin: Instant) -> ProgressBar {
-    let style = ProgressStyle::with_template("{spinner} {msg} {elapsed}")
-        .unwrap_or_else(|_| ProgressStyle::default_spinner());
     ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr())
-        .with_style(style)
+        .with_style(style(WITHOUT_BYTES))
         .with_elapsed(begin.elapsed())
 }
+
+/// Ends the program with status 130 when the user interrupts it: no temporary file stays, and no half a line.
+pub(crate) fn end_on_interrupt() {
+    // Without a handler the system ends the program, as it does others.
+    let _ = ctrlc::set_handler(|| {
+        coface::io::abandon_files();
+        let mut out = std::io::stderr();
+        if IS_SHOWN.load(Ordering::Relaxed) {
+            // Back to the start of the line of progress, and away with it.
+            let _ = out.write_all(b"\r\x1b[2K");
+        }
+        if out.is_terminal() {
+            let _ = out.write_all(b"interrupted\n");
+        }
+        std::process::exit(INTERRUPTED);
+    });
+}
+
+/// The exit status of what ended on an interrupt, as shells have it.
+const INTERRUPTED: i32 = 130;

@@ -1,17 +1,20 @@
 //! `coface convert`: from one format to another.
 
+use super::view::read_result;
 use crate::arguments::{Common, format_of_name};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
-use coface::Error;
 use coface::io::{self, CellData, Format, GroupKind, Model};
-use coface::report::{PlanarSet, RepairRequest, SetRequest, repaired, triangulated};
+use coface::report::{
+    Coloring, GltfForm, PlanarSet, RepairRequest, Scene, SetRequest, colored, gltf, repaired, triangulated,
+    vertex_colors,
+};
 use coface::surface::{FacesAtEdge, MeshRepair};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Convert a model to another format.
 ///
@@ -22,9 +25,13 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg, dat
-    #[arg(long, value_name = "FORMAT", value_parser = format_of_name)]
-    to: Option<Format>,
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg, dat; vtu, vtp, glb, gltf
+    #[arg(long, value_name = "FORMAT", value_parser = target_of_name)]
+    to: Option<Target>,
+    /// Color vertices by component, by boundary, or by the JSON of another verb such as homology --generators; for obj, ply, vtk, vtu, vtp,
+    /// glb and gltf
+    #[arg(long, value_name = "component|boundary|RESULT.json")]
+    color_by: Option<PathBuf>,
     /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed
     #[arg(long)]
     triangulate: bool,
@@ -42,6 +49,41 @@ pub(crate) struct Convert {
     orient: bool,
 }
 
+/// What is written.
+#[derive(Clone, Copy)]
+enum Target {
+    /// The model in a format that holds it.
+    Model(Format),
+    /// What is seen of it.
+    Scene(GltfForm),
+}
+
+impl Target {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Model(format) => format.name(),
+            Self::Scene(GltfForm::Binary) => "glb",
+            Self::Scene(GltfForm::Json) => "gltf",
+        }
+    }
+}
+
+fn target_of_name(name: &str) -> Result<Target, String> {
+    match name.trim_start_matches('.').to_ascii_lowercase().as_str() {
+        "glb" => Ok(Target::Scene(GltfForm::Binary)),
+        "gltf" => Ok(Target::Scene(GltfForm::Json)),
+        _ => format_of_name(name).map(Target::Model),
+    }
+}
+
+fn target_of_path(path: &Path) -> Option<Target> {
+    let extension = path.extension()?.to_str()?;
+    match extension.to_ascii_lowercase().as_str() {
+        "glb" | "gltf" => target_of_name(extension).ok(),
+        _ => Format::from_path(path).map(Target::Model),
+    }
+}
+
 /// The faces that stay together at an edge that is split.
 #[derive(Clone, Copy, ValueEnum)]
 enum Together {
@@ -52,7 +94,7 @@ enum Together {
 impl Convert {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let target = common.output.as_deref();
-        let Some(format) = self.to.or_else(|| target.and_then(Format::from_path)) else {
+        let Some(format) = self.to.or_else(|| target.and_then(target_of_path)) else {
             return Err(Failure::new(match target {
                 Some(path) => {
                     format!("{}: the extension is no format known here; say it with --to", path.display())
@@ -64,7 +106,9 @@ impl Convert {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
         }
         let progress = Progress::start(common.quiet);
-        if let Some(set) = self.planar_set(format, common, &progress)? {
+        if let Target::Model(format) = format
+            && let Some(set) = self.planar_set(format, common, &progress)?
+        {
             return self.write_set(&set, format, common, progress);
         }
         let mut loaded = input::read(&self.input, common.reading(), &progress)?;
@@ -87,27 +131,38 @@ impl Convert {
             Ok::<MeshRepair, Failure>(repair)
         });
         let repair = repair.transpose()?;
+        let (model, scene) = self.colored(loaded.model, &loaded.name, format)?;
+        progress.stage("writing");
+        let write = |out: &mut dyn std::io::Write| match (format, &scene) {
+            (Target::Scene(form), Some((scene, colors))) => {
+                Ok(out.write_all(&gltf(scene, colors.as_deref(), form)?)?)
+            }
+            (Target::Model(format), _) => io::write(&model, out, format),
+            (Target::Scene(_), None) => unreachable!("a scene is made for what shows one"),
+        };
         let Some(path) = target else {
-            progress.stage("writing");
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
             let mut bytes = Vec::new();
-            io::write(&loaded.model, &mut bytes, format)?;
+            write(&mut bytes)?;
             drop(progress);
             remark_on_repair(repair.as_ref(), common);
-            remark_on_losses(&loaded.model, format, common);
+            if let Target::Model(format) = format {
+                remark_on_losses(&model, format, common);
+            }
             return print_bytes(|out| out.write_all(&bytes));
         };
-        progress.stage(format!("writing {}", path.display()));
-        io::write_path(&loaded.model, path, Some(format)).map_err(|error: Error| error)?;
+        io::replace_file(path, |out| write(out))?;
         drop(progress);
-        remark_on_losses(&loaded.model, format, common);
+        if let Target::Model(format) = format {
+            remark_on_losses(&model, format, common);
+        }
         if common.json {
             let mut object = json!({
                 "file": loaded.name,
                 "format": loaded.format.name(),
                 "output": path.display().to_string(),
                 "output_format": format.name(),
-                "counts": counts(&loaded.model),
+                "counts": counts(&model),
             });
             if let Some(repair) = &repair {
                 object["repair"] = repair_to_json(repair);
@@ -118,6 +173,45 @@ impl Convert {
         Ok(())
     }
 
+    /// The model with colors on its vertices where they are asked for; and what is seen of it, with its own colors, where that is written.
+    #[expect(clippy::type_complexity, reason = "a scene with its colors is used once")]
+    fn colored(
+        &self,
+        model: Model,
+        name: &str,
+        target: Target,
+    ) -> Result<(Model, Option<(Scene, Option<Vec<[u8; 3]>>)>), Failure> {
+        let is_scene = matches!(target, Target::Scene(_));
+        if self.color_by.is_none() && !is_scene {
+            return Ok((model, None));
+        }
+        let mut scene = Scene::of(name, &model).map_err(|error| error.in_file(name.to_owned()))?;
+        let Some(how) = &self.color_by else { return Ok((model, Some((scene, None)))) };
+        let coloring = match how.to_str() {
+            Some("component") => Coloring::Components,
+            Some("boundary") => Coloring::Boundary,
+            _ => {
+                scene.add_result(&input::name(how), &read_result(how)?)?;
+                Coloring::Layers
+            }
+        };
+        if is_scene {
+            // Layers are there themselves.
+            let colors = (coloring != Coloring::Layers).then(|| vertex_colors(&scene, coloring));
+            return Ok((model, Some((scene, colors))));
+        }
+        if let Target::Model(format) = target
+            && !(format.keeps_data() || format == Format::Obj)
+        {
+            return Err(Failure::new(format!(
+                "a file of {} holds no colors; write obj, ply, vtk, vtu, vtp, glb or gltf",
+                format.title()
+            )));
+        }
+        let colors = vertex_colors(&scene, coloring);
+        Ok((colored(model, &colors).map_err(|error| error.in_file(name.to_owned()))?, None))
+    }
+
     /// The input as a set of the plane, if it is one and the format can hold its curves, or can hold nothing else.
     fn planar_set(
         &self,
@@ -126,7 +220,10 @@ impl Convert {
         progress: &Progress,
     ) -> Result<Option<PlanarSet>, Failure> {
         let keeps_curves = matches!(format, Format::Json | Format::Dat | Format::Svg);
-        let is_plain = !self.triangulate && self.request().is_none() && common.flatten.is_none();
+        let is_plain = self.color_by.is_none()
+            && !self.triangulate
+            && self.request().is_none()
+            && common.flatten.is_none();
         if !keeps_curves || !is_plain || self.input.as_os_str() == "-" {
             return Ok(None);
         }
@@ -215,11 +312,14 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
 /// Says that the format has no room for the groups or the data of the model, where that is so.
 pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
     // Rings are written as rings of polygons, and polygons of one feature together, which tells these.
-    let is_told = |data: &CellData| {
-        matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
-            && data.kind() == GroupKind::Lines
-            && (matches!(data.name(), "polygon" | "ring")
-                || data.name() == "feature" && format != Format::Svg)
+    let is_told = |data: &CellData| match format {
+        Format::GeoJson | Format::Wkt | Format::Svg => {
+            data.kind() == GroupKind::Lines
+                && (matches!(data.name(), "polygon" | "ring")
+                    || data.name() == "feature" && format != Format::Svg)
+        }
+        Format::Obj => data.kind() == GroupKind::Vertices && matches!(data.name(), "red" | "green" | "blue"),
+        _ => false,
     };
     let data_count = model.data().iter().filter(|data| !is_told(data)).count();
     let losses = [

@@ -3,19 +3,27 @@
 use super::view::read_result;
 use crate::arguments::Common;
 use crate::failure::Failure;
+use crate::filtration::Function;
 use crate::input;
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use clap::Args;
-use coface::report::{Camera, Picture, PictureStyle, Producer, Report, Scene, matrix_picture};
+use coface::io::{self, Format};
+use coface::report::{
+    Camera, DiagramPoint, FlatPicture, Picture, PictureStyle, PlanarSet, Report, Scene, SetPicture,
+    SetRequest, diagram_picture, matrix_picture,
+};
+use coface::topology::{Coefficients, Filtration, persistence};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Draw a model as PNG or SVG, without a browser.
 ///
 /// The picture is shaded, with edges where there is room for them, and with what --with gives drawn over it: generators, seams, loops, cocycles,
-/// sets of simplices. In SVG what is hidden is left out, and hidden parts of lines given by --with are dotted. --matrix draws the
-/// boundary matrices instead.
+/// sets of simplices. What is hidden is left out; hidden parts of lines given by --with are thin and faint. Sets of the plane are drawn with
+/// their curves, knots and kinks. --matrix, --diagram and --forest draw other pictures of the input.
+///
+/// The file named by -o has the format of its extension, .png or .svg; without -o an SVG goes to standard output.
 #[derive(Args)]
 pub(crate) struct Render {
     /// The model; - is standard input
@@ -24,9 +32,9 @@ pub(crate) struct Render {
     /// Draw an answer of coface over the model: the JSON of another verb; may be given several times
     #[arg(long, value_name = "RESULT.json")]
     with: Vec<PathBuf>,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
-    size: [usize; 2],
+    /// Width and height in pixels [default: 1200x900; that of its content for SVG of --matrix, --diagram, --forest and sets]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[usize; 2]>,
     /// The direction from the model to the eye
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = direction)]
     from: Option<[f64; 3]>,
@@ -34,7 +42,7 @@ pub(crate) struct Render {
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = direction)]
     up: Option<[f64; 3]>,
     /// See in perspective, with this angle in degrees from bottom to top
-    #[arg(long, value_name = "ANGLE", num_args = 0..=1, default_missing_value = "35")]
+    #[arg(long, value_name = "ANGLE", num_args = 0..=1, default_missing_value = "35", require_equals = true)]
     perspective: Option<f64>,
     /// Draw edges
     #[arg(long, conflicts_with = "no_edges")]
@@ -48,10 +56,26 @@ pub(crate) struct Render {
     /// Mark what is wrong: the witness of the report
     #[arg(long)]
     witness: bool,
-    /// Draw the sparsity of the boundary matrices, as SVG
-    #[arg(long, conflicts_with_all = ["with", "from", "up", "perspective", "edges", "no_edges", "dark", "witness"])]
+    /// Draw the sparsity of the boundary matrices
+    #[arg(long, conflicts_with_all = SCENE_OPTIONS)]
     matrix: bool,
+    /// Draw the persistence diagram of the input: what `coface persistence` wrote (.json, .pers), or a model that grows as --function says
+    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with = "matrix")]
+    diagram: bool,
+    /// With --diagram: the function on vertices, a coordinate or a file with one number a line for each vertex
+    #[arg(long, value_name = "x|y|z|FILE", requires = "diagram")]
+    function: Option<String>,
+    /// With --diagram: grow by superlevel sets, from high values to low ones
+    #[arg(long, requires = "diagram")]
+    upper_star: bool,
+    /// Draw a set of the plane and the forest of its curves: which lies in which
+    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "diagram"])]
+    forest: bool,
 }
+
+/// Options of pictures in space.
+const SCENE_OPTIONS: [&str; 8] =
+    ["with", "from", "up", "perspective", "edges", "no_edges", "dark", "witness"];
 
 fn size(text: &str) -> Result<[usize; 2], String> {
     let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
@@ -76,40 +100,39 @@ enum PictureFormat {
     Svg,
 }
 
+/// A picture without a size asked for has this.
+const SIZE: [usize; 2] = [1200, 900];
+
 impl Render {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let format = self.format(common.output.as_deref())?;
+        let format = picture_format(common.output.as_deref())?;
+        if self.perspective.is_some_and(|angle| !(1.0..=170.0).contains(&angle)) {
+            return Err(Failure::new("an angle of view is between 1 and 170 degrees"));
+        }
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.reading(), &progress)?;
-        progress.stage("drawing");
-        let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
-        let bytes = if self.matrix {
-            let complex =
-                Producer::of(loaded.model).and_then(Producer::into_chain_complex).map_err(in_file)?;
-            matrix_picture(&loaded.name, &complex).into_bytes()
-        } else {
-            let mut scene = Scene::of(&loaded.name, &loaded.model).map_err(in_file)?;
-            for path in &self.with {
-                scene.add_result(&input::name(path), &read_result(path)?)?;
+        let bytes = match self.flat(common, &progress)? {
+            Some(picture) => {
+                progress.stage("drawing");
+                match format {
+                    PictureFormat::Png => picture.png(self.size.unwrap_or_else(|| usual_size(&picture)))?,
+                    PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
+                }
             }
-            if self.witness {
-                scene = scene.with_report(Report::of(loaded.model).map_err(in_file)?.to_json(100));
-            }
-            let picture = Picture::new(&scene, &self.style(&scene)?)?;
-            match format {
-                PictureFormat::Png => picture.png()?,
-                PictureFormat::Svg => picture.svg().into_bytes(),
-            }
+            None => self.scene(format, common, &progress)?,
         };
-        drop(progress);
+        progress.stage("writing");
         match &common.output {
             Some(path) => write_file(path, &bytes)?,
             None if common.json => {}
-            None => return print_bytes(|out| out.write_all(&bytes)),
+            None => {
+                drop(progress);
+                return print_bytes(|out| out.write_all(&bytes));
+            }
         }
+        drop(progress);
         if common.json {
             print_json(&json!({
-                "file": loaded.name,
+                "file": input::name(&self.input),
                 "picture": common.output.as_ref().map(|path| path.display().to_string()),
                 "bytes": bytes.len(),
             }))?;
@@ -117,32 +140,112 @@ impl Render {
         Ok(())
     }
 
-    fn format(&self, output: Option<&Path>) -> Result<PictureFormat, Failure> {
-        let extension = output.and_then(Path::extension).map(|extension| extension.to_ascii_lowercase());
-        match extension.as_deref().and_then(|extension| extension.to_str()) {
-            Some("png") if self.matrix => {
-                Err(Failure::new("boundary matrices are drawn as SVG; name the output *.svg".to_owned()))
-            }
-            Some("png") => Ok(PictureFormat::Png),
-            Some("svg") | None => Ok(PictureFormat::Svg),
-            Some(other) => Err(Failure::new(format!(
-                "no picture has the extension {other}; name the output *.png or *.svg"
-            ))),
+    /// A picture that has no depth, if that is asked for or the input is a set of the plane.
+    fn flat(&self, common: &Common, progress: &Progress) -> Result<Option<FlatPicture>, Failure> {
+        let name = input::name(&self.input);
+        if self.matrix {
+            let (_, producer) = input::produce(&self.input, common.reading(), progress)?;
+            let complex = producer.into_chain_complex().map_err(|error| error.in_file(name.clone()))?;
+            return Ok(Some(matrix_picture(&format!("boundary matrices of {name}"), &complex)));
         }
+        if self.diagram {
+            let points = self.diagram_points(common, progress)?;
+            return Ok(Some(diagram_picture(&format!("persistence diagram of {name}"), &points)?));
+        }
+        if self.forest {
+            progress.stage(format!("reading {name}"));
+            let set = self.set(common).map_err(|error| error.in_file(name))?;
+            return Ok(Some(set.picture(SetPicture::Forest)?));
+        }
+        let is_plain = self.with.is_empty()
+            && !self.witness
+            && !self.dark
+            && !(self.edges || self.no_edges)
+            && self.from.is_none()
+            && self.up.is_none()
+            && self.perspective.is_none();
+        if !is_plain || self.input.as_os_str() == "-" || !self.may_be_a_set(common) {
+            return Ok(None);
+        }
+        // Whatever is no set is a model; whoever reads models says what is wrong.
+        let Ok(set) = self.set(common) else { return Ok(None) };
+        Ok(Some(set.picture(SetPicture::Kinks)?))
     }
 
-    fn style(&self, scene: &Scene) -> Result<PictureStyle, Failure> {
+    /// Whether the format of the input is one of those that hold sets of the plane.
+    fn may_be_a_set(&self, common: &Common) -> bool {
+        let format = common.format.or_else(|| Format::from_path(&self.input));
+        let formats = [Format::Json, Format::Dat, Format::Svg, Format::GeoJson, Format::Wkt];
+        format.is_none_or(|format| formats.contains(&format))
+    }
+
+    fn set(&self, common: &Common) -> Result<PlanarSet, coface::Error> {
+        let drawing = match self.input.as_os_str() == "-" {
+            true => io::read_boundary_with(std::io::stdin().lock(), &common.reading()),
+            false => io::read_boundary_path(&self.input, &common.reading()),
+        };
+        PlanarSet::of(&drawing?, &SetRequest::default())
+    }
+
+    /// The classes of a diagram: those in a file, or those of a model.
+    fn diagram_points(&self, common: &Common, progress: &Progress) -> Result<Vec<DiagramPoint>, Failure> {
+        let extension = self.input.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let is_computed = self.function.is_some() || self.upper_star || common.format.is_some();
+        if !is_computed && extension.eq_ignore_ascii_case("pers") {
+            return read_pers(&self.input);
+        }
+        if !is_computed
+            && extension.eq_ignore_ascii_case("json")
+            && let Some(points) = points_of_result(&self.input)?
+        {
+            return Ok(points);
+        }
+        let (name, producer) = input::produce(&self.input, common.reading(), progress)?;
+        let complex = producer.chain_complex()?;
+        let function = Function::choose(self.function.as_deref(), producer.positions())?;
+        let values = function.values(&producer, complex.cell_count(0))?;
+        let star = if self.upper_star { Filtration::upper_star } else { Filtration::lower_star };
+        let filtration = star(&complex, &values).map_err(|error| error.in_file(name))?;
+        progress.stage("pairing cells");
+        let diagram = persistence(&complex, &filtration, Coefficients::Modulo(2))?.longer_than(0.0);
+        let points = diagram.pairs().iter().map(|pair| DiagramPoint {
+            degree: pair.degree(),
+            birth: pair.birth(),
+            death: pair.death(),
+        });
+        Ok(points.collect())
+    }
+
+    /// The model in space.
+    fn scene(&self, format: PictureFormat, common: &Common, progress: &Progress) -> Result<Vec<u8>, Failure> {
+        let loaded = input::read(&self.input, common.reading(), progress)?;
+        progress.stage("drawing");
+        let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
+        let mut scene = Scene::of(&loaded.name, &loaded.model).map_err(in_file)?;
+        for path in &self.with {
+            scene.add_result(&input::name(path), &read_result(path)?)?;
+        }
+        if self.witness {
+            progress.stage(format!("examining {}", loaded.name));
+            scene = scene.with_report(Report::of(loaded.model).map_err(in_file)?.to_json(100));
+            progress.stage("drawing");
+        }
+        let picture = Picture::new(&scene, &self.style(&scene))?;
+        Ok(match format {
+            PictureFormat::Png => picture.png()?,
+            PictureFormat::Svg => picture.svg().into_bytes(),
+        })
+    }
+
+    fn style(&self, scene: &Scene) -> PictureStyle {
         let mut style = PictureStyle::default();
-        style.size = self.size;
+        style.size = self.size.unwrap_or(SIZE);
         style.is_dark = self.dark;
         style.edges = match (self.edges, self.no_edges) {
             (true, _) => Some(true),
             (_, true) => Some(false),
             _ => None,
         };
-        if self.perspective.is_some_and(|angle| !(1.0..=170.0).contains(&angle)) {
-            return Err(Failure::new("an angle of view is between 1 and 170 degrees".to_owned()));
-        }
         if self.from.is_some() || self.up.is_some() || self.perspective.is_some() {
             let mut camera = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
             camera.from = self.from.unwrap_or(camera.from);
@@ -150,6 +253,90 @@ impl Render {
             camera.field_of_view = self.perspective;
             style.camera = Some(camera);
         }
-        Ok(style)
+        style
     }
+}
+
+/// The format of a picture of this name; SVG without a name.
+fn picture_format(output: Option<&Path>) -> Result<PictureFormat, Failure> {
+    let Some(path) = output else { return Ok(PictureFormat::Svg) };
+    match path.extension().map(|extension| extension.to_ascii_lowercase()).as_deref() {
+        Some(extension) if extension == "png" => Ok(PictureFormat::Png),
+        Some(extension) if extension == "svg" => Ok(PictureFormat::Svg),
+        Some(other) => Err(Failure::new(format!(
+            "{}: no picture has the extension {}; name the output *.png or *.svg",
+            path.display(),
+            other.display()
+        ))),
+        None => Err(Failure::new(format!("{}: name the output *.png or *.svg", path.display()))),
+    }
+}
+
+/// Twice the size that a picture has by itself, so that letters are clear, but not beyond 4000 pixels.
+fn usual_size(picture: &FlatPicture) -> [usize; 2] {
+    let size = picture.size();
+    let scale = (4000.0 / size[0].max(size[1])).min(2.0);
+    size.map(|side| (scale * side).round().max(1.0) as usize)
+}
+
+/// The classes in the JSON of `coface persistence`; none if it is other JSON.
+fn points_of_result(path: &Path) -> Result<Option<Vec<DiagramPoint>>, Failure> {
+    if !path.is_file() {
+        return Ok(None);
+    }
+    let result = read_result(path)?;
+    let Some(pairs) = result["diagram"].as_array() else { return Ok(None) };
+    let point = |pair: &serde_json::Value| {
+        Some(DiagramPoint {
+            degree: usize::try_from(pair["degree"].as_u64()?).ok().filter(|&degree| degree < MOST_DEGREES)?,
+            birth: pair["birth"].as_f64()?,
+            death: match &pair["death"] {
+                death if death.is_null() => None,
+                death => Some(death.as_f64()?),
+            },
+        })
+    };
+    let points: Option<Vec<DiagramPoint>> = pairs.iter().map(point).collect();
+    points.map(Some).ok_or_else(|| {
+        Failure::new(format!(
+            "{}: an entry of \"diagram\" has no \"degree\", \"birth\" and \"death\"; give what coface persistence wrote",
+            path.display()
+        ))
+    })
+}
+
+/// No complex here has more degrees.
+const MOST_DEGREES: usize = 64;
+
+/// The classes in a `.pers` file: a line for each, with the field (which may be left out), the degree, birth and death.
+fn read_pers(path: &Path) -> Result<Vec<DiagramPoint>, Failure> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::new(format!("{}: cannot be read: {error}", path.display())))?;
+    let mut points = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default();
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let point = match words[..] {
+            [] => continue,
+            [degree, birth, death] | [_, degree, birth, death] => degree
+                .parse()
+                .ok()
+                .filter(|&degree| degree < MOST_DEGREES)
+                .zip(birth.parse().ok())
+                .zip(death.parse().ok())
+                .map(|((degree, birth), death)| (degree, birth, death)),
+            _ => None,
+        };
+        let Some((degree, birth, death)) =
+            point.filter(|(_, birth, death): &(usize, f64, f64)| birth.is_finite() && !death.is_nan())
+        else {
+            return Err(Failure::new(format!(
+                "{}:{}: this is no class; a line is \"field degree birth death\"",
+                path.display(),
+                number + 1
+            )));
+        };
+        points.push(DiagramPoint { degree, birth, death: Some(death).filter(|death| death.is_finite()) });
+    }
+    Ok(points)
 }

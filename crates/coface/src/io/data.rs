@@ -80,6 +80,28 @@ impl CellData {
         Self::checked(name.into(), kind, components, Numbers::Float64(values))
     }
 
+    /// Numbers from 0 to 255, row after row, such as colors; formats with types keep them in one byte each.
+    ///
+    /// # Errors
+    /// As those of [`Self::integers`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{CellData, GroupKind};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let red = CellData::bytes("red", GroupKind::Vertices, 1, vec![255, 0])?;
+    /// assert_eq!(red.integer_row(0), Some(vec![255]));
+    /// # Ok(()) }
+    /// ```
+    pub fn bytes(
+        name: impl Into<String>,
+        kind: GroupKind,
+        components: usize,
+        values: Vec<u8>,
+    ) -> Result<Self, Error> {
+        Self::checked(name.into(), kind, components, Numbers::UInt8(values))
+    }
+
     fn checked(name: String, kind: GroupKind, components: usize, numbers: Numbers) -> Result<Self, Error> {
         if name.is_empty() {
             return Err(Error::invalid("data without a name").with_cure("name them"));

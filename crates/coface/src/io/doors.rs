@@ -1,5 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
+use super::watching::{ReadProgress, Watched};
 use super::{
     Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg,
     vtk, wkt, yin,
@@ -45,6 +46,8 @@ pub struct ReadOptions {
     pub format: Option<Format>,
     /// The farthest that chords may be from the curves of an SVG, in its unit; curves are refused without it.
     pub flatten: Option<f64>,
+    /// Where it is counted how far reading a file has come.
+    pub progress: Option<&'static ReadProgress>,
 }
 
 impl ReadOptions {
@@ -93,7 +96,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
         };
     }
     let read = || {
-        let mut file = open(path)?;
+        let mut file = watched(path, options)?;
         let (start, whole) = start_of(&mut file)?;
         let format = match format {
             Some(format) => format,
@@ -194,7 +197,7 @@ pub fn read_boundary_path(
         };
     }
     let read = || {
-        let mut file = open(path)?;
+        let mut file = watched(path, options)?;
         let (start, whole) = start_of(&mut file)?;
         if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
             return factories_started(&start, whole, &mut file);
@@ -315,6 +318,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Medit => medit::write(model, out),
         Format::Msh => msh::write(model, out, msh::Version::default()),
         Format::Vtk => vtk::write(model, out, vtk::Encoding::default()),
+        Format::VtkGrid => vtk::write_xml(model, out, vtk::XmlKind::UnstructuredGrid),
+        Format::VtkPolygons => vtk::write_xml(model, out, vtk::XmlKind::PolyData),
         Format::Json => json::write(model, out),
         Format::Isosig => isosig::write(model, out),
         Format::Lines => lines_text::write(model, out),
@@ -352,7 +357,7 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
         Some(format) => format,
         None => {
             return Err(Error::new(ErrorKind::UnsupportedFormat, "the name tells no format to write")
-                .with_cure(format!("end it in one of {}, or give --format", format::names()))
+                .with_cure(format!("end it in one of {}, or give --format", format::written_names()))
                 .in_file(path.display().to_string()));
         }
     };
@@ -365,6 +370,13 @@ fn entry_of(path: &Path) -> Option<(&Path, &str)> {
     text.match_indices('#')
         .map(|(at, _)| (Path::new(&text[..at]), &text[at + 1..]))
         .find(|(file, _)| file.is_file())
+}
+
+/// A file whose bytes are counted as the options say.
+fn watched(path: &Path, options: &ReadOptions) -> Result<Watched<File>, Error> {
+    let file = open(path)?;
+    let total = file.metadata().map_or(0, |metadata| metadata.len());
+    Ok(Watched::new(file, total, options.progress))
 }
 
 fn open(path: &Path) -> Result<File, Error> {
@@ -419,6 +431,10 @@ fn read_started(
         Format::Wkt => wkt::read(input)?,
         Format::Svg => svg::read_with(input, flatten)?,
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
+        Format::VtkGrid | Format::VtkPolygons => {
+            return Err(Error::new(ErrorKind::UnsupportedFormat, "VTK XML is written here, but not read")
+                .with_cure("save it as legacy .vtk"));
+        }
     };
     Ok(model.with_format(format))
 }

@@ -4,7 +4,7 @@ use super::{geojson, isosig, lines_text, wkt, yin};
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
-/// A file format that is read and written here.
+/// A file format that is read and written here, or written only: see [`Self::EXPORTS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Format {
@@ -36,6 +36,10 @@ pub enum Format {
     Svg,
     /// Binary curves of sets in the plane.
     Dat,
+    /// VTK XML, unstructured grids: written only.
+    VtkGrid,
+    /// VTK XML, polygonal data: written only.
+    VtkPolygons,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -47,7 +51,10 @@ enum Likeness {
 }
 
 impl Format {
-    /// All formats.
+    /// The formats that are written for other programs and not read.
+    pub const EXPORTS: [Self; 2] = [Self::VtkGrid, Self::VtkPolygons];
+
+    /// All formats that are read.
     pub const ALL: [Self; 14] = [
         Self::Off,
         Self::Obj,
@@ -66,7 +73,7 @@ impl Format {
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`.
+    /// `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`; `vtu`, `vtp`.
     ///
     /// # Examples
     /// ```
@@ -100,6 +107,8 @@ impl Format {
             Self::Wkt => &["wkt"],
             Self::Svg => &["svg"],
             Self::Dat => &["dat"],
+            Self::VtkGrid => &["vtu"],
+            Self::VtkPolygons => &["vtp"],
         }
     }
 
@@ -126,6 +135,7 @@ impl Format {
             Self::Wkt => "WKT",
             Self::Svg => "SVG",
             Self::Dat => "binary curves",
+            Self::VtkGrid | Self::VtkPolygons => "VTK XML",
         }
     }
 
@@ -147,7 +157,7 @@ impl Format {
             "gmsh" => return Ok(Self::Msh),
             _ => {}
         }
-        Self::ALL.into_iter().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
+        Self::known().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
             Error::new(
                 ErrorKind::UnsupportedFormat,
                 format!("\"{}\" is no format known here", lower.escape_debug()),
@@ -175,7 +185,7 @@ impl Format {
     /// assert!(Format::Vtk.keeps_data() && Format::Ply.keeps_data() && !Format::Obj.keeps_data());
     /// ```
     pub const fn keeps_data(self) -> bool {
-        matches!(self, Self::Ply | Self::Vtk)
+        matches!(self, Self::Ply | Self::Vtk | Self::VtkGrid | Self::VtkPolygons)
     }
 
     /// The format that the extension of a path tells.
@@ -188,7 +198,11 @@ impl Format {
     /// ```
     pub fn from_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+        Self::known().find(|format| format.extensions().contains(&extension.as_str()))
+    }
+
+    fn known() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().chain(Self::EXPORTS)
     }
 
     /// The format that the first bytes of a file look like. The more bytes, the surer: some thousand do. `whole` says
@@ -252,6 +266,7 @@ impl Format {
             Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
             Self::Svg => certain_if(is_svg(start)),
             Self::Dat => certain_if(yin::is_dat(start, whole)),
+            Self::VtkGrid | Self::VtkPolygons => Likeness::No,
         }
     }
 }
@@ -259,6 +274,11 @@ impl Format {
 /// The names of all formats, for an error message.
 pub(super) fn names() -> String {
     Format::ALL.map(Format::name).join(", ")
+}
+
+/// The names of all formats that are written, for an error message.
+pub(super) fn written_names() -> String {
+    format!("{}, {}", names(), Format::EXPORTS.map(Format::name).join(", "))
 }
 
 /// Decides the format of a file from its first bytes and, if it has one, its name.

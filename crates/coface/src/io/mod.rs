@@ -37,6 +37,7 @@ pub mod stl;
 pub mod svg;
 mod values;
 pub mod vtk;
+mod watching;
 pub mod wkt;
 pub mod yin;
 
@@ -50,4 +51,5 @@ pub(crate) use drawing::{Features, Shape, shapes};
 pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};
 pub(crate) use model::{repeated_vertex, segments};
-pub use output::replace_file;
+pub use output::{abandon_files, replace_file};
+pub use watching::ReadProgress;

@@ -211,6 +211,22 @@ impl Model {
         Ok(self)
     }
 
+    /// The model without the array of this name on vertices, lines, polygons or cells, if there is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{self, CellData, Format, GroupKind};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let point = io::read(&b"v 0 0 0\np 1\n"[..], Format::Obj)?;
+    /// let model = point.with_data(CellData::reals("x", GroupKind::Vertices, 1, vec![0.5])?)?;
+    /// assert!(model.without_data("x", GroupKind::Vertices).data().is_empty());
+    /// # Ok(()) }
+    /// ```
+    pub fn without_data(mut self, name: &str, kind: GroupKind) -> Self {
+        self.data.retain(|data| data.kind() != kind || data.name() != name);
+        self
+    }
+
     /// A model that is an abstract structure.
     pub fn from_structure(structure: Structure) -> Self {
         Self { structure: Some(structure), ..Self::default() }

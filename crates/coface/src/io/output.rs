@@ -4,6 +4,32 @@ use crate::{Error, ErrorKind};
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The temporary files that are there now. Files are made and renamed under this lock.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes the temporary files that [`replace_file`] is writing in other threads, and lets no other be made or finished: for a program that
+/// is about to end before its work is done, when its user interrupts it. Whoever writes a file afterwards waits for ever.
+///
+/// # Examples
+/// ```no_run
+/// // In what is called when the user interrupts:
+/// coface::io::abandon_files();
+/// std::process::exit(130);
+/// ```
+pub fn abandon_files() {
+    let files = unfinished();
+    for path in files.iter() {
+        // What cannot be removed stays; there is nobody to tell any more.
+        let _ = fs::remove_file(path);
+    }
+    std::mem::forget(files);
+}
 
 /// Writes a file by way of a temporary one beside it, which takes its place when it is complete: nothing half-written
 /// is ever left at `path`, and on an error the temporary file is removed and an older file at `path` stays as it was.
@@ -75,8 +101,12 @@ impl Temporary {
             hidden.push(name);
             hidden.push(format!(".{}-{attempt}.part", std::process::id()));
             let path = target.with_file_name(hidden);
+            let mut unfinished = unfinished();
             match OpenOptions::new().write(true).create_new(true).open(&path) {
-                Ok(file) => return Ok((Self { path, renamed: false }, file)),
+                Ok(file) => {
+                    unfinished.push(path.clone());
+                    return Ok((Self { path, renamed: false }, file));
+                }
                 Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
                 Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                     return Err(Error::new(ErrorKind::Io, "the folder to write to does not exist")
@@ -92,7 +122,9 @@ impl Temporary {
     }
 
     fn rename(mut self, target: &Path) -> Result<(), Error> {
+        let mut unfinished = unfinished();
         fs::rename(&self.path, target)?;
+        unfinished.retain(|path| *path != self.path);
         self.renamed = true;
         Ok(())
     }
@@ -101,6 +133,8 @@ impl Temporary {
 impl Drop for Temporary {
     fn drop(&mut self) {
         if !self.renamed {
+            let mut unfinished = unfinished();
+            unfinished.retain(|path| *path != self.path);
             // The file is of no use; if it cannot be removed there is nothing better to do.
             let _ = fs::remove_file(&self.path);
         }

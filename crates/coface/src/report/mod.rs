@@ -43,7 +43,10 @@ pub use json::{groups_to_json, integer_to_json};
 pub use moments::Moment;
 pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
-pub use picture::{Camera, Picture, PictureStyle, matrix_picture};
+pub use picture::{
+    Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, colored, diagram_picture,
+    gltf, matrix_picture, palette_color, vertex_colors,
+};
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
     is_planar,

@@ -73,6 +73,8 @@ pub(crate) fn check_format((path, format): (&Path, Format)) -> Result<(), Failur
         | Format::Medit
         | Format::Msh
         | Format::Vtk
+        | Format::VtkGrid
+        | Format::VtkPolygons
         | Format::Json => Ok(()),
         _ => Err(Failure::new(format!(
             "{}: that format holds no polygons in space; write .vtk, .ply, .obj, .off, .stl, .mesh, .msh or .json",

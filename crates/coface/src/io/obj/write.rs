@@ -3,7 +3,8 @@
 use super::groups::MOST_NAMES;
 use crate::io::decimal::{flush, push_f64, push_natural};
 use crate::io::limits::{require_dimension, require_mesh};
-use crate::io::{GroupKind, Model};
+use crate::io::numbers::Numbers;
+use crate::io::{CellData, GroupKind, Model};
 use crate::{Error, ErrorKind};
 use std::io::Write;
 
@@ -11,7 +12,8 @@ use std::io::Write;
 ///
 /// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Groups of
 /// polygons are written as `g`, with all names of a polygon in one statement; `_` stands for the blanks in a name, which
-/// `g` does not allow. OBJ has no names for vertices and lines: such groups are left out.
+/// `g` does not allow. Data `red`, `green` and `blue` on vertices, a byte each, stand behind the coordinates as numbers from 0 to 1, as many
+/// programs write and read them; our reader passes over them. OBJ has no names for vertices and lines: such groups are left out.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has 3-cells, no positions or more than three
@@ -33,11 +35,17 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let names = Names::new(model)?;
     let mut text =
         format!("# {} vertices, {} polygons\n", model.vertex_count, model.polygons.len()).into_bytes();
-    for point in model.positions.as_flat().chunks_exact(model.positions.dimension().max(1)) {
+    let colors = colors_of(model);
+    let points = model.positions.as_flat().chunks_exact(model.positions.dimension().max(1));
+    for (vertex, point) in points.enumerate() {
         text.push(b'v');
         for i in 0..3 {
             text.push(b' ');
             push_f64(&mut text, point.get(i).copied().unwrap_or(0.0));
+        }
+        for color in colors.iter().flatten() {
+            text.push(b' ');
+            push_short(&mut text, color.numbers().real(vertex) / 255.0);
         }
         text.push(b'\n');
         flush(&mut text, &mut output)?;
@@ -72,6 +80,21 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     output.write_all(&text)?;
     output.flush()?;
     Ok(())
+}
+
+/// The data that are colors of vertices: red, green and blue, each from 0 to 255.
+fn colors_of(model: &Model) -> Option<[&CellData; 3]> {
+    let part = |name| {
+        model
+            .data_named(name, GroupKind::Vertices)
+            .filter(|data| data.components() == 1 && matches!(data.numbers(), Numbers::UInt8(_)))
+    };
+    Some([part("red")?, part("green")?, part("blue")?])
+}
+
+/// A share with at most four decimals.
+fn push_short(text: &mut Vec<u8>, share: f64) {
+    push_f64(text, (share * 1e4).round() / 1e4);
 }
 
 /// The names of the groups of polygons and where they begin and end.

@@ -1,4 +1,4 @@
-//! Legacy VTK, text and binary.
+//! Legacy VTK, text and binary; VTK XML is written only.
 //!
 //! Unstructured grids, polygonal data, and structured, rectilinear and uniform grids, which become hexahedra,
 //! quadrangles or lines. Cells of higher order are read by their corners, with a warning. Data on points and cells are
@@ -15,6 +15,8 @@ mod reading;
 #[cfg(test)]
 mod tests;
 mod writing;
+mod xml;
 
 pub use reading::read;
 pub use writing::{Encoding, write};
+pub use xml::{XmlKind, write_xml};

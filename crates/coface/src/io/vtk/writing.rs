@@ -95,20 +95,7 @@ pub fn write(model: &Model, mut out: impl Write, encoding: Encoding) -> Result<(
     numbers.end_block();
 
     numbers.line(&format!("CELL_TYPES {count}"));
-    let points = model.points.iter().map(|_| 1);
-    let lines = model.lines.iter().map(|line| if line.len() == 2 { 3 } else { 4 });
-    let polygons = model.polygons.iter().map(|polygon| match polygon.len() {
-        3 => 5,
-        4 => 9,
-        _ => 7,
-    });
-    let cells = model.shapes.iter().map(|shape| match shape {
-        CellShape::Tetrahedron => 10,
-        CellShape::Hexahedron => 12,
-        CellShape::Wedge => 13,
-        CellShape::Pyramid => 14,
-    });
-    for number in points.chain(lines).chain(polygons).chain(cells) {
+    for number in cell_types(model) {
         numbers.integer(number, true);
         flush(&mut numbers.text, &mut out)?;
     }
@@ -138,8 +125,26 @@ pub fn write(model: &Model, mut out: impl Write, encoding: Encoding) -> Result<(
     Ok(())
 }
 
+/// The types of all cells in the order of writing.
+pub(super) fn cell_types(model: &Model) -> impl Iterator<Item = u32> {
+    let points = model.points.iter().map(|_| 1);
+    let lines = model.lines.iter().map(|line| if line.len() == 2 { 3 } else { 4 });
+    let polygons = model.polygons.iter().map(|polygon| match polygon.len() {
+        3 => 5,
+        4 => 9,
+        _ => 7,
+    });
+    let cells = model.shapes.iter().map(|shape| match shape {
+        CellShape::Tetrahedron => 10,
+        CellShape::Hexahedron => 12,
+        CellShape::Wedge => 13,
+        CellShape::Pyramid => 14,
+    });
+    points.chain(lines).chain(polygons).chain(cells)
+}
+
 /// For each cell in the order of writing the number of its first group, from 1.
-fn group_numbers(model: &Model, count: usize) -> Vec<u32> {
+pub(super) fn group_numbers(model: &Model, count: usize) -> Vec<u32> {
     let mut numbers = vec![0; count];
     let lines = model.points.len();
     let polygons = lines + model.lines.len();

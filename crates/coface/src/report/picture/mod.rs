@@ -1,18 +1,38 @@
-//! Still pictures of scenes: PNG by a depth buffer, SVG with what is hidden left out; sparsity of boundary matrices.
+//! Still pictures, and models for programs that show them: of scenes, as PNG by a depth buffer and as SVG with what is hidden left out; flat ones of boundary matrices,
+//! persistence diagrams and sets of the plane; scenes as glTF, and colors of vertices.
 //!
 //! # Words and conventions
 //! * Pixels count from the upper left corner; x goes to the right, y down. **Depth** grows away from the eye and is linear in the
 //!   picture, also in perspective.
 //! * A **camera** looks at the middle of the scene from a direction, so that all of it is in the picture.
-//! * A layer that is not shown at first is not drawn.
+//! * A layer that is not shown at first is not drawn. What hides lines of layers lets them shine through faintly.
+//! * A **facet** is a triangle in the picture. A **flat picture** has no depth: one part is painted over the other.
+//! * PNG needs no fonts: letters are strokes. The same picture has the same bytes on every machine.
 
 mod camera;
+mod canvas;
+mod coloring;
+mod diagram;
+mod flat;
+mod gltf;
+mod letters;
 mod matrix;
+mod painting;
 mod palette;
 mod raster;
+mod scene_picture;
+mod sight;
 mod style;
 mod svg;
 
 pub use camera::Camera;
+pub use coloring::{Coloring, colored, vertex_colors};
+pub use diagram::{DiagramPoint, diagram_picture};
+pub use flat::FlatPicture;
+pub(super) use flat::{Anchor, Step};
+pub use gltf::{GltfForm, gltf};
 pub use matrix::matrix_picture;
-pub use style::{Picture, PictureStyle};
+pub use palette::palette_color;
+pub(super) use palette::{Color, of as color_of};
+pub use scene_picture::Picture;
+pub use style::PictureStyle;

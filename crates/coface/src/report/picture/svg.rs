@@ -1,168 +1,174 @@
-//! Pictures as SVG: what is hidden is left out.
+//! Pictures of scenes as SVG: what is hidden is left out.
 
 use super::Picture;
-use super::palette::hex;
-use super::raster::{NOTHING, Raster};
-use super::style::shown;
+use super::painting::painting_order;
+use super::palette::{hex, packed};
+use super::scene_picture::{
+    DOT_WIDTH, EDGE_WIDTH, HIDDEN_SHARE, HIDDEN_WIDTH, LINE_WIDTH, POINT_WIDTH, TEXT_SIZE, WIRE_WIDTH, shown,
+};
+use super::sight::Sight;
 use std::fmt::Write;
 
+/// Pixels of the depth buffer to one of the picture, in each direction.
+const FACTOR: usize = 2;
+
 impl Picture<'_> {
-    /// The picture as SVG: the triangles that are seen, from back to front, then the parts of edges and of layers that nothing
-    /// hides; hidden parts of layers are dotted. What is hidden is told by a depth buffer of the size of the picture, twice as fine.
+    /// The picture as SVG: the triangles that are seen, those behind first, then the parts of edges and layers that nothing hides;
+    /// hidden parts of the lines of layers are thin and faint. What is hidden is told by a depth buffer of the size of the picture, twice
+    /// as fine.
     ///
     /// # Complexity
     /// Linear in the triangles, the pixels and the lengths of lines in pixels, and sorting what is seen.
     pub fn svg(&self) -> String {
-        const FACTOR: usize = 2;
-        let raster = self.raster(FACTOR, false);
+        let mut raster = self.raster(FACTOR);
+        let order = painting_order(&self.facets, &mut raster, FACTOR);
         let [width, height] = self.size;
         let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" font-size=\"{TEXT_SIZE}\">\n<title>{}</title>\n<path d=\"M0 0H{width}V{height}H0Z\" fill=\"{}\"/>\n",
+            escaped(self.scene.title()),
             hex(self.theme.background)
         );
-        self.push_triangles(&raster, &mut text);
-        let at = |vertex: u32| self.projection.project(self.scene.positions()[vertex as usize]);
-        let sight = Sight { raster: &raster, factor: FACTOR as f64, slack: 1.5 * self.reach() };
-        if self.shows_edges {
-            let _ = writeln!(
-                text,
-                "<g stroke=\"{}\" stroke-width=\"0.6\" stroke-linecap=\"round\" fill=\"none\">",
-                hex(self.theme.edge)
-            );
-            for [a, b] in self.scene.edges() {
-                sight.parts([at(a), at(b)], |part, is_seen| {
-                    if is_seen {
-                        push_line(&mut text, part, "");
-                    }
-                });
+        self.push_facets(&order, &mut text);
+        let sight = Sight { raster: &raster, factor: FACTOR as f64, slack: 1.5 * self.reach };
+        for (edges, width, color) in
+            [(&self.edges, EDGE_WIDTH, self.theme.edge), (&self.wires, WIRE_WIDTH, self.theme.ink)]
+        {
+            let lines = edges.iter().map(|edge| edge.map(|vertex| self.place(vertex)));
+            let [seen, _] = paths(&sight, lines);
+            if !seen.is_empty() {
+                let _ = writeln!(
+                    text,
+                    "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\" stroke-linecap=\"round\" d=\"{seen}\"/>",
+                    hex(color)
+                );
             }
-            text += "</g>\n";
+        }
+        let ink = hex(self.theme.ink);
+        for &vertex in &self.dots {
+            push_dot(&sight, self.place(vertex), DOT_WIDTH, &ink, &mut text);
         }
         for (layer, color) in shown(self.scene) {
-            let own = |point: u32| match &layer.positions {
-                Some(own) => self.projection.project(own[point as usize]),
-                None => at(point),
-            };
-            let _ = writeln!(
-                text,
-                "<g stroke=\"{0}\" stroke-width=\"3\" stroke-linecap=\"round\" fill=\"{0}\"><title>{1}</title>",
-                hex(color),
-                escaped(&layer.name)
-            );
-            for line in layer.lines.iter() {
-                for pair in line.windows(2) {
-                    sight.parts([own(pair[0]), own(pair[1])], |part, is_seen| {
-                        let dots = " stroke-width=\"1\" stroke-dasharray=\"1 4\"";
-                        push_line(&mut text, part, if is_seen { "" } else { dots });
-                    });
-                }
+            let color = hex(color);
+            let _ = writeln!(text, "<g fill=\"none\" stroke=\"{color}\" stroke-linecap=\"round\">");
+            let _ = writeln!(text, "<title>{}</title>", escaped(&layer.name));
+            let pairs = layer.lines.iter().flat_map(|line| line.windows(2));
+            let lines = pairs.map(|pair| [pair[0], pair[1]].map(|point| self.place_in(layer, point)));
+            let [seen, hidden] = paths(&sight, lines);
+            if !hidden.is_empty() {
+                let share = f64::from(HIDDEN_SHARE) / 256.0;
+                let _ = writeln!(
+                    text,
+                    "<path stroke-width=\"{HIDDEN_WIDTH}\" stroke-opacity=\"{share}\" d=\"{hidden}\"/>"
+                );
             }
-            for &point in &layer.points {
-                let [x, y, _] = own(point);
-                let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3.5\" stroke=\"none\"/>");
+            if !seen.is_empty() {
+                let _ = writeln!(text, "<path stroke-width=\"{LINE_WIDTH}\" d=\"{seen}\"/>");
             }
             text += "</g>\n";
+            for &point in &layer.points {
+                push_dot(&sight, self.place_in(layer, point), POINT_WIDTH, &color, &mut text);
+            }
+            for (point, label) in &layer.labels {
+                let [x, y, _] = self.place_in(layer, *point);
+                let [x, y] = [x + 6.0, y - 6.0];
+                let _ = writeln!(
+                    text,
+                    "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{color}\">{}</text>",
+                    escaped(label)
+                );
+            }
         }
         text += "</svg>\n";
         text
     }
 
-    fn push_triangles(&self, raster: &Raster, text: &mut String) {
-        let count = self.scene.triangles().len();
-        let mut is_seen = vec![false; count];
-        raster
-            .seen
-            .iter()
-            .filter(|&&number| number != NOTHING)
-            .for_each(|&number| is_seen[number as usize] = true);
-        let mut seen: Vec<(f64, usize)> = (0..count)
-            .filter(|&number| is_seen[number])
-            .map(|number| {
-                let corners = self.scene.triangles()[number].map(|v| self.scene.positions()[v as usize]);
-                (corners.iter().map(|&corner| self.projection.project(corner)[2]).sum(), number)
-            })
-            .collect();
-        seen.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        for (_, number) in seen {
-            let corners = self.scene.triangles()[number].map(|v| self.scene.positions()[v as usize]);
-            let fill = hex(self.shade(corners, self.theme.surface));
-            let places = corners.map(|corner| self.projection.project(corner));
-            let _ = write!(text, "<polygon points=\"");
-            for (i, [x, y, _]) in places.into_iter().enumerate() {
-                let _ = write!(text, "{}{x:.2},{y:.2}", if i == 0 { "" } else { " " });
+    /// The facets of this order; those of one color that come after each other are one path.
+    fn push_facets(&self, order: &[u32], text: &mut String) {
+        // A thin rim of the same color closes the gaps that antialiasing leaves.
+        text.push_str("<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n");
+        for run in order
+            .chunk_by(|&a, &b| packed(self.facets[a as usize].color) == packed(self.facets[b as usize].color))
+        {
+            let _ = write!(text, "<path color=\"{}\" d=\"", hex(self.facets[run[0] as usize].color));
+            for &number in run {
+                for (place, [x, y, _]) in self.facets[number as usize].corners.into_iter().enumerate() {
+                    text.push(if place == 0 { 'M' } else { 'L' });
+                    push_point(text, [x, y]);
+                }
+                text.push('Z');
             }
-            // A thin rim of the same color closes the gaps that antialiasing leaves.
-            let _ = writeln!(text, "\" fill=\"{fill}\" stroke=\"{fill}\" stroke-width=\"0.4\"/>");
+            text.push_str("\"/>\n");
         }
-        for (layer, color) in shown(self.scene) {
-            for triangle in &layer.triangles {
-                let corners = triangle.map(|p| match &layer.positions {
-                    Some(own) => own[p as usize],
-                    None => self.scene.positions()[p as usize],
-                });
-                let places = corners.map(|corner| self.projection.project(corner));
-                let list: Vec<String> = places.iter().map(|[x, y, _]| format!("{x:.2},{y:.2}")).collect();
-                let fill = hex(self.shade(corners, color));
-                let _ = writeln!(
-                    text,
-                    "<polygon points=\"{}\" fill=\"{fill}\" fill-opacity=\"0.8\"/>",
-                    list.join(" ")
-                );
-            }
-        }
+        text.push_str("</g>\n");
     }
 }
 
-/// What can be seen past the triangles of a picture.
-struct Sight<'a> {
-    raster: &'a Raster,
-    factor: f64,
-    /// So much behind a triangle, a line on it still counts as in front.
-    slack: f64,
-}
-
-impl Sight<'_> {
-    /// Calls back with the parts of a line, and whether each is seen.
-    fn parts(&self, [a, b]: [[f64; 3]; 2], mut found: impl FnMut([[f64; 3]; 2], bool)) {
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-        let steps = (length * self.factor).ceil().clamp(1.0, 1e5) as usize;
-        let along = |step: usize| {
-            let share = step as f64 / steps as f64;
-            [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]))
-        };
-        let (mut start, mut state) = (0, self.is_seen(along(0)));
-        for step in 1..=steps {
-            let next = self.is_seen(along(step));
-            if next != state || step == steps {
-                found([along(start), along(step)], state);
-                (start, state) = (step, next);
+/// The data of two paths: what is seen of lines, and what is hidden.
+fn paths(sight: &Sight<'_>, lines: impl Iterator<Item = [[f64; 3]; 2]>) -> [String; 2] {
+    let mut paths = [String::new(), String::new()];
+    let mut ends = [[f64::NAN; 2]; 2];
+    for line in lines {
+        sight.parts(line, |[[ax, ay, _], [bx, by, _]], is_seen| {
+            let place = usize::from(!is_seen);
+            let path = &mut paths[place];
+            if ends[place] != [ax, ay] {
+                path.push('M');
+                push_point(path, [ax, ay]);
             }
-        }
+            path.push('L');
+            push_point(path, [bx, by]);
+            ends[place] = [bx, by];
+        });
     }
-
-    /// Whether a place is in front of what is drawn in its pixel or in one beside it.
-    fn is_seen(&self, [x, y, depth]: [f64; 3]) -> bool {
-        let (column, row) = ((x * self.factor).floor() as i64, (y * self.factor).floor() as i64);
-        (-1..=1).any(|down| {
-            (-1..=1).any(|right| {
-                let (column, row) = (column + right, row + down);
-                let inside = column >= 0
-                    && row >= 0
-                    && (column as usize) < self.raster.width
-                    && (row as usize) < self.raster.height;
-                !inside
-                    || depth - self.slack
-                        <= f64::from(self.raster.depths[row as usize * self.raster.width + column as usize])
-            })
-        })
-    }
+    paths
 }
 
-fn push_line(text: &mut String, [a, b]: [[f64; 3]; 2], attributes: &str) {
-    let _ = writeln!(text, "<path d=\"M{:.2} {:.2}L{:.2} {:.2}\"{attributes}/>", a[0], a[1], b[0], b[1]);
+fn push_dot(sight: &Sight<'_>, place: [f64; 3], width: f64, color: &str, text: &mut String) {
+    let opacity = if sight.is_seen(place) { "" } else { " fill-opacity=\"0.375\"" };
+    let [x, y, _] = place;
+    let radius = 0.5 * width;
+    let _ = writeln!(text, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"{color}\"{opacity}/>");
 }
 
-/// Text that can stand in XML.
+/// Two numbers with at most one decimal.
+pub(super) fn push_point(text: &mut String, [x, y]: [f64; 2]) {
+    push_short(text, x);
+    text.push(' ');
+    push_short(text, y);
+}
+
+/// A number with one decimal, or none where that is 0.
+pub(super) fn push_short(text: &mut String, number: f64) {
+    let tenths = (10.0 * number).round();
+    let _ = if tenths % 10.0 == 0.0 {
+        write!(text, "{:.0}", tenths / 10.0 + 0.0)
+    } else {
+        write!(text, "{:.1}", tenths / 10.0)
+    };
+}
+
+/// Text that can stand in XML: what it may not hold is left out.
 pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    let allowed: String = text.chars().filter(|&c| c >= ' ' || matches!(c, '\t' | '\n')).collect();
+    allowed.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let mut text = String::new();
+        [3.0, 2.96, 2.94, -0.01, -1.25, 1e6].into_iter().for_each(|number| {
+            push_short(&mut text, number);
+            text.push(' ');
+        });
+        assert_eq!(text, "3 3 2.9 0 -1.3 1000000 ");
+    }
+
+    #[test]
+    fn no_text_breaks_the_file() {
+        assert_eq!(escaped("a<b> & \"c\"\u{1}"), "a&lt;b&gt; &amp; &quot;c&quot;");
+    }
 }

@@ -161,6 +161,16 @@ impl Scene {
         }
     }
 
+    /// Whether there are 3-cells.
+    pub fn has_cells(&self) -> bool {
+        !self.cells.is_empty()
+    }
+
+    /// What it is called.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
     /// The positions of the vertices.
     pub fn positions(&self) -> &[[f64; 3]] {
         &self.positions

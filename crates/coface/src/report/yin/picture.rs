@@ -1,8 +1,9 @@
-//! Pictures of sets as SVG.
+//! Pictures of sets.
 
 use super::PlanarSet;
 use crate::Error;
 use crate::io::yin::flattened;
+use crate::report::picture::{Anchor, Color, FlatPicture, Step, color_of};
 use crate::yin::{Curve, Order};
 use std::fmt::Write as _;
 use std::io::Write;
@@ -30,7 +31,14 @@ const STEP: f64 = 40.0;
 
 const INK: &str = "#246";
 const FILL: &str = "#9ac";
-const MARK: &str = "#c33";
+
+/// The same in pictures for the eye.
+const BLUE: Color = color_of(0x224466);
+const PALE: Color = color_of(0x99aacc);
+const RED: Color = color_of(0xcc3333);
+const PAPER: Color = color_of(0xffffff);
+/// The size of letters.
+const LETTERS: f64 = 12.0;
 
 impl PlanarSet {
     /// Draws the set as SVG.
@@ -59,8 +67,7 @@ impl PlanarSet {
     pub fn draw(&self, mut out: impl Write, picture: SetPicture) -> Result<(), Error> {
         let text = match picture {
             SetPicture::Set => self.alone()?,
-            SetPicture::Kinks => self.with_kinks()?,
-            SetPicture::Forest => self.with_forest()?,
+            SetPicture::Kinks | SetPicture::Forest => self.picture(picture)?.svg(None)?,
         };
         out.write_all(text.as_bytes())?;
         out.flush()?;
@@ -105,7 +112,7 @@ impl PlanarSet {
                 text.push('Z');
             }
             for curve in 0..self.set.curve_count() {
-                push_curve(&mut text, &self.set.curve(curve), &|point| point, &push)?;
+                push_curve(&mut text, &self.set.curve(curve))?;
             }
             text.push_str("\"/>\n");
         }
@@ -113,74 +120,87 @@ impl PlanarSet {
         Ok(text)
     }
 
-    /// The head of a picture of this size, with the set in a panel.
-    fn panel(&self, width: f64, height: f64, view: &View) -> Result<String, Error> {
-        let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" viewBox=\"0 0 {width:.0} {height:.0}\" \
-             font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{width:.0}\" height=\"{height:.0}\" fill=\"#fff\"/>\n"
-        );
-        let _ = write!(text, "<path fill=\"{FILL}\" stroke=\"{INK}\" stroke-width=\"1\" d=\"");
+    /// The set as a flat picture: with its knots and kinks, or with its forest, or alone. Curves of order 4 stay cubics.
+    ///
+    /// # Errors
+    /// Those of flattening curves of an order above 4.
+    ///
+    /// # Complexity
+    /// Linear in the pieces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::report::{PlanarSet, SetPicture};
+    /// use coface::yin::{Curve, YinSet};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let triangle = Curve::polyline(&[[0., 0.], [4., 0.], [0., 3.], [0., 0.]])?;
+    /// let picture = PlanarSet::from_set(YinSet::new(&[triangle])?).picture(SetPicture::Forest)?;
+    /// assert!(picture.svg(None)?.contains(">outside</text>"));
+    /// assert!(picture.png([72, 48])?.starts_with(b"\x89PNG"));
+    /// # Ok(()) }
+    /// ```
+    pub fn picture(&self, picture: SetPicture) -> Result<FlatPicture, Error> {
+        match picture {
+            SetPicture::Set => self.panel([SIDE, SIDE], &View::of(self.frame())),
+            SetPicture::Kinks => self.with_kinks(),
+            SetPicture::Forest => self.with_forest(),
+        }
+    }
+
+    /// A picture of this size, with the set in a panel.
+    fn panel(&self, size: [f64; 2], view: &View) -> Result<FlatPicture, Error> {
+        let mut picture = FlatPicture::new("Yin set", size, PAPER);
+        let mut path = Vec::new();
         if !self.set.is_bounded() {
-            let [low, high] = self.frame().map(|corner| view.place(corner));
-            let _ = write!(
-                text,
-                "M{:.2} {:.2}L{:.2} {:.2}L{:.2} {:.2}L{:.2} {:.2}Z",
-                low[0], low[1], high[0], low[1], high[0], high[1], low[0], high[1]
-            );
+            let [low, high] = self.frame();
+            let corners = [low, [high[0], low[1]], high, [low[0], high[1]]].map(|corner| view.place(corner));
+            path.push(Step::Move(corners[0]));
+            path.extend(corners[1..].iter().map(|&corner| Step::Line(corner)));
+            path.push(Step::Close);
         }
         for number in 0..self.set.curve_count() {
             let curve = self.set.curve(number);
-            let place = |point| view.place(point);
             if curve.order() > Order::CUBIC {
                 let mut corners = flattened(&curve, 0.1 / view.scale)?;
                 corners.push(corners[0]);
-                push_curve(&mut text, &Curve::polyline(&corners)?, &place, &push_short)?;
+                path.extend(steps_of(&Curve::polyline(&corners)?, view)?);
             } else {
-                push_curve(&mut text, &curve, &place, &push_short)?;
+                path.extend(steps_of(&curve, view)?);
             }
         }
-        text.push_str("\"/>\n");
-        Ok(text)
+        picture.shape(path, PALE, (BLUE, 1.0));
+        Ok(picture)
     }
 
-    fn with_kinks(&self) -> Result<String, Error> {
+    fn with_kinks(&self) -> Result<FlatPicture, Error> {
         let view = View::of(self.frame());
-        let mut text = self.panel(SIDE, SIDE, &view)?;
+        let mut picture = self.panel([SIDE, SIDE], &view)?;
         let knots =
             (0..self.set.curve_count()).map(|curve| self.set.curve(curve).piece_count()).sum::<usize>();
         if knots <= MOST_DOTS {
-            let _ = writeln!(text, "<g fill=\"{INK}\">");
             for curve in (0..self.set.curve_count()).map(|curve| self.set.curve(curve)) {
                 for knot in 0..curve.piece_count() {
-                    let [x, y] = view.place(curve.knot_point(knot));
-                    let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"1.5\"/>");
+                    picture.disk(view.place(curve.knot_point(knot)), 1.5, BLUE, None);
                 }
             }
-            text.push_str("</g>\n");
         }
         let kinks = self.set.kinks();
-        let _ = writeln!(text, "<g fill=\"#fff\" stroke=\"{MARK}\" stroke-width=\"1.5\">");
         let place = |at: crate::yin::KnotIndex| {
             view.place(self.set.curve(at.curve as usize).knot_point(at.knot as usize))
         };
         for (at, _) in kinks.iter() {
-            let [x, y] = place(at);
-            let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3.5\"/>");
+            picture.disk(place(at), 3.5, PAPER, Some((RED, 1.5)));
         }
-        text.push_str("</g>\n");
         if kinks.len() <= MOST_NAMES {
-            let _ = writeln!(text, "<g fill=\"{MARK}\">");
             for (at, name) in kinks.iter() {
                 let [x, y] = place(at);
-                let _ = writeln!(text, "<text x=\"{:.2}\" y=\"{:.2}\">{name:?}</text>", x + 5.0, y - 5.0);
+                picture.text([x + 5.0, y - 5.0], Anchor::Start, LETTERS, RED, format!("{name:?}"));
             }
-            text.push_str("</g>\n");
         }
-        text.push_str("</svg>\n");
-        Ok(text)
+        Ok(picture)
     }
 
-    fn with_forest(&self) -> Result<String, Error> {
+    fn with_forest(&self) -> Result<FlatPicture, Error> {
         let view = View::of(self.frame());
         let count = self.set.curve_count();
         let forest = self.set.forest();
@@ -208,18 +228,17 @@ impl PlanarSet {
             }
         }
         let deepest = (0..count).map(|curve| forest.depth(curve) + 1).max().unwrap_or(0);
-        let width = SIDE + (leaf_count * STEP + 2.0 * MARGIN).max(SIDE / 2.0);
+        let width = (SIDE + (leaf_count * STEP + 2.0 * MARGIN).max(SIDE / 2.0)).round();
         let height = SIDE.max(deepest as f64 * 64.0 + 3.0 * MARGIN);
         let left = SIDE + (width - SIDE - (leaf_count - 1.0) * STEP) / 2.0;
         let node = |node: usize| {
             let depth = if node == count { 0 } else { forest.depth(node) + 1 };
             [left + places[node] * STEP, 1.5 * MARGIN + 64.0 * depth as f64]
         };
-        let mut text = self.panel(width, height, &view)?;
-        let _ = writeln!(text, "<g stroke=\"{INK}\">");
+        let mut picture = self.panel([width, height], &view)?;
         for curve in 0..count {
-            let [[x, y], [u, v]] = [node(forest.parent(curve).unwrap_or(count)), node(curve)];
-            let _ = writeln!(text, "<path d=\"M{x:.2} {y:.2}L{u:.2} {v:.2}\"/>");
+            let [from, to] = [node(forest.parent(curve).unwrap_or(count)), node(curve)];
+            picture.stroke(vec![Step::Move(from), Step::Line(to)], BLUE, 1.0);
         }
         // What is inside of a positive curve and outside of all that lie in it is in the set.
         for curve in 0..=count {
@@ -228,39 +247,40 @@ impl PlanarSet {
                 true => !self.set.is_bounded(),
                 false => forest.depth(curve).is_multiple_of(2) == self.set.is_bounded(),
             };
-            let fill = if is_filled { FILL } else { "#fff" };
+            let fill = if is_filled { PALE } else { PAPER };
             match curve == count {
                 true => {
-                    let _ = writeln!(
-                        text,
-                        "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"56\" height=\"24\" fill=\"{fill}\"/>",
-                        x - 28.0,
-                        y - 12.0
-                    );
+                    let corners = [[-28.0, -12.0], [28.0, -12.0], [28.0, 12.0], [-28.0, 12.0]];
+                    let [a, b, c, d] = corners.map(|[right, down]| [x + right, y + down]);
+                    let path = vec![Step::Move(a), Step::Line(b), Step::Line(c), Step::Line(d), Step::Close];
+                    picture.shape(path, fill, (BLUE, 1.0));
                 }
-                false => {
-                    let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"13\" fill=\"{fill}\"/>");
-                }
+                false => picture.disk([x, y], 13.0, fill, Some((BLUE, 1.0))),
             }
-        }
-        let _ = writeln!(text, "</g>\n<g fill=\"{INK}\" text-anchor=\"middle\">");
-        for curve in 0..=count {
-            let [x, y] = node(curve);
             let name = if curve == count { "outside".to_owned() } else { curve.to_string() };
-            let _ = writeln!(text, "<text x=\"{x:.2}\" y=\"{:.2}\">{name}</text>", y + 4.0);
+            picture.text([x, y + 4.0], Anchor::Middle, LETTERS, BLUE, name);
         }
-        text.push_str("</g>\n");
         if count <= MOST_NAMES {
-            let _ = writeln!(text, "<g fill=\"{MARK}\" font-weight=\"bold\" text-anchor=\"middle\">");
             for number in 0..count {
                 let [x, y] = view.place(self.set.curve(number).knot_point(0));
-                let _ = writeln!(text, "<text x=\"{x:.2}\" y=\"{:.2}\">{number}</text>", y - 4.0);
+                picture.text([x, y - 4.0], Anchor::Middle, LETTERS, RED, number.to_string());
             }
-            text.push_str("</g>\n");
         }
-        text.push_str("</svg>\n");
-        Ok(text)
+        Ok(picture)
     }
+}
+
+/// A closed curve of an order up to 4 as steps of a path.
+fn steps_of(curve: &Curve<'_>, view: &View) -> Result<Vec<Step>, Error> {
+    let mut steps = vec![Step::Move(view.place(curve.knot_point(0)))];
+    for piece in pieces_of(curve)? {
+        steps.push(match piece {
+            Piece::Line(end) => Step::Line(view.place(end)),
+            Piece::Cubic(controls) => Step::Cubic(controls.map(|control| view.place(control))),
+        });
+    }
+    steps.push(Step::Close);
+    Ok(steps)
 }
 
 /// How the plane is shown in a panel.
@@ -293,23 +313,41 @@ fn push(text: &mut String, number: f64) {
     };
 }
 
-fn push_short(text: &mut String, number: f64) {
-    let _ = write!(text, "{number:.2}");
+/// A closed curve as the data of a path: lines, and cubics where it bends.
+fn push_curve(text: &mut String, curve: &Curve<'_>) -> Result<(), Error> {
+    let point = |text: &mut String, [x, y]: [f64; 2]| {
+        push(text, x);
+        text.push(' ');
+        push(text, y);
+    };
+    text.push('M');
+    point(text, curve.knot_point(0));
+    for piece in pieces_of(curve)? {
+        match piece {
+            Piece::Line(end) => {
+                text.push('L');
+                point(text, end);
+            }
+            Piece::Cubic(controls) => {
+                for (letter, control) in ["C", " ", " "].into_iter().zip(controls) {
+                    text.push_str(letter);
+                    point(text, control);
+                }
+            }
+        }
+    }
+    text.push('Z');
+    Ok(())
 }
 
-/// A closed curve as the data of a path: lines, and cubics where it bends.
-fn push_curve(
-    text: &mut String,
-    curve: &Curve<'_>,
-    place: &dyn Fn([f64; 2]) -> [f64; 2],
-    number: &dyn Fn(&mut String, f64),
-) -> Result<(), Error> {
-    let point = |text: &mut String, point: [f64; 2]| {
-        let [x, y] = place(point);
-        number(text, x);
-        text.push(' ');
-        number(text, y);
-    };
+/// A piece of a curve behind its start.
+enum Piece {
+    Line([f64; 2]),
+    Cubic([[f64; 2]; 3]),
+}
+
+/// The pieces of a closed curve; a last one that is straight is left out, since closing draws it.
+fn pieces_of(curve: &Curve<'_>) -> Result<Vec<Piece>, Error> {
     let count = curve.piece_count();
     let corners: Vec<[f64; 2]> = (0..=count).map(|knot| curve.knot_point(knot)).collect();
     // What is straight is so bit for bit.
@@ -317,25 +355,15 @@ fn push_curve(
         Order::LINEAR => None,
         order => Curve::polyline(&corners).and_then(|line| line.raised(order)).ok(),
     };
-    text.push('M');
-    point(text, corners[0]);
+    let mut pieces = Vec::with_capacity(count);
     for piece in 0..count {
         let controls = curve.piece(piece);
         let is_line = curve.order() == Order::LINEAR
             || straight.as_ref().is_some_and(|straight| straight.piece(piece) == controls);
         match (is_line, controls) {
-            // The end of the path draws the last line.
             (true, _) if piece + 1 == count => {}
-            (true, _) => {
-                text.push('L');
-                point(text, corners[piece + 1]);
-            }
-            (false, &[_, first, second, end]) => {
-                for (letter, control) in ["C", " ", " "].into_iter().zip([first, second, end]) {
-                    text.push_str(letter);
-                    point(text, control);
-                }
-            }
+            (true, _) => pieces.push(Piece::Line(corners[piece + 1])),
+            (false, &[_, first, second, end]) => pieces.push(Piece::Cubic([first, second, end])),
             _ => {
                 return Err(Error::new(
                     crate::ErrorKind::UnsupportedFormat,
@@ -345,6 +373,5 @@ fn push_curve(
             }
         }
     }
-    text.push('Z');
-    Ok(())
+    Ok(pieces)
 }
