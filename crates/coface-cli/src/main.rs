@@ -9,6 +9,7 @@ mod classes;
 mod commands;
 mod failure;
 mod filtration;
+mod html;
 mod input;
 mod output;
 mod progress;

@@ -11,17 +11,26 @@ const WIDTH: usize = 80;
 const INDENT: usize = 20;
 
 const TITLE: Style = Style::new().bold();
-const GOOD: Style = AnsiColor::Green.on_default();
-const BAD: Style = AnsiColor::Red.on_default();
-const ODD: Style = AnsiColor::Yellow.on_default();
-const GLOSS: Style = Style::new().dimmed();
-const PLAIN: Style = Style::new();
+const GOOD: Mood = Mood::Good;
+const BAD: Mood = Mood::Bad;
+const ODD: Mood = Mood::Odd;
+const GLOSS: Mood = Mood::Gloss;
+const PLAIN: Mood = Mood::Plain;
 
 /// How many places of a problem are listed when not all are asked for.
 pub(crate) const FEW: usize = 5;
 
 /// The report on the file of this name and format. Of each list the first `limit` items are shown.
 pub(crate) fn report(name: &str, format: &str, report: &Report, limit: usize) -> String {
+    page_of(name, format, report, limit).finished()
+}
+
+/// The same, before it is laid out: the title, the summary, then facts and problems.
+pub(crate) fn items(name: &str, format: &str, report: &Report, limit: usize) -> Vec<Item> {
+    page_of(name, format, report, limit).items
+}
+
+fn page_of(name: &str, format: &str, report: &Report, limit: usize) -> Page {
     let mut page = Page::default();
     page.title(name, format);
     page.paragraph(2, PLAIN, &summary(report));
@@ -34,7 +43,7 @@ pub(crate) fn report(name: &str, format: &str, report: &Report, limit: usize) ->
     measures(&mut page, report);
     data(&mut page, report, limit);
     problems(&mut page, report, limit);
-    page.finished()
+    page
 }
 
 /// A list of groups for people, with a title.
@@ -51,7 +60,7 @@ pub(crate) fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: C
     if groups.is_empty() {
         page.paragraph(4, PLAIN, "nothing: the complex is empty");
     }
-    page.text
+    page.finished()
 }
 
 /// A page of facts with a title: what each is called, what it is, what that means.
@@ -75,58 +84,141 @@ fn group_over(group: &AbelianGroup, ring: &str) -> String {
     if torsion.is_trivial() { free } else { format!("{free} + {torsion}") }
 }
 
-/// Text being laid out.
+/// How something is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mood {
+    Plain,
+    Good,
+    Bad,
+    Odd,
+    Gloss,
+}
+
+impl Mood {
+    fn style(self) -> Style {
+        match self {
+            Self::Plain => Style::new(),
+            Self::Good => AnsiColor::Green.on_default(),
+            Self::Bad => AnsiColor::Red.on_default(),
+            Self::Odd => AnsiColor::Yellow.on_default(),
+            Self::Gloss => Style::new().dimmed(),
+        }
+    }
+}
+
+/// A part of a report, before it is laid out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Item {
+    /// What the report is about, and a word on it.
+    Title(String, String),
+    Heading(String),
+    Blank,
+    Paragraph {
+        indent: usize,
+        mood: Mood,
+        words: String,
+    },
+    Bullet {
+        mood: Mood,
+        words: String,
+    },
+    /// What it is called, what it is, what that means.
+    Fact {
+        label: String,
+        mood: Mood,
+        value: String,
+        gloss: String,
+    },
+}
+
+impl Item {
+    /// Lays the item out for a terminal.
+    fn push(&self, text: &mut String) {
+        const GLOSS: Style = Style::new().dimmed();
+        // Writing to a string does not fail.
+        match self {
+            Self::Title(name, gloss) => {
+                let _ = writeln!(text, "{TITLE}{name}{TITLE:#}  {GLOSS}{gloss}{GLOSS:#}");
+            }
+            Self::Heading(words) => {
+                let _ = writeln!(text, "  {TITLE}{words}{TITLE:#}");
+            }
+            Self::Blank => text.push('\n'),
+            Self::Paragraph { indent, mood, words } => {
+                let style = mood.style();
+                for line in wrapped(words, WIDTH - indent) {
+                    let _ = writeln!(text, "{:indent$}{style}{line}{style:#}", "");
+                }
+            }
+            Self::Bullet { mood, words } => {
+                let style = mood.style();
+                for (i, line) in wrapped(words, WIDTH - 4).into_iter().enumerate() {
+                    let mark = if i == 0 { "*" } else { " " };
+                    let _ = writeln!(text, "  {style}{mark}{style:#} {line}");
+                }
+            }
+            Self::Fact { label, mood, value, gloss } => {
+                let style = mood.style();
+                let _ = write!(text, "  {label:<width$}", width = INDENT - 2);
+                let mut lines = wrapped(value, WIDTH - INDENT).into_iter();
+                let mut last = lines.next().unwrap_or_default();
+                for line in lines {
+                    let _ = write!(text, "{style}{last}{style:#}\n{:INDENT$}", "");
+                    last = line;
+                }
+                let _ = write!(text, "{style}{last}{style:#}");
+                if !gloss.is_empty() {
+                    let column = INDENT + last.chars().count() + 2;
+                    let rest = gloss.chars().count();
+                    if column + rest <= WIDTH {
+                        let _ = write!(text, "  {GLOSS}{gloss}{GLOSS:#}");
+                    } else {
+                        for line in wrapped(gloss, WIDTH - INDENT) {
+                            let _ = write!(text, "\n{:INDENT$}{GLOSS}{line}{GLOSS:#}", "");
+                        }
+                    }
+                }
+                text.push('\n');
+            }
+        }
+    }
+}
+
+/// A report that grows.
 #[derive(Default)]
 struct Page {
-    text: String,
+    items: Vec<Item>,
 }
 
 impl Page {
+    /// The report for a terminal.
     fn finished(self) -> String {
-        self.text.replace(NO_BREAK, " ")
+        let mut text = String::new();
+        self.items.iter().for_each(|item| item.push(&mut text));
+        text.replace(NO_BREAK, " ")
     }
 
-    fn title(&mut self, name: &str, format: &str) {
-        let _ = writeln!(self.text, "{TITLE}{name}{TITLE:#}  {GLOSS}{format}{GLOSS:#}");
+    fn title(&mut self, name: &str, gloss: &str) {
+        self.items.push(Item::Title(name.to_owned(), gloss.to_owned()));
     }
 
     fn heading(&mut self, words: &str) {
-        let _ = writeln!(self.text, "  {TITLE}{words}{TITLE:#}");
+        self.items.push(Item::Heading(words.to_owned()));
     }
 
     fn blank(&mut self) {
-        self.text.push('\n');
+        self.items.push(Item::Blank);
     }
 
     /// Words broken into lines that start at column `indent`.
-    fn paragraph(&mut self, indent: usize, style: Style, words: &str) {
-        for line in wrapped(words, WIDTH - indent) {
-            let _ = writeln!(self.text, "{:indent$}{style}{line}{style:#}", "");
-        }
+    fn paragraph(&mut self, indent: usize, mood: Mood, words: &str) {
+        self.items.push(Item::Paragraph { indent, mood, words: words.to_owned() });
     }
 
     /// One fact: what it is called, what it is, what that means.
-    fn fact(&mut self, label: &str, style: Style, value: &str, gloss: &str) {
-        let _ = write!(self.text, "  {label:<width$}", width = INDENT - 2);
-        let mut lines = wrapped(value, WIDTH - INDENT).into_iter();
-        let mut last = lines.next().unwrap_or_default();
-        for line in lines {
-            let _ = write!(self.text, "{style}{last}{style:#}\n{:INDENT$}", "");
-            last = line;
-        }
-        let _ = write!(self.text, "{style}{last}{style:#}");
-        if !gloss.is_empty() {
-            let column = INDENT + last.chars().count() + 2;
-            let rest = gloss.chars().count();
-            if column + rest <= WIDTH {
-                let _ = write!(self.text, "  {GLOSS}{gloss}{GLOSS:#}");
-            } else {
-                for line in wrapped(gloss, WIDTH - INDENT) {
-                    let _ = write!(self.text, "\n{:INDENT$}{GLOSS}{line}{GLOSS:#}", "");
-                }
-            }
-        }
-        self.text.push('\n');
+    fn fact(&mut self, label: &str, mood: Mood, value: &str, gloss: &str) {
+        let [label, value, gloss] = [label, value, gloss].map(str::to_owned);
+        self.items.push(Item::Fact { label, mood, value, gloss });
     }
 }
 
@@ -505,13 +597,13 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
     }
     page.heading("problems");
     for problem in report.problems() {
-        let style = match problem.kind() {
+        let mood = match problem.kind() {
             ProblemKind::NonManifoldRidge | ProblemKind::NonManifoldEdge | ProblemKind::NonManifoldVertex => {
                 BAD
             }
             _ => ODD,
         };
-        bullet(page, style, problem.message());
+        bullet(page, mood, problem.message());
         places(page, problem, limit);
     }
     for remark in remarks {
@@ -519,11 +611,8 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
     }
 }
 
-fn bullet(page: &mut Page, style: Style, words: &str) {
-    for (i, line) in wrapped(words, WIDTH - 4).into_iter().enumerate() {
-        let mark = if i == 0 { "*" } else { " " };
-        let _ = writeln!(page.text, "  {style}{mark}{style:#} {line}");
-    }
+fn bullet(page: &mut Page, mood: Mood, words: &str) {
+    page.items.push(Item::Bullet { mood, words: words.to_owned() });
 }
 
 /// The first places of a problem: the cells by their vertices, and the top cells that meet there.

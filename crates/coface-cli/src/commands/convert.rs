@@ -185,7 +185,8 @@ impl Convert {
         if self.color_by.is_none() && !is_scene {
             return Ok((model, None));
         }
-        let mut scene = Scene::of(name, &model).map_err(|error| error.in_file(name.to_owned()))?;
+        let title = Path::new(name).file_name().map_or(name.into(), |name| name.to_string_lossy());
+        let mut scene = Scene::of(&title, &model).map_err(|error| error.in_file(name.to_owned()))?;
         let Some(how) = &self.color_by else { return Ok((model, Some((scene, None)))) };
         let coloring = match how.to_str() {
             Some("component") => Coloring::Components,

@@ -2,13 +2,16 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
+use crate::html::{self, Figure, Section};
 use crate::input;
-use crate::output::{give, is_json};
+use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::text;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use clap::Args;
-use coface::io::Format;
-use coface::report::Report;
+use coface::io::{Format, Model};
+use coface::report::{Layer, Picture, PictureStyle, Producer, Report, Scene, matrix_picture};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -20,7 +23,7 @@ use std::path::{Path, PathBuf};
 ///
 /// With --json one input gives one report object; several give {"reports":[..]}, where an input that cannot be served
 /// has the keys "file" and "error" alone and the exit status is 1. With -o the report goes to the file, as JSON if its
-/// name ends in .json.
+/// name ends in .json, as a page for browsers with pictures if it ends in .html.
 #[derive(Args)]
 pub(crate) struct Info {
     /// Files to report on; - is standard input
@@ -29,6 +32,9 @@ pub(crate) struct Info {
     /// List every place of every problem and all boundary loops, not just the first few
     #[arg(long)]
     all: bool,
+    /// Write the report with pictures as one page for browsers; opens from disk without a network
+    #[arg(long, value_name = "PAGE.html")]
+    html: Option<PathBuf>,
     /// Integrate x^A y^B z^C over the volume and over the surface; may be given several times
     #[arg(long, value_name = "A,B,C", value_parser = exponents)]
     moment: Vec<[u32; 3]>,
@@ -49,11 +55,29 @@ impl Info {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
         let as_json = common.json || common.output.as_deref().is_some_and(is_json);
-        let text_file = common.output.as_deref().is_some_and(|path| !is_json(path));
+        let page_file = common.output.as_deref().filter(|path| is_html(path));
+        let text_file = common.output.as_deref().is_some_and(|path| !is_json(path) && !is_html(path));
+        let is_shown = text_file || !as_json && common.output.is_none() && self.html.is_none();
         let (mut objects, mut page, mut failed) = (Vec::new(), String::new(), false);
+        let mut sections = Vec::new();
         for path in &self.inputs {
-            let report = match self.report(path, common, &progress) {
-                Ok(report) => report,
+            let is_drawn = self.html.is_some() || page_file.is_some();
+            let report = match self.report(path, common, is_drawn, &progress) {
+                Ok((report, figures)) => {
+                    if is_drawn {
+                        sections.push(Section {
+                            items: text::items(
+                                &report.name,
+                                report.format.title(),
+                                &report.report,
+                                self.limit(text::FEW),
+                            ),
+                            figures,
+                            object: format!("{:#}", self.object(&report)),
+                        });
+                    }
+                    report
+                }
                 Err(failure) if self.inputs.len() == 1 => return Err(failure),
                 Err(failure) => {
                     failed = true;
@@ -67,12 +91,20 @@ impl Info {
             if as_json {
                 objects.push(self.object(&report));
             }
-            if !as_json || text_file {
+            if is_shown {
                 if !page.is_empty() {
                     page.push('\n');
                 }
                 page +=
                     &text::report(&report.name, report.format.title(), &report.report, self.limit(text::FEW));
+            }
+        }
+        progress.stage("writing");
+        if !sections.is_empty() {
+            let names: Vec<String> = self.inputs.iter().map(|path| input::name(path)).collect();
+            let written = html::page(&names.join(", "), &sections);
+            for path in self.html.as_deref().into_iter().chain(page_file) {
+                write_file(path, written.as_bytes())?;
             }
         }
         drop(progress);
@@ -81,17 +113,33 @@ impl Info {
         } else {
             json!({ "reports": objects })
         };
-        give(common, &object, &page)?;
+        match (is_shown || common.output.as_deref().is_some_and(is_json), common.json) {
+            (true, _) => give(common, &object, &page)?,
+            (false, true) => print_json(&object)?,
+            (false, false) => {}
+        }
         if failed { Err(Failure::Said) } else { Ok(()) }
     }
 
-    fn report(&self, path: &Path, common: &Common, progress: &Progress) -> Result<Named, Failure> {
+    fn report(
+        &self,
+        path: &Path,
+        common: &Common,
+        is_drawn: bool,
+        progress: &Progress,
+    ) -> Result<(Named, Vec<(Figure, String)>), Failure> {
         let loaded = input::read(path, common.reading(), progress)?;
+        let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
         progress.stage(format!("examining {}", loaded.name));
         let format = loaded.format;
-        let report = Report::with_moments(loaded.model, &self.moment)
-            .map_err(|error| error.in_file(loaded.name.clone()))?;
-        Ok(Named { name: loaded.name, format, report })
+        let model = if is_drawn { Some(loaded.model.clone()) } else { None };
+        let report = Report::with_moments(loaded.model, &self.moment).map_err(in_file)?;
+        let mut figures = Vec::new();
+        if let Some(model) = model {
+            progress.stage("drawing");
+            figures = figures_of(&loaded.name, model, &report).map_err(in_file)?;
+        }
+        Ok((Named { name: loaded.name, format, report }, figures))
     }
 
     fn limit(&self, usual: usize) -> usize {
@@ -107,6 +155,62 @@ impl Info {
         }
         object
     }
+}
+
+/// Whether a file is a page for browsers by its name.
+fn is_html(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| {
+        extension.eq_ignore_ascii_case("html") || extension.eq_ignore_ascii_case("htm")
+    })
+}
+
+/// With more triangles than this, a picture is PNG: SVG would be larger.
+const TRIANGLES_AS_SVG: usize = 3000;
+/// The boundary matrices of more cells than this are not drawn.
+const CELLS_OF_MATRICES: usize = 3000;
+/// The size of pictures on a page.
+const FIGURE: [usize; 2] = [800, 560];
+
+/// The pictures of a model: itself with what is wrong and its boundary in red, and its boundary matrices if they are small.
+fn figures_of(name: &str, model: Model, report: &Report) -> Result<Vec<(Figure, String)>, coface::Error> {
+    let mut figures = Vec::new();
+    // What has nothing to be seen has no picture.
+    if let Ok(scene) = Scene::of(name, &model) {
+        let mut scene = scene.with_report(report.to_json(PLACES_IN_JSON));
+        let mut caption = "The model".to_owned();
+        if report.witness().is_some() {
+            caption += ", what shows that it is no manifold in red";
+        }
+        let loops = report.boundary_loops().unwrap_or_default();
+        if !loops.is_empty() && report.witness().is_none() {
+            let mut layer = Layer::new("boundary", "boundary");
+            layer.is_on = true;
+            for part in loops.iter().filter(|part| part.is_simple()) {
+                let mut walk = part.vertices().to_vec();
+                walk.extend(part.vertices().first());
+                layer.lines.push(&walk);
+            }
+            scene.push_layer(layer);
+            caption += ", its boundary in red";
+        }
+        let mut style = PictureStyle::default();
+        style.size = FIGURE;
+        let picture = Picture::new(&scene, &style)?;
+        let figure = if scene.triangles().len() <= TRIANGLES_AS_SVG {
+            Figure::Svg(picture.svg())
+        } else {
+            Figure::Png(STANDARD.encode(picture.png()?))
+        };
+        figures.push((figure, caption + "."));
+    }
+    let cells: usize = report.f_vector().iter().sum();
+    if cells <= CELLS_OF_MATRICES && report.f_vector().len() > 1 {
+        let complex = Producer::of(model)?.into_chain_complex()?;
+        let picture = matrix_picture(&format!("boundary matrices of {name}"), &complex);
+        let caption = "The boundary matrices: blue entries are positive, orange ones negative.";
+        figures.push((Figure::Svg(picture.svg(None)?), caption.to_owned()));
+    }
+    Ok(figures)
 }
 
 /// A report with what it is about.

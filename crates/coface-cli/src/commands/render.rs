@@ -146,11 +146,11 @@ impl Render {
         if self.matrix {
             let (_, producer) = input::produce(&self.input, common.reading(), progress)?;
             let complex = producer.into_chain_complex().map_err(|error| error.in_file(name.clone()))?;
-            return Ok(Some(matrix_picture(&format!("boundary matrices of {name}"), &complex)));
+            return Ok(Some(matrix_picture(&format!("boundary matrices of {}", self.title()), &complex)));
         }
         if self.diagram {
             let points = self.diagram_points(common, progress)?;
-            return Ok(Some(diagram_picture(&format!("persistence diagram of {name}"), &points)?));
+            return Ok(Some(diagram_picture(&format!("persistence diagram of {}", self.title()), &points)?));
         }
         if self.forest {
             progress.stage(format!("reading {name}"));
@@ -170,6 +170,12 @@ impl Render {
         // Whatever is no set is a model; whoever reads models says what is wrong.
         let Ok(set) = self.set(common) else { return Ok(None) };
         Ok(Some(set.picture(SetPicture::Kinks)?))
+    }
+
+    /// The input without its folder: the same picture wherever the file lies.
+    fn title(&self) -> String {
+        let name = self.input.file_name().filter(|_| self.input.as_os_str() != "-");
+        name.map_or_else(|| input::name(&self.input), |name| name.to_string_lossy().into_owned())
     }
 
     /// Whether the format of the input is one of those that hold sets of the plane.
@@ -221,7 +227,7 @@ impl Render {
         let loaded = input::read(&self.input, common.reading(), progress)?;
         progress.stage("drawing");
         let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
-        let mut scene = Scene::of(&loaded.name, &loaded.model).map_err(in_file)?;
+        let mut scene = Scene::of(&self.title(), &loaded.model).map_err(in_file)?;
         for path in &self.with {
             scene.add_result(&input::name(path), &read_result(path)?)?;
         }

@@ -25,7 +25,7 @@ enum Mode {
     Triangles = 4,
 }
 
-/// A scene as glTF 2.0: its triangles, seen from both sides and shaded flat, lines and points that lie on no polygon, and a node for each layer
+/// A scene as glTF 2.0: its triangles (without those between two 3-cells), seen from both sides and shaded flat, lines and points that lie on no polygon, and a node for each layer
 /// that is shown, in its color. Colors of vertices take the place of the color of the surface; they are red, green and blue as in style sheets.
 ///
 /// Positions have 32 bits around the middle of the scene, which is the translation of its nodes.
@@ -61,9 +61,16 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
     let positions = file.positions(scene.positions());
     let shading = colors.map(|colors| file.colors(colors));
     let surface = file.material(if colors.is_some() { [1.0; 3] } else { LIGHT.surface });
+    let outer;
+    let triangles = if scene.has_cells() {
+        outer = outer_triangles(scene);
+        &outer[..]
+    } else {
+        scene.triangles()
+    };
     let mut parts = Vec::new();
     for (mode, indices) in [
-        (Mode::Triangles, scene.triangles().as_flattened()),
+        (Mode::Triangles, triangles.as_flattened()),
         (Mode::Lines, wires.as_flattened()),
         (Mode::Points, &dots[..]),
     ] {
@@ -93,6 +100,22 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
         file.node(&layer.name, parts);
     }
     file.finish(form)
+}
+
+/// The triangles that are not between two 3-cells.
+fn outer_triangles(scene: &Scene) -> Vec<[u32; 3]> {
+    let sorted = |mut triangle: [u32; 3]| {
+        triangle.sort_unstable();
+        triangle
+    };
+    let mut keys: Vec<[u32; 3]> = scene.triangles().iter().map(|&triangle| sorted(triangle)).collect();
+    keys.sort_unstable();
+    let is_outer = |triangle: &&[u32; 3]| {
+        let key = sorted(**triangle);
+        let first = keys.partition_point(|other| *other < key);
+        keys.get(first + 1) != Some(&key)
+    };
+    scene.triangles().iter().filter(is_outer).copied().collect()
 }
 
 #[derive(Default)]
