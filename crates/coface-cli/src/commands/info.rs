@@ -11,7 +11,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use clap::Args;
 use coface::io::{Format, Model};
-use coface::report::{Layer, Picture, PictureStyle, Producer, Report, Scene, matrix_picture};
+use coface::report::{Picture, PictureStyle, Producer, Report, Scene, matrix_picture};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -176,21 +176,11 @@ fn figures_of(name: &str, model: Model, report: &Report) -> Result<Vec<(Figure, 
     let mut figures = Vec::new();
     // What has nothing to be seen has no picture.
     if let Ok(scene) = Scene::of(name, &model) {
-        let mut scene = scene.with_report(report.to_json(PLACES_IN_JSON));
+        let scene = scene.with_boundary().with_report(report.to_json(PLACES_IN_JSON));
         let mut caption = "The model".to_owned();
-        if report.witness().is_some() {
-            caption += ", what shows that it is no manifold in red";
-        }
-        let loops = report.boundary_loops().unwrap_or_default();
-        if !loops.is_empty() && report.witness().is_none() {
-            let mut layer = Layer::new("boundary", "boundary");
-            layer.is_on = true;
-            for part in loops.iter().filter(|part| part.is_simple()) {
-                let mut walk = part.vertices().to_vec();
-                walk.extend(part.vertices().first());
-                layer.lines.push(&walk);
-            }
-            scene.push_layer(layer);
+        if scene.layers().iter().any(|layer| layer.group == "witness") {
+            caption += ", what is wrong with it in red";
+        } else if scene.layers().iter().any(|layer| layer.group == "boundary" && layer.is_on) {
             caption += ", its boundary in red";
         }
         let mut style = PictureStyle::default();

@@ -166,6 +166,9 @@ impl<'a> Picture<'a> {
                 let ends = [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0));
                 raster.line(ends, LINE_WIDTH * factor, ink(color));
             }
+            for corners in self.arrowheads(layer) {
+                raster.triangle(corners.map(|corner| scaled(corner, 2.5)), ink(color));
+            }
             for &point in &layer.points {
                 raster.disk(scaled(self.place_in(layer, point), 3.0), POINT_WIDTH * factor, ink(color));
             }
@@ -209,6 +212,30 @@ impl<'a> Picture<'a> {
         hidden
     }
 
+    /// The arrowheads of a layer: in the middle of each segment that has room for one.
+    pub(super) fn arrowheads(&self, layer: &Layer) -> Vec<[[f64; 3]; 3]> {
+        const LENGTH: f64 = 10.0;
+        if !layer.has_arrows {
+            return Vec::new();
+        }
+        let pairs = layer.lines.iter().flat_map(|line| line.windows(2));
+        let head = |pair: &[u32]| {
+            let [a, b] = [pair[0], pair[1]].map(|point| self.place_in(layer, point));
+            let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+            let length = dx.hypot(dy);
+            if length < 2.4 * LENGTH {
+                return None;
+            }
+            let (x, y) = (LENGTH * dx / length, LENGTH * dy / length);
+            let middle = [0, 1, 2].map(|i| f64::midpoint(a[i], b[i]));
+            let corner = |along: f64, across: f64| {
+                [middle[0] + along * x - across * y, middle[1] + along * y + across * x, middle[2]]
+            };
+            Some([corner(0.5, 0.0), corner(-0.5, 0.45), corner(-0.5, -0.45)])
+        };
+        pairs.filter_map(head).collect()
+    }
+
     /// A color in the light that falls on a triangle, from either side.
     fn shade(&self, [a, b, c]: [[f64; 3]; 3], color: Color) -> Color {
         let to = |p: [f64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
@@ -227,7 +254,7 @@ pub(super) fn lines_of(scene: &Scene) -> (Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>
     all.as_flattened().iter().for_each(|&vertex| is_used[vertex as usize] = true);
     let dots = (0..).zip(is_used).filter(|(_, is_used)| !is_used).map(|(vertex, _)| vertex).collect();
     let mut sides: Vec<[u32; 2]> = Vec::with_capacity(all.len());
-    for walk in scene.polygons().iter() {
+    for walk in scene.polygons().iter().chain(scene.rims().iter()) {
         sides.extend((0..walk.len()).map(|i| {
             let [a, b] = [walk[i], walk[(i + 1) % walk.len()]];
             [a.min(b), a.max(b)]
@@ -256,8 +283,9 @@ pub(super) fn shown(scene: &Scene) -> impl Iterator<Item = (&Layer, Color)> {
             if matches!(layer.group.as_str(), "witness" | "boundary") {
                 return (layer, ALARM);
             }
-            next += 1;
-            (layer, color(next - 1))
+            let place = layer.color.map_or(next, |place| place as usize);
+            next += usize::from(layer.color.is_none());
+            (layer, color(place))
         })
         .filter(|(layer, _)| layer.is_on)
 }

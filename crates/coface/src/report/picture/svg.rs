@@ -64,6 +64,20 @@ impl Picture<'_> {
             if !seen.is_empty() {
                 let _ = writeln!(text, "<path stroke-width=\"{LINE_WIDTH}\" d=\"{seen}\"/>");
             }
+            let mut heads = String::new();
+            for corners in self.arrowheads(layer) {
+                let middle = [0, 1, 2].map(|i| corners.iter().map(|corner| corner[i]).sum::<f64>() / 3.0);
+                if sight.is_seen(middle) {
+                    for (place, [x, y, _]) in corners.into_iter().enumerate() {
+                        heads.push(if place == 0 { 'M' } else { 'L' });
+                        push_point(&mut heads, [x, y]);
+                    }
+                    heads.push('Z');
+                }
+            }
+            if !heads.is_empty() {
+                let _ = writeln!(text, "<path fill=\"{color}\" stroke=\"none\" d=\"{heads}\"/>");
+            }
             text += "</g>\n";
             for &point in &layer.points {
                 push_dot(&sight, self.place_in(layer, point), POINT_WIDTH, &color, &mut text);

@@ -181,6 +181,11 @@ impl Scene {
         &self.polygons
     }
 
+    /// Further walks around polygons: their holes.
+    pub fn rims(&self) -> &RaggedArray {
+        &self.rims
+    }
+
     /// The number of coordinates that matter: 2 for drawings, else 3.
     pub fn dimension(&self) -> usize {
         self.dimension
