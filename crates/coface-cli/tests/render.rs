@@ -243,7 +243,10 @@ fn what_cannot_be_drawn_is_refused() {
     for (text, said) in [
         ("no JSON", "give the JSON that another verb"),
         ("{\"betti\": 3}", "nothing that could be shown"),
-        (r#"{"generators":[[],[{"chain":[[1,[0,8]]]}]]}"#, "vertex 8, but the model has 8"),
+        (
+            r#"{"generators":[[],[{"chain":[[1,[0,8]]]}]]}"#,
+            "the model has 8 vertices, but H1 generator 0 has vertex 8",
+        ),
     ] {
         let result = file(&folder, "result.json", text);
         let message = fails(&["--with", argument(&result)], 1);

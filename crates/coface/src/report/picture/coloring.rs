@@ -77,7 +77,7 @@ fn boundary_vertices(scene: &Scene) -> Vec<u32> {
         return walls.chunk_by(|a, b| a == b).filter(|run| run.len() == 1).flat_map(|run| run[0]).collect();
     }
     let mut sides: Vec<[u32; 2]> = Vec::new();
-    for walk in scene.polygons().iter() {
+    for walk in scene.polygons().iter().chain(scene.rims().iter()) {
         sides.extend((0..walk.len()).map(|i| {
             let [a, b] = [walk[i], walk[(i + 1) % walk.len()]];
             [a.min(b), a.max(b)]
