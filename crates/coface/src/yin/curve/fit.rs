@@ -2,7 +2,7 @@
 
 use super::bernstein::{self, Piece};
 use super::block_tridiagonal::{cyclic_solution, open_solution};
-use super::hermite::{Block, BlockRow, Chord, Columns, HermiteRules, binomial};
+use super::hermite::{BlockRow, Chord, Columns, HermiteRules, binomial};
 use super::separators::{Elimination, Separators};
 use super::{Curve, EndCondition, Order, distance};
 use crate::Error;
@@ -234,18 +234,20 @@ fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndConditio
     let mut controls = vec![[0.0; 2]; last * degree + 1];
     controls[last * degree] = points[last];
     // The control points of some pieces, given the derivatives at all of their ends; whether they are finite.
-    let write = |pieces: Range<usize>, derivatives: &[(Block<N>, Columns<N>)], out: &mut [[f64; 2]]| {
+    let write = |pieces: Range<usize>, derivatives: &[Columns<N>], out: &mut [[f64; 2]]| {
         let mut is_finite = true;
         let mut out = out.chunks_exact_mut(degree);
         for (piece, pair) in pieces.zip(derivatives.windows(2)) {
             let [from, to] = [knot(piece), knot(piece + 1)];
             let (length, ends) = (scale * (knots[to] - knots[from]), [points[from], points[to]]);
-            let derivatives = [&pair[0].1, &pair[1].1];
+            let derivatives = [&pair[0], &pair[1]];
             if to == from + 1 {
-                let mut own = out.next().into_iter().flatten();
+                let Some(own) = out.next() else { break };
+                let mut at = 0;
                 rules.for_each_control(length, ends, derivatives, |control| {
                     is_finite &= control[0].is_finite() & control[1].is_finite();
-                    own.by_ref().take(1).for_each(|place| *place = control);
+                    own[at] = control;
+                    at += 1;
                 });
                 continue;
             }
@@ -276,15 +278,14 @@ fn spline<const N: usize>(points: &[[f64; 2]], knots: &[f64], ends: &EndConditio
         let each = |room: &mut Elimination<N>,
                     (part, pieces, own): (usize, Range<usize>, &mut [[f64; 2]])| {
             separators.solve(part, row, room);
-            write(pieces, room, own)
+            write(pieces, &room.unknowns, own)
         };
-        parts.into_par_iter().map_init(Vec::new, each).all(|is_finite| is_finite)
+        parts.into_par_iter().map_init(Elimination::default, each).all(|is_finite| is_finite)
     } else {
         let mut derivatives = if is_cyclic { cyclic_solution(count, row) } else { open_solution(count, row) };
         if is_cyclic {
             derivatives.push(derivatives[0]);
         }
-        let derivatives: Vec<_> = derivatives.into_iter().map(|own| ([[0.0; N]; N], own)).collect();
         write(0..piece_count, &derivatives, &mut controls[..last * degree])
     };
     is_finite.then_some(controls)

@@ -30,6 +30,7 @@ fn sign(exponent: usize) -> f64 {
 }
 
 /// One row of blocks of a linear system: what stands before, at and after its place, and the right side.
+#[derive(Clone, Copy)]
 pub(super) struct BlockRow<const N: usize> {
     pub(super) before: Block<N>,
     pub(super) at: Block<N>,

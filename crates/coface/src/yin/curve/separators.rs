@@ -24,7 +24,12 @@ pub(super) struct Separators<const N: usize> {
 }
 
 /// Room for the elimination of one part.
-pub(super) type Elimination<const N: usize> = Vec<(Block<N>, Columns<N>)>;
+#[derive(Default)]
+pub(super) struct Elimination<const N: usize> {
+    rows: Vec<BlockRow<N>>,
+    /// The unknowns of the part, and the one after it, if there is one.
+    pub(super) unknowns: Vec<Columns<N>>,
+}
 
 impl<const N: usize> Separators<N> {
     /// The separators of an open system, or one in which the first row comes after the last; none if it is too short to be cut, or
@@ -58,8 +63,13 @@ impl<const N: usize> Separators<N> {
         part * PART..if part + 1 == self.part_count() { self.count } else { (part + 1) * PART }
     }
 
-    /// Leaves in the second places of `room` the unknowns of a part and the one after it, if there is one.
-    pub(super) fn solve(&self, part: usize, row: impl Fn(usize) -> BlockRow<N>, room: &mut Elimination<N>) {
+    /// Finds the unknowns of a part.
+    pub(super) fn solve(
+        &self,
+        part: usize,
+        row: impl Fn(usize) -> BlockRow<N>,
+        Elimination { rows, unknowns }: &mut Elimination<N>,
+    ) {
         let Range { start, end } = self.part(part);
         let before = (start > 0 || self.is_cyclic).then(|| self.values[part]);
         let after = if end < self.count {
@@ -67,58 +77,54 @@ impl<const N: usize> Separators<N> {
         } else {
             self.is_cyclic.then(|| self.values[0])
         };
-        let zero = ([[0.0; N]; N], [[0.0; 2]; N]);
-        room.clear();
-        room.resize(end - start, zero);
-        room.extend(after.map(|after| (zero.0, after)));
         let first = usize::from(before.is_some());
-        if let Some(before) = before {
-            room[0].1 = before;
-        }
-        // From both ends to the middle and back, so that there is something to do while one way waits for its numbers.
-        let middle = (first + end - start) / 2;
-        let (low, high) = room[..end - start].split_at_mut(middle);
-        let mut up = if first > 0 { low[0] } else { zero };
-        let mut down = (zero.0, after.unwrap_or(zero.1));
-        let (rising, falling) = (first..middle, (middle..end - start).rev());
-        let (mut lower, mut upper) = (low[first..].iter_mut(), high.iter_mut().rev());
-        for (i, j) in rising.zip(falling) {
-            up = eliminated(&row(start + i), &up);
-            down = eliminated(&mirrored(row(start + j)), &down);
-            if let (Some(own), Some(other)) = (lower.next(), upper.next()) {
-                (*own, *other) = (up, down);
-            }
+        rows.clear();
+        rows.extend((start + first..end).map(row));
+        // From both ends to the middle and back, so that there is something to do while one way waits for its numbers. What a row
+        // becomes stands where it was: the unknown is the right side less a block times the next unknown.
+        let zero = [[0.0; N]; N];
+        let mut up = (zero, before.unwrap_or([[0.0; 2]; N]));
+        let mut down = (zero, after.unwrap_or([[0.0; 2]; N]));
+        let (low, high) = rows.split_at_mut((end - start - first) / 2);
+        for (own, other) in low.iter_mut().zip(high.iter_mut().rev()) {
+            up = eliminated(own, &up);
+            down = eliminated(&mirrored(other), &down);
+            (own.after, own.right) = up;
+            (other.before, other.right) = down;
         }
         // The upper half may have one row more.
-        if let Some(other) = upper.next() {
-            down = eliminated(&mirrored(row(start + middle)), &down);
-            *other = down;
+        if high.len() > low.len() {
+            down = eliminated(&mirrored(&high[0]), &down);
+            (high[0].before, high[0].right) = down;
         }
-        let mut pivot = less([[0.0; N]; N], &product(&up.0, &down.0));
+        let mut pivot = less(zero, &product(&up.0, &down.0));
         (0..N).for_each(|i| pivot[i][i] += 1.0);
         let mut below = product(&inverse(pivot), &less(up.1, &product(&up.0, &down.1)));
         let mut above = less(down.1, &product(&down.0, &below));
-        let (mut lower, mut upper) = (low[first..].iter_mut().rev(), high.iter_mut());
-        if let (Some(own), Some(other)) = (lower.next(), upper.next()) {
-            (own.1, other.1) = (below, above);
+        unknowns.clear();
+        unknowns.extend(before);
+        unknowns.resize(end - start, below);
+        unknowns.extend(after);
+        let (lower, upper) = unknowns[first..end - start].split_at_mut(low.len());
+        if let (Some(own), Some(other)) = (lower.last_mut(), upper.first_mut()) {
+            (*own, *other) = (below, above);
         }
-        let pairs = lower.by_ref().zip(upper.by_ref());
-        for (own, other) in pairs {
-            below = less(own.1, &product(&own.0, &below));
-            above = less(other.1, &product(&other.0, &above));
-            (own.1, other.1) = (below, above);
-        }
-        for other in upper {
-            above = less(other.1, &product(&other.0, &above));
-            other.1 = above;
+        let mut lower = lower.iter_mut().zip(low.iter()).rev().skip(1);
+        for (place, row) in upper.iter_mut().zip(high.iter()).skip(1) {
+            above = less(row.right, &product(&row.before, &above));
+            *place = above;
+            if let Some((place, row)) = lower.next() {
+                below = less(row.right, &product(&row.after, &below));
+                *place = below;
+            }
         }
     }
 }
 
 /// A row seen from the other end.
 #[inline(always)]
-fn mirrored<const N: usize>(row: BlockRow<N>) -> BlockRow<N> {
-    let BlockRow { before, at, after, right } = row;
+fn mirrored<const N: usize>(row: &BlockRow<N>) -> BlockRow<N> {
+    let BlockRow { before, at, after, right } = *row;
     BlockRow { before: after, at, after: before, right }
 }
 
@@ -140,7 +146,7 @@ fn separator<const N: usize>(
     while near <= PART {
         let [below, above] = if is_cyclic { [near; 2] } else { [near.min(at), near.min(count - 1 - at)] };
         let before = side((1..=below).rev().map(|step| row((at + count - step) % count)));
-        let after = side((1..=above).rev().map(|step| mirrored(row((at + step) % count))));
+        let after = side((1..=above).rev().map(|step| mirrored(&row((at + step) % count))));
         if let (Some(before), Some(after)) = (before, after) {
             let own = row(at);
             let pivot = less(less(own.at, &product(&own.before, &before.0)), &product(&own.after, &after.0));
@@ -195,10 +201,10 @@ mod tests {
                 let row = rows(weak);
                 let whole = if is_cyclic { cyclic_solution(count, &row) } else { open_solution(count, &row) };
                 let separators = Separators::new(count, is_cyclic, &row).expect("the rows fade");
-                let mut room = Vec::new();
+                let mut room = Elimination::default();
                 for part in 0..separators.part_count() {
                     separators.solve(part, &row, &mut room);
-                    for (at, (_, own)) in (separators.part(part).start..).zip(&room) {
+                    for (at, own) in (separators.part(part).start..).zip(&room.unknowns) {
                         for (a, b) in own.as_flattened().iter().zip(whole[at % count].as_flattened()) {
                             assert!((a - b).abs() < 1e-13 * (1.0 + b.abs()), "row {at}: {a} and {b}");
                         }
