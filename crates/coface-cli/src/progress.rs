@@ -1,7 +1,7 @@
 //! A sign of life on standard error for work longer than a second.
 
 use coface::io::ReadProgress;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanBytes, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -38,9 +38,13 @@ impl Progress {
             let mut stage = String::new();
             let mut bar: Option<ProgressBar> = None;
             let mut was_reading = false;
+            let mut since = begin;
             loop {
                 match received.recv_timeout(TICK) {
-                    Ok(next) => stage = next,
+                    Ok(next) => {
+                        stage = next;
+                        since = Instant::now();
+                    }
                     Err(RecvTimeoutError::Timeout) => {}
                     Err(RecvTimeoutError::Disconnected) => break,
                 }
@@ -58,6 +62,10 @@ impl Progress {
                 if is_reading {
                     bar.set_length(total);
                     bar.set_position(done);
+                    // Over all that was read: what went by before the line was shown counts too.
+                    let rate = done as f64 / since.elapsed().as_secs_f64().max(1e-3);
+                    let left = (total - done) as f64 / rate.max(1.0);
+                    bar.set_prefix(format!("{}/s, {left:.0} s left", HumanBytes(rate as u64)));
                 }
                 bar.set_message(stage.clone());
                 bar.tick();
@@ -90,7 +98,7 @@ impl Drop for Progress {
 }
 
 const WITHOUT_BYTES: &str = "{spinner} {msg} {elapsed}";
-const WITH_BYTES: &str = "{spinner} {msg} {bar:20} {bytes} of {total_bytes}, {bytes_per_sec}, {eta} left";
+const WITH_BYTES: &str = "{spinner} {msg} {bar:20} {bytes} of {total_bytes}, {prefix}";
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_spinner())

@@ -157,14 +157,9 @@ impl Render {
             let set = self.set(common).map_err(|error| error.in_file(name))?;
             return Ok(Some(set.picture(SetPicture::Forest)?));
         }
-        let is_plain = self.with.is_empty()
-            && !self.witness
-            && !self.dark
-            && !(self.edges || self.no_edges)
-            && self.from.is_none()
-            && self.up.is_none()
-            && self.perspective.is_none();
-        if !is_plain || self.input.as_os_str() == "-" || !self.may_be_a_set(common) {
+        let is_in_space = self.from.is_some() || self.up.is_some() || self.perspective.is_some();
+        let has_marks = !self.with.is_empty() || self.witness || self.dark || self.edges || self.no_edges;
+        if is_in_space || has_marks || self.input.as_os_str() == "-" || !self.may_be_a_set(common) {
             return Ok(None);
         }
         // Whatever is no set is a model; whoever reads models says what is wrong.

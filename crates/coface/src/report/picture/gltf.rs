@@ -80,7 +80,7 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
         };
         file.primitive(mode, positions, shading, indices, material, &mut parts);
     }
-    file.node(scene.title(), parts);
+    file.node(scene.title(), &parts);
     for (layer, color) in shown(scene) {
         let positions = match &layer.positions {
             Some(own) => file.positions(own),
@@ -97,7 +97,7 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
         ] {
             file.primitive(mode, positions, None, indices, material, &mut parts);
         }
-        file.node(&layer.name, parts);
+        file.node(&layer.name, &parts);
     }
     file.finish(form)
 }
@@ -204,7 +204,7 @@ impl Builder {
         }));
     }
 
-    fn node(&mut self, name: &str, parts: Vec<Value>) {
+    fn node(&mut self, name: &str, parts: &[Value]) {
         if parts.is_empty() {
             return;
         }
