@@ -125,7 +125,7 @@ describe("a surface of genus 2 with its generators", () => {
     await page.keyboard.press("?");
     expect(await page.locator("dialog.help dt").count()).toBeGreaterThan(10);
     await page.keyboard.press("Escape");
-    expect(await page.locator("dialog").count()).toBe(0);
+    await page.locator("dialog").waitFor({ state: "detached" });
     const first = await picture(page);
     await page.keyboard.press("e");
     expect((await picture(page)) === first).toBe(false);
@@ -253,7 +253,7 @@ describe("other models", () => {
     await page.getByTitle("see the fundamental domain in the whole window").click();
     expect(await page.locator("dialog svg").count()).toBe(1);
     await page.keyboard.press("Escape");
-    expect(await page.locator("dialog").count()).toBe(0);
+    await page.locator("dialog").waitFor({ state: "detached" });
     await close(opened);
   });
 

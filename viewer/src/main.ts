@@ -96,7 +96,7 @@ class Page {
       theme,
       button("PNG", "save the picture as PNG (P)", () => void this.savePng()),
       button("SVG", "save the picture as SVG (S)", () => this.saveSvg()),
-      button("link", "copy a link to this view (L)", () => this.share()),
+      button("share", "copy a link to this view (L)", () => this.share()),
       button("?", "what keys do (?)", showHelp),
     );
     const told = element(

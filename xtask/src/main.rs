@@ -10,12 +10,14 @@ use std::process::{Command, ExitCode};
 
 const USAGE: &str = "usage:
   cargo xtask test            format, lints, docs, all tests, the viewer, the commands of the README
+  cargo xtask viewer          the viewer alone: types, tests, the page in the repository, the page in a browser
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     match words.first().map(String::as_str) {
         Some("test") if words.len() == 1 => test::run(),
+        Some("viewer") if words.len() == 1 => viewer::run(),
         Some("bench") => bench(&words[1..]),
         Some("help" | "-h" | "--help") => {
             println!("{USAGE}");

@@ -4,10 +4,18 @@ use crate::tally::Tally;
 use crate::test::{check, install_package};
 use crate::{cargo, root};
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitCode, Stdio};
 
 /// The page that the program holds.
 const PAGE: &str = "crates/coface-cli/page/viewer.html";
+
+/// Runs the checks of the viewer alone, and closes with the counts.
+pub(crate) fn run() -> ExitCode {
+    let mut tally = Tally::default();
+    viewer(&mut tally);
+    println!("{}", tally.to_line());
+    if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
 
 /// Types and tests of the viewer; that the page in the repository is what its sources make; and the page in a browser. What is not
 /// installed, and cannot be, is skipped.

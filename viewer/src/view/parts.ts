@@ -4,6 +4,11 @@ import * as THREE from "three";
 import type { Ragged } from "../complex/complex";
 import { polygonOf, type Scene } from "../scene/document";
 import { eachSide } from "./edges";
+import { colorOf } from "./palette";
+
+/** Up to so many parts have colors of their own, in part. */
+const MOST_TINTS = 200;
+const TINT = 0.4;
 
 /** More faces than this are not taken apart. */
 const MOST_FACES = 50000;
@@ -35,6 +40,12 @@ export class Parts {
     const faceCount = model.polygons.starts.length - 1;
     const isDrawing = model.dimension === 2 && faceCount > 1 && faceCount <= MOST_FACES;
     return isDrawing ? new Parts(model, center, false, faceCount) : null;
+  }
+
+  /** Whether parts are told apart by colors: two or more, but not too many. */
+  get areTinted(): boolean {
+    const count = this.areCells ? this.count - 1 : this.count;
+    return count > 1 && count <= MOST_TINTS;
   }
 
   partOfTriangle(triangle: number): number {
@@ -69,7 +80,17 @@ export class Parts {
   /** Triangles with corners of their own, in the order of the model. */
   triangleGeometry(): THREE.BufferGeometry {
     const { triangles } = this.model;
-    return this.geometry(triangles, (corner) => this.partOfTriangle(Math.floor(corner / 3)));
+    const geometry = this.geometry(triangles, (corner) => this.partOfTriangle(Math.floor(corner / 3)));
+    if (this.areTinted) {
+      const colors = new Float32Array(3 * triangles.length);
+      const color = new THREE.Color();
+      for (let i = 0; i < triangles.length; i++) {
+        color.set(colorOf(this.partOfTriangle(Math.floor(i / 3)))).lerp(new THREE.Color(1, 1, 1), 1 - TINT);
+        color.toArray(colors, 3 * i);
+      }
+      geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3));
+    }
+    return geometry;
   }
 
   /** The sides of each part. */
@@ -111,11 +132,6 @@ export class Parts {
         .replace("#include <begin_vertex>", `#include <begin_vertex>\n${MOVE}`)
         .replace("#include <project_vertex>", `#include <project_vertex>\n${LEAVE_OUT}`);
     };
-  }
-
-  /** The same for a shader of its own. */
-  get shader(): { uniforms: Record<string, THREE.IUniform>; head: string; move: string; leaveOut: string } {
-    return { uniforms: this.uniforms, head: HEAD, move: MOVE, leaveOut: LEAVE_OUT };
   }
 
   private geometry(vertices: Uint32Array, partOf: (place: number) => number): THREE.BufferGeometry {

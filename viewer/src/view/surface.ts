@@ -50,6 +50,7 @@ export class Surface {
     this.material = new THREE.MeshLambertMaterial({
       side: THREE.DoubleSide,
       flatShading: true,
+      vertexColors: this.parts?.areTinted ?? false,
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,

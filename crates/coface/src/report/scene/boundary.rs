@@ -8,11 +8,12 @@ const MOST_LAYERS: usize = 24;
 
 impl Scene {
     /// The same with the boundary loops of a surface as layers, and the edges in three or more polygons as a witness. Scenes with
-    /// 3-cells or without polygons stay as they are.
+    /// cells of higher dimension or without polygons stay as they are.
     ///
     /// $O(n \log n)$ for n sides of polygons.
     pub fn with_boundary(mut self) -> Self {
-        if !self.cells.is_empty() || self.polygons.is_empty() {
+        let is_surface = self.cells.is_empty() && self.simplices.iter().all(|simplex| simplex.len() < 4);
+        if !is_surface || self.polygons.is_empty() {
             return self;
         }
         let (loose, branched) = self.sides_by_use();
@@ -117,7 +118,7 @@ pub(super) fn chained(edges: &[[u32; 2]]) -> Vec<Vec<u32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{self, Format};
+    use crate::io::{self, Format, Model, Structure};
 
     #[test]
     fn a_ring_of_squares_has_two_loops() {
@@ -135,6 +136,12 @@ mod tests {
         let scene = Scene::of("book", &io::read(&text[..], Format::Obj).unwrap()).unwrap().with_boundary();
         let paths: Vec<&str> = scene.layers().iter().map(|layer| &layer.name[..]).collect();
         assert_eq!(paths[..3], ["boundary path 0", "boundary path 1", "boundary path 2"]);
+        let solids = Model::from_structure(Structure::Facets(RaggedArray::from_lists([
+            [0, 1, 2, 3],
+            [0, 1, 2, 4],
+            [0, 1, 3, 4],
+        ])));
+        assert!(Scene::of("solids", &solids).unwrap().with_boundary().layers().is_empty());
         let witness = scene.layers().iter().find(|layer| layer.group == "witness").unwrap();
         assert_eq!(witness.lines.items(), [0, 1]);
     }

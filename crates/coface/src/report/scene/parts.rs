@@ -40,17 +40,11 @@ impl Parts {
         self.add_cells(model);
     }
 
-    /// Facets: triangles are polygons, and so are the triangles of higher simplices, each once.
+    /// Facets: triangles are polygons, and so are the triangles of higher simplices, each once; tetrahedra are 3-cells.
     fn add_facets(&mut self, facets: &RaggedArray) {
         let mut triangles: Vec<[u32; 3]> = Vec::new();
+        let mut tetrahedra: Vec<[u32; 4]> = Vec::new();
         for facet in facets.iter() {
-            if let &[a, b, c] = facet {
-                let mut sorted = [a, b, c];
-                sorted.sort_unstable();
-                triangles.push(sorted);
-                continue;
-            }
-            self.simplices.push(facet);
             let mut sorted = facet.to_vec();
             sorted.sort_unstable();
             for (i, &a) in sorted.iter().enumerate() {
@@ -58,10 +52,21 @@ impl Parts {
                     triangles.extend(sorted.iter().skip(j + 1).map(|&c| [a, b, c]));
                 }
             }
+            match sorted[..] {
+                [_, _, _] => {}
+                [a, b, c, d] => tetrahedra.push([a, b, c, d]),
+                _ => self.simplices.push(facet),
+            }
         }
         triangles.sort_unstable();
         triangles.dedup();
+        let first = self.polygons.len();
         triangles.iter().for_each(|triangle| self.polygons.push(triangle));
+        for [a, b, c, d] in tetrahedra {
+            let sides = [[b, c, d], [a, c, d], [a, b, d], [a, b, c]];
+            let polygon = |side: &[u32; 3]| (first + triangles.partition_point(|other| other < side)) as u32;
+            self.cells.push(&sides.each_ref().map(polygon));
+        }
     }
 
     /// 3-cells by their polygons; a polygon between two cells, or in the list of polygons too, is one.
@@ -206,6 +211,18 @@ fn walks_of(mut sides: Vec<[u32; 2]>) -> Vec<Vec<u32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn tetrahedra_share_triangles() {
+        let mut parts = Parts::default();
+        parts.add_facets(&RaggedArray::from_lists([&[3, 0, 1, 2][..], &[1, 2, 3, 4], &[7, 8], &[0, 5, 6]]));
+        assert_eq!((parts.polygons.len(), parts.simplices.len()), (8, 1));
+        let walks = |cell: usize| -> Vec<&[u32]> {
+            parts.cells.list(cell).iter().map(|&polygon| parts.polygons.list(polygon as usize)).collect()
+        };
+        assert_eq!(walks(0), [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]);
+        assert!(walks(1).contains(&&[1, 2, 3][..]));
+    }
 
     #[test]
     fn walks_meet_in_vertices() {

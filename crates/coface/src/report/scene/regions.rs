@@ -9,7 +9,6 @@ use crate::io::yin::flattened;
 use crate::io::{GroupKind, Model};
 use crate::report::PlanarSet;
 use crate::yin::Order;
-use serde_json::Value;
 
 /// Of so many regions each has a layer of its own; more are one layer.
 const MOST_LAYERS: usize = 24;
@@ -150,7 +149,7 @@ impl Scene {
         for (number, curve) in curves.iter().enumerate() {
             let facts = &report["curves"][number];
             let mut layer = Layer::new("curves", format!("curve {number}"));
-            let sign = if facts["sign"] == Value::from(-1) { "clockwise" } else { "counterclockwise" };
+            let sign = if facts["sign"] == -1 { "clockwise" } else { "counterclockwise" };
             let name = facts["name"].as_str().map_or_else(String::new, |name| format!("{name}, "));
             layer.detail = format!("{name}{sign}, {} knots", curve.piece_count());
             layer.is_on = true;
