@@ -276,3 +276,122 @@ fn grids_that_are_none_are_refused() {
     let far = grid([5.0, 5.0], [1.0; 2], [2, 2]);
     assert_eq!(CutCells::new(&YinSet::new(&[curve]).unwrap(), far).unwrap().count(Coverage::Empty), 4);
 }
+
+/// A random smooth curve around the origin.
+fn blob(seed: u64, size: f64) -> Vec<[f64; 2]> {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+    let mut part = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / (1u64 << 31) as f64
+    };
+    let count = 12;
+    (0..count)
+        .map(|i| {
+            let (sine, cosine) = (TAU * i as f64 / count as f64).sin_cos();
+            let radius = size * (0.7 + 0.3 * part());
+            [radius * cosine, radius * sine]
+        })
+        .collect()
+}
+
+/// The parts in cells: valid sets within their cells that add up to the set.
+fn check_parts(set: &YinSet, grid: &CartesianGrid, about: &str) {
+    let cells = CutCells::new(set, grid.clone()).unwrap();
+    let [low, high] = set.bounding_box().unwrap();
+    let [columns, rows] = grid.cell_counts();
+    let is_covered = (0..2).all(|axis| {
+        let lines = grid.lines(axis);
+        lines[0] <= low[axis] && high[axis] <= lines[lines.len() - 1]
+    });
+    assert!(is_covered && set.is_bounded(), "{about}");
+    let mut sum = 0.0;
+    for row in 0..rows {
+        for column in 0..columns {
+            let [low, high] = grid.cell_box(column, row);
+            let all = (high[0] - low[0]) * (high[1] - low[1]);
+            let at = format!("{about}: cell {column} {row}");
+            let Some(cell) = cells.cell(column, row) else {
+                sum += if cells.coverage(column, row) == Coverage::Full { all } else { 0.0 };
+                continue;
+            };
+            let part = cells.part(cell).unwrap_or_else(|error| panic!("{at}: {error}"));
+            assert_eq!(part.validate().unwrap(), None, "{at}");
+            let area = part.area().unwrap();
+            assert!((area - cell.area()).abs() <= 1e-12 * all, "{at}: {area} {}", cell.area());
+            if let Some([part_low, part_high]) = part.bounding_box() {
+                for axis in 0..2 {
+                    assert!(
+                        part_low[axis] >= low[axis] - 1e-15 && part_high[axis] <= high[axis] + 1e-15,
+                        "{at}"
+                    );
+                }
+            }
+            sum += area;
+            // The same as the meet with the cell.
+            let square = linear(&[rectangle(low, high)]);
+            let meet = set.meet(&square).unwrap_or_else(|error| panic!("{at}: {error}"));
+            assert!((meet.area().unwrap() - area).abs() <= 1e-10 * all, "{at}: {area} {:?}", meet.area());
+        }
+    }
+    let whole = set.area().unwrap();
+    assert!((sum - whole).abs() <= 1e-12 * whole, "{about}: {sum} {whole}");
+}
+
+#[test]
+fn curved_parts_add_up_to_the_set() {
+    for (seed, order) in [(1, 4), (2, 4), (3, 4), (4, 6), (5, 8), (6, 4)] {
+        let order = Order::new(order).unwrap();
+        let mut hole = blob(seed + 100, 0.45);
+        hole.reverse();
+        let set = YinSet::fit(&[blob(seed, 1.0), hole], &[], order, &EndCondition::Periodic).unwrap();
+        check_parts(&set, &grid([-1.5, -1.5], [0.3, 0.3], [10, 10]), &format!("seed {seed}"));
+        // Lines through knots: those on the axes are at angles of quarters.
+        check_parts(&set, &grid([-1.5, -1.5], [0.5, 0.75], [6, 4]), &format!("seed {seed}, axes"));
+        // Lines that touch the curves: through the extremes of their boxes.
+        let boxes = [0, 1].map(|curve| set.curve(curve).bounding_box());
+        let lines = [0, 1].map(|axis| {
+            let mut lines = vec![-2.0, 0.0, 2.0];
+            lines.extend(boxes.iter().flat_map(|own| own.map(|corner| corner[axis])));
+            lines.sort_by(f64::total_cmp);
+            lines
+        });
+        check_parts(&set, &CartesianGrid::with_lines(lines).unwrap(), &format!("seed {seed}, tangents"));
+    }
+}
+
+#[test]
+fn circles_between_the_lines_that_they_touch() {
+    // Knots on the axes, where the circle touches lines of the grid, and cells of the size of the circle.
+    for count in [4, 8, 16] {
+        let circle = Curve::circle([0.0, 0.0], 1.0, count, Order::CUBIC).unwrap();
+        let set = YinSet::new(&[circle]).unwrap();
+        check_parts(&set, &grid([-1.0, -1.0], [1.0, 1.0], [2, 2]), &format!("{count} quarters"));
+        check_parts(&set, &grid([-1.0, -1.0], [2.0, 2.0], [1, 1]), &format!("{count} whole"));
+        check_parts(&set, &grid([-2.0, -2.0], [1.0, 1.0], [4, 4]), &format!("{count} outside"));
+    }
+}
+
+#[test]
+fn straight_sides_of_curved_sets_on_lines() {
+    // Half a disk on a line, and a square with a bulge, at order 4: sides run along lines of the grid.
+    let segment = |a: [f64; 2], b: [f64; 2]| Curve::polyline(&[a, b]).unwrap().raised(Order::CUBIC).unwrap();
+    let bow = vec![[2.0, 0.0], [2.0, 2.5], [-2.0, 2.5], [-2.0, 0.0]];
+    let side = segment([-2.0, 0.0], [2.0, 0.0]);
+    let controls = [&bow[..], &side.controls()[1..]].concat();
+    let half = Curve::from_controls(Order::CUBIC, controls, vec![0.0, 1.0, 2.0]).unwrap();
+    let square = [[2.0, 0.0], [2.0, 2.0], [-2.0, 2.0]];
+    let bulge = [[-2.0, 2.0], [-1.0, 1.0], [-1.0, 1.0], [-2.0, 0.0]];
+    let mut controls = vec![[-2.0, 0.0]];
+    for pair in [[[-2.0, 0.0], square[0]], [square[0], square[1]], [square[1], square[2]]] {
+        controls.extend_from_slice(&segment(pair[0], pair[1]).controls()[1..]);
+    }
+    controls.extend_from_slice(&bulge[1..]);
+    let bulged = Curve::from_controls(Order::CUBIC, controls, vec![0.0, 1.0, 2.0, 3.0, 4.0]).unwrap();
+    for (number, curve) in [half, bulged].into_iter().enumerate() {
+        let set = YinSet::new(&[curve]).unwrap();
+        for spacing in [1.0, 0.5, 0.75, 2.0] {
+            let count = (8.0 / spacing) as usize + 1;
+            check_parts(&set, &grid([-4.0, -4.0], [spacing; 2], [count; 2]), &format!("{number} {spacing}"));
+        }
+    }
+}

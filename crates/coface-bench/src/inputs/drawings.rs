@@ -100,6 +100,20 @@ pub(super) fn gears(count: usize) -> Mesh {
     rings(&[vec![ring(0.0, [0.0, 0.0])], vec![ring(1.1, [0.0003, 0.0002])]])
 }
 
+/// Two polygons of `count` vertices each, the knots of flowers of half as many lobes, with radii 1.2 and 0.8 in turns; the second is
+/// turned by 0.7 of the angle that is a radian over the lobes, and moved by (0.01, 0.02).
+pub(super) fn flowers(count: usize) -> Mesh {
+    let ring = |turn: f64, center: [f64; 2]| {
+        let knot = |i: usize| {
+            let radius = if i.is_multiple_of(2) { 1.2 } else { 0.8 };
+            let [x, y] = polar(2.0 * (PI * i as f64 + turn) / count as f64, radius);
+            [x + center[0], y + center[1]]
+        };
+        (0..count).map(knot).collect::<Vec<_>>()
+    };
+    rings(&[vec![ring(0.0, [0.0, 0.0])], vec![ring(0.7, [0.01, 0.02])]])
+}
+
 /// A grid of about `count / 4` squares of side 70 at distances of 100, and the same moved by (30, 37): edges of the two lie on one
 /// another where one ends and another begins.
 pub(super) fn grids(count: usize) -> Mesh {

@@ -20,6 +20,7 @@
 //!   polygons of random radii, two grids of squares. Coordinates are integers below 2^28.
 //! * `random_N`, `gear_N`, `circle_N`, `grid_N`: the same at random angles, with radii 0.9 and 1 in turns, regular, and squares that are not
 //!   turned: their edges overlap.
+//! * `flower_N`: two polygons with radii 0.8 and 1.2 in turns, through which smooth flowers go.
 
 mod cubes;
 mod drawings;
@@ -68,6 +69,10 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("star_N", "two polygons of N vertices with random radii, turned by half a step (star_10000)"),
     ("squares_N", "a grid of N/4 squares and the same turned by half a radian (squares_100000)"),
     ("random_N", "two polygons of N vertices with random radii and angles (random_100000)"),
+    (
+        "flower_N",
+        "two polygons of N vertices with radii 0.8 and 1.2 in turns, the knots of flowers (flower_2000)",
+    ),
     ("gear_N", "two polygons of N vertices with radii 0.9 and 1 in turns (gear_100000)"),
     ("circle_N", "two regular polygons of N vertices that cross twice (circle_1000000)"),
     ("grid_N", "a grid of N/4 squares and the same moved along, with overlapping edges (grid_1000000)"),
@@ -139,6 +144,7 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
         ("squares", count) => Ok(drawings::squares(number(count, 4, 10_000_000)?)),
         ("random", count) => Ok(drawings::random_stars(number(count, 3, 10_000_000)?)),
         ("gear", count) => Ok(drawings::gears(2 * (number(count, 4, 10_000_000)? / 2))),
+        ("flower", count) => Ok(drawings::flowers(2 * (number(count, 6, 10_000_000)? / 2))),
         ("circle", count) => Ok(drawings::circles(number(count, 3, 10_000_000)?)),
         ("grid", count) => Ok(drawings::grids(number(count, 4, 10_000_000)?)),
         ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),

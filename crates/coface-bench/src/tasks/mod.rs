@@ -84,6 +84,7 @@ pub(crate) const ALL: &[Task] = &[
     planar::UNION,
     yin::MEET,
     yin::JOIN,
+    yin::FLOWERS,
     kinks::EDIT,
     yin::FIT,
     solids::INTERSECTION,

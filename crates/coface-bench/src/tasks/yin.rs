@@ -23,6 +23,14 @@ pub(super) const JOIN: Task = Task {
     work: Work::Inside(|path, clock| combined(path, clock, "a | b")),
 };
 
+pub(super) const FLOWERS: Task = Task {
+    name: "yin-flowers",
+    about: "meet and join of two flowers of cubic pieces, two a lobe, and the residual of their areas",
+    extension: "raw3",
+    inputs: &["flower_2000", "flower_4000", "flower_8000"],
+    work: Work::Inside(flowers),
+};
+
 pub(super) const FIT: Task = Task {
     name: "spline-fit",
     about: "the periodic cubic spline through the points of a polygon",
@@ -50,6 +58,30 @@ fn combined(path: &Path, clock: &mut Clock, formula: &str) -> Result<String, Err
     let [positive, negative] = found.set().curve_counts();
     let signed_area = found.set().signed_area();
     Ok(format!("curves {positive}+{negative} pieces {} area {signed_area:e}", found.sources().len()))
+}
+
+fn flowers(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let mut sets = Vec::with_capacity(2);
+    for ring in mesh.lists.iter() {
+        let mut knots: Vec<[f64; 2]> = ring.iter().map(|&point| points[point as usize]).collect();
+        knots.push(knots[0]);
+        sets.push(YinSet::new(&[Curve::fit(&knots, Order::CUBIC, &EndCondition::Periodic)?])?);
+    }
+    let [a, b] = &sets[..] else { return Err(Error::invalid("there are not two polygons")) };
+    let [meet, join] = clock.time(mesh.vertex_count, || {
+        let found = ["a & b", "a | b"].map(|formula| {
+            BooleanFormula::parse(formula, &[]).and_then(|formula| YinSet::combine(&[a, b], &formula))
+        });
+        let [meet, join] = found;
+        Ok::<_, Error>([meet?, join?])
+    })?;
+    let area = |set: &YinSet| set.signed_area();
+    let whole = area(a) + area(b);
+    let residual = (whole - area(meet.set()) - area(join.set())).abs() / whole;
+    let [crossings, uncertified] = [meet.set().kinks().len(), meet.report().len() + join.report().len()];
+    Ok(format!("kinks {crossings} uncertified {uncertified} residual {residual:.1e}"))
 }
 
 fn fitted(path: &Path, clock: &mut Clock) -> Result<String, Error> {

@@ -2,7 +2,7 @@
 
 use crate::arrangement::boolean::{BooleanFormula, InsideRule};
 use crate::io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
-use crate::yin::{Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
+use crate::yin::{Combination, Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
 use crate::{Error, ErrorKind};
 
 /// Which knots are kinks.
@@ -307,7 +307,7 @@ fn combined(
                 are_whole = false;
                 let curves: Vec<(Curve<'_>, Vec<u32>)> =
                     group.iter().map(|made| (made.curve.clone(), made.kinks.clone())).collect();
-                YinSet::by_rule(&curves, rule)
+                YinSet::combine_kinked_curves(&curves, rule).map(Combination::into_set)
             }
         };
         sets.push(set.map_err(|fault| {

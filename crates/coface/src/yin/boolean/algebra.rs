@@ -1,7 +1,7 @@
 //! Complement, meet and join of Yin sets, and what is made of them.
 
 use super::Combination;
-use super::curved::combine_curved;
+use super::curved::{Regions, combine_curved};
 use super::linear::{Membership, combine_linear, linear_overlay};
 use crate::Error;
 use crate::arrangement::boolean::BooleanFormula;
@@ -232,6 +232,6 @@ fn order_of(sets: &[&YinSet]) -> Order {
 fn select(sets: &[&YinSet], condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<Combination, Error> {
     match order_of(sets) {
         Order::LINEAR => combine_linear(sets, condition),
-        _ => combine_curved(sets, condition),
+        _ => combine_curved(sets, Regions::Sets, condition),
     }
 }

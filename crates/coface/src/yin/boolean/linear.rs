@@ -82,6 +82,7 @@ pub(super) fn combine_linear(
         sources,
         other_sources,
         collapsed_count,
+        resolution: 0.0,
         report: Vec::new(),
     })
 }

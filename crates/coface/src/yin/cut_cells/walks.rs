@@ -4,7 +4,7 @@ use super::perimeter::{Place, corners};
 use super::{CutArc, CutCell, CutCells};
 use crate::Error;
 use crate::arrangement::boolean::InsideRule;
-use crate::yin::{Curve, Kinks, KnotIndex, Order, YinSet};
+use crate::yin::{Combination, Curve, Kinks, KnotIndex, Order, YinSet};
 
 /// A step of a walk around a part of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,7 +152,10 @@ impl CutCells<'_> {
             return YinSet::from_rings(&rings, InsideRule::Nonzero);
         }
         let curves: Vec<Curve<'_>> = parts.iter().map(|(curve, _)| curve.clone()).collect();
-        let mut set = YinSet::new(&curves)?;
+        // Walks that touch themselves or each other at a line are cut and pasted.
+        let Ok(mut set) = YinSet::new(&curves) else {
+            return YinSet::combine_kinked_curves(&parts, InsideRule::Nonzero).map(Combination::into_set);
+        };
         let kinks = (0..)
             .zip(&parts)
             .flat_map(|(curve, (_, kinks))| kinks.iter().map(move |&knot| KnotIndex { curve, knot }));

@@ -17,21 +17,26 @@ pub(super) struct Frame {
     factor: f64,
     /// The resolution in coordinates of the frame.
     pub(super) resolution: f64,
+    /// Distances in coordinates of the frame that are well above what rounding does to results.
+    pub(super) finest: f64,
 }
 
 /// What is nearer than this is not told apart: 2^-40 of the largest extent, and at least 2^-48 of the largest coordinate, which is
-/// above what rounding does to control points of parts of pieces.
-pub(in crate::yin) fn resolution(extent: [f64; 2], largest: f64) -> f64 {
+/// above what rounding does to control points of parts of pieces; and so many times that.
+pub(in crate::yin) fn resolution(extent: [f64; 2], largest: f64, coarseness: f64) -> f64 {
     let [of_extent, of_coordinates] = [40, 48].map(|bits| 1.0 / (1u64 << bits) as f64);
-    (extent[0].max(extent[1]) * of_extent).max(largest * of_coordinates)
+    coarseness * (extent[0].max(extent[1]) * of_extent).max(largest * of_coordinates)
 }
 
 impl Frame {
-    /// The frame of points.
+    /// The frame of points, with so many times the usual resolution.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming a point that is not finite.
-    pub(super) fn of_points<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Result<Self, Error> {
+    pub(super) fn of_points<'a>(
+        points: impl Iterator<Item = &'a [f64; 2]>,
+        coarseness: f64,
+    ) -> Result<Self, Error> {
         let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
         for (at, point) in points.enumerate() {
             if !point.iter().all(|x| x.is_finite()) {
@@ -53,13 +58,19 @@ impl Frame {
         let center = [0, 1].map(|axis| low[axis] * factor / 2.0 + high[axis] * factor / 2.0);
         let extent = if largest > 0.0 { 2.0 * largest * factor } else { 1.0 };
         let farthest = low.iter().chain(&high).fold(0.0, |farthest: f64, x| farthest.max(x.abs()));
-        let resolution = resolution([extent; 2], farthest * factor);
-        Ok(Self { center, factor, resolution })
+        let resolution = resolution([extent; 2], farthest * factor, coarseness);
+        let finest = (resolution / 32.0).max(farthest * factor / (1u64 << 46) as f64);
+        Ok(Self { center, factor, resolution, finest })
     }
 
     /// A point in this frame.
     pub(super) fn to_local(self, point: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| point[axis] * self.factor - self.center[axis])
+    }
+
+    /// A length of the frame in the unit of the input.
+    pub(super) fn world_length(self, length: f64) -> f64 {
+        length / self.factor
     }
 
     /// A point of this frame in coordinates of the input.

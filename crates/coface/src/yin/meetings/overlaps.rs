@@ -11,7 +11,7 @@ const LEAST_LENGTH: f64 = 16.0;
 /// Equal control points, in the same or the opposite order, are one arc for certain. Else ends of one that are within the resolution
 /// of the other are the ends of a common arc when at more places between them than two different algebraic curves of these degrees
 /// can share, the product of the degrees, the pieces are within the resolution of each other.
-pub(super) fn overlaps_of(pieces: &Pieces, pair: [u32; 2]) -> Vec<Overlap> {
+pub(super) fn overlaps_of(pieces: &Pieces<'_>, pair: [u32; 2]) -> Vec<Overlap> {
     let [p, q] = pair.map(|piece| piece as usize);
     let [a, b] = [pieces.polynomial(p), pieces.polynomial(q)];
     if a.controls() == b.controls() {

@@ -132,7 +132,7 @@ fn hilbert(mut x: u32, mut y: u32) -> u32 {
 
 impl PartTree {
     /// The tree of all parts; boxes within the resolution of each other count as near.
-    pub(super) fn new(pieces: &Pieces) -> Self {
+    pub(super) fn new(pieces: &Pieces<'_>) -> Self {
         let margin = pieces.frame.resolution;
         let count = pieces.parts().len();
         let mut runs: Vec<(u32, u32)> = (0..count.div_ceil(LEAF))

@@ -2,13 +2,14 @@
 
 use super::{Frame, Polynomial};
 use crate::Error;
-use crate::yin::curve::bernstein;
+use crate::yin::curve::bernstein::{self, Piece};
 use crate::yin::set::CurveArena;
 use rayon::prelude::*;
 
 /// The pieces of several arenas, numbered one after the other, and their monotone parts.
-pub(super) struct Pieces {
+pub(super) struct Pieces<'a> {
     pub(super) frame: Frame,
+    arenas: Vec<&'a CurveArena>,
     /// The control points of all pieces in the frame, those of a piece together.
     controls: Vec<[f64; 2]>,
     /// The first control point of each piece, and their number.
@@ -37,10 +38,12 @@ struct Cut {
     controls: Vec<[f64; 2]>,
 }
 
-impl Pieces {
+impl<'a> Pieces<'a> {
+    /// The pieces, to be told apart at so many times the usual resolution.
+    ///
     /// # Errors
     /// As [`Frame::of_points`]; [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) for more than 2^31 control points.
-    pub(super) fn of(arenas: &[&CurveArena]) -> Result<Self, Error> {
+    pub(super) fn of(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
         let all = || arenas.iter().flat_map(|arena| arena.iter());
         let piece_count: usize = arenas.iter().map(|arena| arena.piece_count()).sum();
         let control_count: usize =
@@ -61,9 +64,10 @@ impl Pieces {
             }
             corners.extend([low, high]);
         }
-        let frame = Frame::of_points(corners.iter())?;
+        let frame = Frame::of_points(corners.iter(), coarseness)?;
         let mut found = Self {
             frame,
+            arenas: arenas.to_vec(),
             controls: Vec::with_capacity(control_count),
             starts: Vec::with_capacity(piece_count + 1),
             ends: Vec::with_capacity(piece_count),
@@ -150,6 +154,19 @@ impl Pieces {
     /// A piece in coordinates of the frame.
     pub(super) fn polynomial(&self, piece: usize) -> Polynomial {
         Polynomial::new(&self.controls[self.starts[piece] as usize..self.starts[piece + 1] as usize])
+    }
+
+    /// A piece in coordinates of the input, exactly as it was given.
+    pub(super) fn given(&self, piece: usize) -> Piece {
+        let mut at = piece;
+        for arena in &self.arenas {
+            if at < arena.piece_count() {
+                let (curve, own) = arena.curve_of_piece(at);
+                return Piece::new(arena.curve(curve).piece(own));
+            }
+            at -= arena.piece_count();
+        }
+        unreachable!("piece {piece} is in one of the arenas")
     }
 
     /// The ends of a piece in coordinates of the input.

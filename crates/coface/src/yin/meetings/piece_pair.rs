@@ -1,14 +1,18 @@
 //! All common points of two pieces.
 
-use super::contacts::{Contact, clusters};
+use super::common_end::has_no_other_point;
+use super::contacts::{Cluster, Contact, clusters};
+use super::line_contact::{LineContact, line_contact};
 use super::overlaps::{foot, overlaps_of};
 use super::polynomial::{is_apart, is_near, size};
 use super::roots::{IMAGE, Transversal, transversal_root};
 use super::search::Found;
-use super::segments::meet_segments;
+use super::segments::{enclosure, meet_segments};
+use super::side_by_side::{SideBySide, side_by_side};
 use super::{Meeting, Overlap, Pieces, Polynomial};
+use crate::geometry::predicates::orientation;
 
-/// Pairs of cells that are looked at for two parts before what is left counts as undecided.
+/// Pairs of cells that are looked at for two parts before it is given up.
 const MOST_CELLS: usize = 1 << 16;
 /// Cells that are undecided are at most so long.
 const CONTACT_LENGTH: f64 = 1.0 / (1u32 << 14) as f64;
@@ -50,15 +54,17 @@ impl Root {
 
 /// Meets pieces, with storage that is used again.
 pub(super) struct PairSolver<'a> {
-    pieces: &'a Pieces,
+    pieces: &'a Pieces<'a>,
     stack: Vec<Cell>,
     roots: Vec<Root>,
     contacts: Vec<Contact>,
+    /// Whether cells were left over.
+    is_exhausted: bool,
 }
 
 impl<'a> PairSolver<'a> {
-    pub(super) fn new(pieces: &'a Pieces) -> Self {
-        Self { pieces, stack: Vec::new(), roots: Vec::new(), contacts: Vec::new() }
+    pub(super) fn new(pieces: &'a Pieces<'a>) -> Self {
+        Self { pieces, stack: Vec::new(), roots: Vec::new(), contacts: Vec::new(), is_exhausted: false }
     }
 
     /// Adds the meetings and overlaps of two pieces, or of a piece with itself, from the pairs of their parts that come near each
@@ -73,6 +79,7 @@ impl<'a> PairSolver<'a> {
         let overlaps = if p == q { Vec::new() } else { overlaps_of(pieces, pair) };
         self.roots.clear();
         self.contacts.clear();
+        self.is_exhausted = false;
         for &own in parts {
             let own = own.map(|part| part as usize);
             if !self.is_monotone_through(own) && !overlaps.iter().any(|overlap| self.follows(overlap, own)) {
@@ -81,6 +88,9 @@ impl<'a> PairSolver<'a> {
         }
         self.collect(pair, found);
         found.overlaps.extend(overlaps);
+        if self.is_exhausted {
+            found.exhausted.push(pair);
+        }
     }
 
     /// Whether two parts follow each other on a curve, and one coordinate rises or falls all along: then they have the point between
@@ -133,8 +143,8 @@ impl<'a> PairSolver<'a> {
                 continue;
             }
             if count > MOST_CELLS {
-                self.contacts.push(Contact { ranges });
-                continue;
+                self.is_exhausted = true;
+                return;
             }
             if a.is_transversal(&b) {
                 match transversal_root(&a, &b, resolution) {
@@ -144,6 +154,17 @@ impl<'a> PairSolver<'a> {
                     }
                     Transversal::Nothing => continue,
                     Transversal::Unknown => {}
+                }
+            } else {
+                match side_by_side(&a, &b, resolution) {
+                    SideBySide::Apart => continue,
+                    SideBySide::Near(near) => {
+                        let ranges =
+                            [0, 1].map(|k| near[k].map(|t| ranges[k][0] + t * (ranges[k][1] - ranges[k][0])));
+                        self.contacts.push(Contact { ranges });
+                        continue;
+                    }
+                    SideBySide::Unclear => {}
                 }
             }
             let lengths = [size(a.chord()), size(b.chord())];
@@ -250,15 +271,21 @@ impl<'a> PairSolver<'a> {
             if self.is_shared(pair, group.ranges) {
                 continue;
             }
+            let at = group.nearest(&p, &q);
+            if let Some(exact) = self.exact(pair, &group, at) {
+                found.points.extend(exact);
+                continue;
+            }
             if group.length > LONGEST_CONTACT {
                 let [of_p, mut of_q] = group.ranges;
                 if group.is_against {
                     of_q.reverse();
                 }
-                found.overlaps.push(Overlap { pieces: pair, ranges: [of_p, of_q], is_certified: false });
+                let [from, to] = [0, 1].map(|end| opposite(&p, &q, [of_p[end], of_q[end]]));
+                let ranges = [0, 1].map(|k| [from[k], to[k]]);
+                found.overlaps.push(Overlap { pieces: pair, ranges, is_certified: false });
                 continue;
             }
-            let at = group.nearest(&p, &q);
             let mut meeting = Meeting {
                 pieces: pair,
                 parameters: group.ranges,
@@ -269,6 +296,89 @@ impl<'a> PairSolver<'a> {
             self.snap_contact(&mut meeting, &p, &q);
             found.points.push(meeting);
         }
+    }
+
+    /// The one meeting of a cluster of two cubic pieces in an end of both, where it is proven that there is no other.
+    fn common_end(&self, pair: [u32; 2], group: &Cluster) -> Option<Meeting> {
+        let [a, b] = [0, 1].map(|k| {
+            let mut controls = <[[f64; 2]; 4]>::try_from(&self.pieces.given(pair[k] as usize)[..]).ok()?;
+            let [low, high] = group.ranges[k];
+            let end = match (low <= 0.0, high >= 1.0) {
+                (true, false) => 0.0,
+                (false, true) => 1.0,
+                _ => return None,
+            };
+            if end == 1.0 {
+                controls.reverse();
+            }
+            Some((controls, end, high - low))
+        });
+        let ((a, at_a, reach), (b, at_b, _)) = (a?, b?);
+        (a[0] == b[0] && has_no_other_point(&a, &b, reach)).then(|| Meeting {
+            pieces: pair,
+            parameters: [[at_a; 2], [at_b; 2]],
+            at: [at_a, at_b],
+            point: a[0],
+            is_certified: true,
+        })
+    }
+
+    /// The meetings of a cluster, where exact arithmetic tells them.
+    fn exact(&self, pair: [u32; 2], group: &Cluster, at: [f64; 2]) -> Option<Vec<Meeting>> {
+        let Some(straight) = (0..2).find(|&k| self.pieces.is_straight(pair[k] as usize)) else {
+            return self.common_end(pair, group).map(|meeting| vec![meeting]);
+        };
+        let curved = 1 - straight;
+        let frame = self.pieces.frame;
+        let ends = pair.map(|piece| self.pieces.ends(piece as usize));
+        let range = group.ranges[curved].map(|t| t.clamp(0.0, 1.0));
+        let given = self.pieces.given(pair[curved] as usize);
+        let least = frame.world_length(frame.finest);
+        let points = match line_contact(&given, ends[straight], range, at[curved], least) {
+            LineContact::Nothing => return Some(Vec::new()),
+            LineContact::Points(points) => points,
+            LineContact::Unclear => return None,
+        };
+        let [own, line] = [curved, straight].map(|k| self.pieces.polynomial(pair[k] as usize));
+        let is_near_end = |range: [f64; 2]| range[0] <= 0.0 || range[1] >= 1.0;
+        // Near an end of one of them the one common point has to be that end.
+        if is_near_end(group.ranges[straight]) || is_near_end(range) {
+            let [[t, _]] = points[..] else { return None };
+            if t != 0.0 && t != 1.0 {
+                return None;
+            }
+            let point = ends[curved][t as usize];
+            let mut at = [t; 2];
+            if is_near_end(group.ranges[straight]) {
+                let end = if group.ranges[straight][0] <= 0.0 { 0.0 } else { 1.0 };
+                if ends[straight][end as usize] != point {
+                    return None;
+                }
+                at[straight] = end;
+            } else {
+                at[straight] = foot(&line, own.at(t), 0.5).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0);
+            }
+            let parameters = [0, 1].map(|k| match at[k] {
+                end if end == 0.0 || end == 1.0 => [end; 2],
+                inner => enclosure(self.pieces, pair[k] as usize, inner),
+            });
+            return Some(vec![Meeting { pieces: pair, parameters, at, point, is_certified: true }]);
+        }
+        if let [first, .., last] = points[..]
+            && is_near(own.at(first[0]), own.at(last[0]), 16.0 * frame.resolution)
+        {
+            return None;
+        }
+        let meeting = |between: [f64; 2]| {
+            let t = 0.5 * (between[0] + between[1]);
+            let point = own.at(t);
+            let s = foot(&line, point, 0.5);
+            let (mut at, mut parameters) = ([t; 2], [between; 2]);
+            at[straight] = s;
+            parameters[straight] = enclosure(self.pieces, pair[straight] as usize, s);
+            Meeting { pieces: pair, parameters, at, point: frame.to_world(point), is_certified: true }
+        };
+        Some(points.into_iter().map(meeting).collect())
     }
 
     /// Whether the way between two parameters of a piece stays within the resolution.
@@ -301,7 +411,7 @@ impl<'a> PairSolver<'a> {
     }
 
     /// Moves a crossing to an end of a piece that is within the resolution. It stays certified when the ends of both pieces are there
-    /// and equal.
+    /// and equal, and when the end of one is on the other, which is a segment.
     fn snap(&self, meeting: &mut Meeting, parameters: [[f64; 2]; 2]) {
         let ends: [Option<usize>; 2] = [0, 1].map(|k| {
             let piece = self.pieces.polynomial(meeting.pieces[k] as usize);
@@ -323,7 +433,9 @@ impl<'a> PairSolver<'a> {
                 meeting.point = a;
             }
             [Some(end), None] | [None, Some(end)] => {
-                meeting.is_certified = false;
+                let other = meeting.pieces[usize::from(points[0].is_some())] as usize;
+                let [a, b] = self.pieces.ends(other);
+                meeting.is_certified &= self.pieces.is_straight(other) && orientation(a, b, end).is_eq();
                 meeting.point = end;
             }
         }
@@ -366,4 +478,14 @@ impl<'a> PairSolver<'a> {
             [None, None] => {}
         }
     }
+}
+
+/// The parameters nearest to given ones at which pieces are opposite each other.
+fn opposite(p: &Polynomial, q: &Polynomial, [t, s]: [f64; 2]) -> [f64; 2] {
+    let other = foot(q, p.at(t.clamp(0.0, 1.0)), s);
+    if (0.0..=1.0).contains(&other) {
+        return [t.clamp(0.0, 1.0), other];
+    }
+    let end = other.clamp(0.0, 1.0);
+    [foot(p, q.at(end), t).clamp(0.0, 1.0), end]
 }

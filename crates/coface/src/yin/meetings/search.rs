@@ -43,6 +43,8 @@ pub(in crate::yin) struct Overlap {
 pub(in crate::yin) struct Meetings {
     pub(in crate::yin) points: Vec<Meeting>,
     pub(in crate::yin) overlaps: Vec<Overlap>,
+    /// Pieces that run so near to each other for so long that it was given up to find all that they have in common.
+    pub(in crate::yin) exhausted: Vec<[u32; 2]>,
 }
 
 /// What a pair of pieces, or many, have in common.
@@ -50,9 +52,12 @@ pub(in crate::yin) struct Meetings {
 pub(super) struct Found {
     pub(super) points: Vec<Meeting>,
     pub(super) overlaps: Vec<Overlap>,
+    pub(super) exhausted: Vec<[u32; 2]>,
 }
 
 impl Meetings {
+    /// The meetings of arenas at so many times the usual resolution.
+    ///
     /// # Errors
     /// As [`Pieces::of`].
     ///
@@ -60,11 +65,11 @@ impl Meetings {
     /// $O(n \log n + k)$ for n pieces of which k pairs of monotone parts have boxes that meet; constant work for each pair that
     /// crosses, and $O(1)$ cells for each halving down to the resolution where pieces touch. In parallel; the result does not depend
     /// on the number of threads.
-    pub(in crate::yin) fn of(arenas: &[&CurveArena]) -> Result<Self, Error> {
-        Ok(Self::of_pieces(&Pieces::of(arenas)?))
+    pub(in crate::yin) fn of(arenas: &[&CurveArena], coarseness: f64) -> Result<Self, Error> {
+        Ok(Self::of_pieces(&Pieces::of(arenas, coarseness)?))
     }
 
-    pub(super) fn of_pieces(pieces: &Pieces) -> Self {
+    pub(super) fn of_pieces(pieces: &Pieces<'_>) -> Self {
         let tree = PartTree::new(pieces);
         let parts = pieces.parts();
         let resolution = pieces.frame.resolution;
@@ -104,15 +109,16 @@ impl Meetings {
             .map(|(found, ..)| found)
             .collect();
         let mut points: Vec<Meeting> = Vec::with_capacity(found.iter().map(|own| own.points.len()).sum());
-        let mut overlaps = Vec::new();
+        let (mut overlaps, mut exhausted) = (Vec::new(), Vec::new());
         for own in found {
             points.extend(own.points);
             overlaps.extend(own.overlaps);
+            exhausted.extend(own.exhausted);
         }
         points.sort_by(|x, y| {
             let by_place = x.at[0].total_cmp(&y.at[0]).then(x.at[1].total_cmp(&y.at[1]));
             x.pieces.cmp(&y.pieces).then(by_place)
         });
-        Self { points, overlaps }
+        Self { points, overlaps, exhausted }
     }
 }

@@ -5,7 +5,7 @@ use super::{Meeting, Overlap, Pieces};
 use crate::geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 
 /// Adds the meeting or overlap of two pieces that are segments.
-pub(super) fn meet_segments(pieces: &Pieces, pair: [u32; 2], found: &mut Found) {
+pub(super) fn meet_segments(pieces: &Pieces<'_>, pair: [u32; 2], found: &mut Found) {
     let [p, q] = pair.map(|piece| piece as usize);
     let lines = [pieces.ends(p), pieces.ends(q)];
     let [[a, b], [c, d]] = lines;
@@ -77,7 +77,7 @@ fn is_in_box(line: PlanarLine, point: [f64; 2]) -> bool {
 }
 
 /// The parameter of a point of a segment; 0 and 1 are for its ends alone.
-fn parameter(pieces: &Pieces, piece: usize, point: [f64; 2]) -> f64 {
+fn parameter(pieces: &Pieces<'_>, piece: usize, point: [f64; 2]) -> f64 {
     let [a, b] = pieces.ends(piece);
     if point == a {
         return 0.0;
@@ -92,7 +92,7 @@ fn parameter(pieces: &Pieces, piece: usize, point: [f64; 2]) -> f64 {
     t.clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0)
 }
 
-fn enclosure(pieces: &Pieces, piece: usize, t: f64) -> [f64; 2] {
+pub(super) fn enclosure(pieces: &Pieces<'_>, piece: usize, t: f64) -> [f64; 2] {
     let chord = pieces.polynomial(piece).chord();
     let error = 8.0 * f64::EPSILON * (1.0 + 1.0 / chord[0].abs().max(chord[1].abs()));
     [(t - error).max(0.0), (t + error).min(1.0)]

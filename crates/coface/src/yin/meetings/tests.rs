@@ -46,14 +46,14 @@ fn circle(center: [f64; 2], radius: f64, n: usize, turn: f64) -> Vec<[f64; 2]> {
 }
 
 fn of(arenas: &[&CurveArena]) -> Meetings {
-    Meetings::of(arenas).expect("control points of tests are finite")
+    Meetings::of(arenas, 1.0).expect("control points of tests are finite")
 }
 
 #[test]
 fn two_circles_cross_twice() {
     let a = arena(4, &[circle([0.0, 0.0], 1.0, 2, 0.0)]);
     let b = arena(4, &[circle([1.0, 0.0], 1.0, 2, 0.1)]);
-    let pieces = Pieces::of(&[&a, &b]).expect("they are finite");
+    let pieces = Pieces::of(&[&a, &b], 1.0).expect("they are finite");
     let found = Meetings::of_pieces(&pieces);
     assert_eq!((found.points.len(), found.overlaps.len()), (2, 0), "{:?}", found.points);
     for meeting in &found.points {

@@ -42,11 +42,11 @@ pub(super) struct Boundaries<'a> {
 }
 
 impl<'a> Boundaries<'a> {
-    /// The curves of arenas, raised to the highest of their orders.
+    /// The curves of arenas, raised to the highest of their orders, to be told apart at so many times the usual resolution.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] for more than 2^28 pieces.
-    pub(super) fn new(arenas: &[&'a CurveArena]) -> Result<Self, Error> {
+    pub(super) fn new(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
         let order = arenas.iter().map(|arena| arena.order()).max().unwrap_or(Order::LINEAR);
         let piece_count: usize = arenas.iter().map(|arena| arena.piece_count()).sum();
         if piece_count >= 1 << 28 {
@@ -80,7 +80,7 @@ impl<'a> Boundaries<'a> {
         if !found.controls.is_empty() {
             let extent = [0, 1].map(|axis| high[axis] - low[axis]);
             let largest = [low, high].as_flattened().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-            found.resolution = resolution(extent, largest);
+            found.resolution = resolution(extent, largest, coarseness);
             found.rounding = 4.0 * order.value() as f64 * f64::EPSILON * largest;
         }
         Ok(found)

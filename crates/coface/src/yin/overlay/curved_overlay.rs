@@ -21,16 +21,27 @@ pub(in crate::yin) struct CurvedOverlay<'a> {
 }
 
 impl<'a> CurvedOverlay<'a> {
+    /// The overlay at so many times the usual resolution.
+    ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming a place at which the resolution does not tell how curves
     /// run, and the pieces there; [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) for more than 2^28 pieces.
     ///
     /// # Complexity
     /// $O((n + k) \log (n + k))$ for n pieces that meet k times, where boxes of pieces seldom meet otherwise.
-    pub(in crate::yin) fn new(arenas: &[&'a CurveArena]) -> Result<Self, Error> {
-        let boundaries = Boundaries::new(arenas)?;
+    pub(in crate::yin) fn new(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
+        let boundaries = Boundaries::new(arenas, coarseness)?;
         let mut report = Vec::new();
-        let Meetings { points, overlaps, .. } = Meetings::of(&boundaries.arenas())?;
+        let Meetings { points, overlaps, exhausted } = Meetings::of(&boundaries.arenas(), coarseness)?;
+        if let Some(&pieces) = exhausted.first() {
+            let place = boundaries.controls(pieces[0])[0];
+            return Err(undecided(
+                &boundaries,
+                "what pieces have in common that run side by side",
+                place,
+                pieces,
+            ));
+        }
         let nodes = Nodes::new(&boundaries, &points, &overlaps, &mut report);
         drop(points);
         let chains = Chains { boundaries: &boundaries, nodes: &nodes };

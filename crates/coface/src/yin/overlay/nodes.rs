@@ -93,11 +93,8 @@ impl Nodes {
             events: Vec::with_capacity(2 * meetings.len() + 4 * overlaps.len()),
             classes: UnionFind::new(meetings.len() + 2 * overlaps.len()),
         };
-        for (number, meeting) in meetings.iter().enumerate() {
+        for meeting in meetings {
             let mut meeting = *meeting;
-            if is_explained(&meeting, number, meetings) {
-                continue;
-            }
             let is_wide = meeting.parameters.iter().any(|[low, high]| high - low > WIDE);
             let is_near =
                 if is_wide || !meeting.is_certified { refine(boundaries, &mut meeting) } else { true };
@@ -147,22 +144,10 @@ pub(super) fn compare(a: &Position, b: &Position) -> Ordering {
     a.piece.cmp(&b.piece).then(a.parameter.total_cmp(&b.parameter))
 }
 
-/// Whether a certified meeting of the same pieces is known better and is where this one may be; meetings are sorted by pieces.
-fn is_explained(meeting: &Meeting, number: usize, all: &[Meeting]) -> bool {
-    let is_of_pair = |other: &&Meeting| other.pieces == meeting.pieces;
-    let before = all[..number].iter().rev().take_while(is_of_pair);
-    let width = |own: &Meeting| own.parameters.iter().map(|[low, high]| high - low).sum::<f64>();
-    before.chain(all[number + 1..].iter().take_while(is_of_pair)).any(|other| {
-        other.is_certified
-            && width(other) < width(meeting)
-            && (0..2).all(|side| {
-                let [low, high] = meeting.parameters[side];
-                low <= other.at[side] && other.at[side] <= high
-            })
-    })
-}
-
 /// Puts an uncertified meeting where its pieces come nearest to each other: whether that is within the resolution.
+///
+/// Meetings that are not certified are where hulls of short arcs are within the resolution of each other; the arcs themselves may be
+/// a little farther apart, and then they have no node.
 fn refine(boundaries: &Boundaries<'_>, meeting: &mut Meeting) -> bool {
     let offset = |at: [f64; 2]| {
         let [p, q] = [0, 1].map(|side| bernstein::value(boundaries.controls(meeting.pieces[side]), at[side]));

@@ -105,6 +105,7 @@ impl CurvedOverlay<'_> {
             sources,
             other_sources,
             collapsed_count: 0,
+            resolution: self.boundaries.resolution,
             report: self.report,
         })
     }
