@@ -375,7 +375,7 @@ fn circles_between_the_lines_that_they_touch() {
 fn straight_sides_of_curved_sets_on_lines() {
     // Half a disk on a line, and a square with a bulge, at order 4: sides run along lines of the grid.
     let segment = |a: [f64; 2], b: [f64; 2]| Curve::polyline(&[a, b]).unwrap().raised(Order::CUBIC).unwrap();
-    let bow = vec![[2.0, 0.0], [2.0, 2.5], [-2.0, 2.5], [-2.0, 0.0]];
+    let bow = [[2.0, 0.0], [2.0, 2.5], [-2.0, 2.5], [-2.0, 0.0]];
     let side = segment([-2.0, 0.0], [2.0, 0.0]);
     let controls = [&bow[..], &side.controls()[1..]].concat();
     let half = Curve::from_controls(Order::CUBIC, controls, vec![0.0, 1.0, 2.0]).unwrap();

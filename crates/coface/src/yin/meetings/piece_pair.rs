@@ -272,7 +272,10 @@ impl<'a> PairSolver<'a> {
                 continue;
             }
             let at = group.nearest(&p, &q);
-            if let Some(exact) = self.exact(pair, &group, at) {
+            // Long ones may be common arcs up to rounding.
+            if group.length <= LONGEST_CONTACT
+                && let Some(exact) = self.exact(pair, &group, at)
+            {
                 found.points.extend(exact);
                 continue;
             }

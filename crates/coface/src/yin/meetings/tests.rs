@@ -71,7 +71,7 @@ fn two_circles_cross_twice() {
 }
 
 #[test]
-fn circles_that_touch_have_one_point_that_is_not_certified() {
+fn circles_that_touch_have_one_point_that_is_certified_in_a_common_knot() {
     for (radius, center) in [(1.0, 2.0), (0.5, 0.5), (0.25, 1.25), (2.0, -1.0)] {
         // Both have a knot where they touch, and its tangent is upright.
         let a = arena(4, &[circle([0.0, 0.0], 1.0, 3, 0.0)]);
@@ -83,8 +83,35 @@ fn circles_that_touch_have_one_point_that_is_not_certified() {
             found.points
         );
         for meeting in &found.points {
-            assert!(!meeting.is_certified);
+            // Of angles of half a turn the sine is not zero in floating point.
+            assert_eq!(meeting.is_certified, center + radius == 1.0, "{radius} {center} {meeting:?}");
             assert!((0..2).all(|k| (meeting.point[k] - [1.0, 0.0][k]).abs() < 1e-12), "{meeting:?}");
+        }
+    }
+}
+
+#[test]
+fn arcs_side_by_side_are_apart_or_one() {
+    let arc = [[0.0, 0.0], [1.0, 1.5], [2.0, 1.25], [3.0, 0.25]];
+    let moved = |[x, y]: [f64; 2]| arc.map(|p| [p[0] + x, p[1] + y]).to_vec();
+    let between = |shift: [f64; 2]| {
+        let [a, b] = [arena(4, &[closed_by_segment(&arc)]), arena(4, &[closed_by_segment(&moved(shift))])];
+        let found = of(&[&a, &b]);
+        assert!(found.exhausted.is_empty(), "{shift:?}");
+        let points = found.points.into_iter().filter(|meeting| meeting.pieces == [0, 2]).count();
+        (points, found.overlaps.into_iter().filter(|overlap| overlap.pieces == [0, 2]).collect::<Vec<_>>())
+    };
+    for shift in [[0.0, 1e-6], [0.0, 5e-9], [0.0, -1e-10], [1e-8, 0.0]] {
+        let (points, overlaps) = between(shift);
+        // Where the direction of the shift is that of the arc they come together.
+        assert_eq!(points, usize::from(shift[0] != 0.0), "{shift:?}");
+        assert!(overlaps.is_empty(), "{shift:?} {overlaps:?}");
+    }
+    for shift in [[0.0, 1e-13], [1e-13, -1e-13]] {
+        let (points, overlaps) = between(shift);
+        assert_eq!((points, overlaps.len()), (0, 1), "{shift:?} {overlaps:?}");
+        for range in overlaps[0].ranges {
+            assert!(range[0] < 1e-9 && range[1] > 1.0 - 1e-9, "{range:?}");
         }
     }
 }
