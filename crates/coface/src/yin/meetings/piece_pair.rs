@@ -136,6 +136,8 @@ impl<'a> PairSolver<'a> {
             pieces: parts.map(|part| self.pieces.part_polynomial(part)),
             ranges: parts.map(|part| self.pieces.parts()[part].range),
         });
+        let [p, q] = parts.map(|part| self.pieces.parts()[part].piece as usize);
+        let is_neighbor = p == q || self.pieces.next(p) == q || self.pieces.next(q) == p;
         let mut count = 0;
         while let Some(Cell { pieces: [a, b], ranges }) = self.stack.pop() {
             count += 1;
@@ -158,13 +160,14 @@ impl<'a> PairSolver<'a> {
             } else {
                 match side_by_side(&a, &b, resolution) {
                     SideBySide::Apart => continue,
-                    SideBySide::Near(near) => {
+                    // What is next to a common end is told from it when it hangs together with it.
+                    SideBySide::Near(near) if !is_neighbor => {
                         let ranges =
                             [0, 1].map(|k| near[k].map(|t| ranges[k][0] + t * (ranges[k][1] - ranges[k][0])));
                         self.contacts.push(Contact { ranges });
                         continue;
                     }
-                    SideBySide::Unclear => {}
+                    SideBySide::Near(_) | SideBySide::Unclear => {}
                 }
             }
             let lengths = [size(a.chord()), size(b.chord())];
