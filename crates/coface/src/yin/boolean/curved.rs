@@ -49,7 +49,7 @@ fn combine_at(
     coarseness: f64,
 ) -> Result<Combination, Error> {
     let arenas: Vec<&CurveArena> = sets.iter().map(|set| set.arena()).collect();
-    let overlay = CurvedOverlay::new(&arenas, coarseness)?;
+    let overlay = CurvedOverlay::at_coarseness(&arenas, coarseness)?;
     let found = match regions {
         Regions::Sets => overlay.select(sets, condition)?,
         Regions::Rings => overlay.select_faces(sets, condition)?,
@@ -77,5 +77,5 @@ fn combine_at(
 pub(in crate::yin) fn curved_jordan_rings(
     arena: &CurveArena,
 ) -> Result<Result<JordanRings, JordanFault>, Error> {
-    CurvedOverlay::new(&[arena], 1.0)?.jordan_rings()
+    CurvedOverlay::new(&[arena])?.jordan_rings()
 }

@@ -21,6 +21,14 @@ pub(in crate::yin) struct CurvedOverlay<'a> {
 }
 
 impl<'a> CurvedOverlay<'a> {
+    /// The overlay at the usual resolution.
+    ///
+    /// # Errors
+    /// As [`Self::at_coarseness`].
+    pub(in crate::yin) fn new(arenas: &[&'a CurveArena]) -> Result<Self, Error> {
+        Self::at_coarseness(arenas, 1.0)
+    }
+
     /// The overlay at so many times the usual resolution.
     ///
     /// # Errors
@@ -29,7 +37,7 @@ impl<'a> CurvedOverlay<'a> {
     ///
     /// # Complexity
     /// $O((n + k) \log (n + k))$ for n pieces that meet k times, where boxes of pieces seldom meet otherwise.
-    pub(in crate::yin) fn new(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
+    pub(in crate::yin) fn at_coarseness(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
         let boundaries = Boundaries::new(arenas, coarseness)?;
         let mut report = Vec::new();
         let Meetings { points, overlaps, exhausted } = Meetings::of(&boundaries.arenas(), coarseness)?;
