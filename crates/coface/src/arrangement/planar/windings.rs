@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// For each face the regions with a winding number that is not zero, rising. Faces with the same numbers share a list: there are few
 /// different ones, and a condition on them is asked once for each.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Windings {
     lists: WindingLists,
     /// The list of each bounded face.
@@ -89,12 +89,6 @@ impl Windings {
     /// leads from.
     pub(crate) fn entries(&self) -> &[u32] {
         &self.entries
-    }
-}
-
-impl Default for Windings {
-    fn default() -> Self {
-        Self { lists: WindingLists::default(), list_of_face: Vec::new(), entries: Vec::new() }
     }
 }
 
