@@ -192,8 +192,7 @@ mod tests {
             text += &format!("f {} {} {}\nf {} {} {}\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1);
             terms.extend([(0.25, [a, c]), (0.25, [a, d]), (0.25, [b, d]), (0.0, [a, b])]);
         }
-        let scene = Scene::of("band", &io::read(text.as_bytes(), Format::Obj).unwrap()).unwrap();
-        let mut with = scene.clone();
+        let mut with = Scene::of("band", &io::read(text.as_bytes(), Format::Obj).unwrap()).unwrap();
         with.add_result("forms", &json!({"harmonic": [[], [{"chain": terms}]]})).unwrap();
         let lines = with.layers().iter().find(|layer| layer.name.ends_with("isolines")).unwrap();
         // Eight levels, each through two triangles or along an edge.
