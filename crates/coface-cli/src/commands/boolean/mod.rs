@@ -108,12 +108,12 @@ impl Boolean {
         let name = self.arguments[0].to_string_lossy();
         let operation = Operation::from_str(&name, false).unwrap_or_else(|_| {
             let message = format!(
-                "\"{name}\" is no operation: begin with union, intersection, difference or xor, or give --formula\n"
+                "\"{name}\" is no operation: begin with union, intersection, difference or xor, or give --formula"
             );
             Arguments::command().error(ErrorKind::InvalidValue, message).exit()
         });
         if self.arguments.len() < 2 {
-            let message = "name the inputs after the operation\n";
+            let message = "name the inputs after the operation";
             Arguments::command().error(ErrorKind::MissingRequiredArgument, message).exit();
         }
         Ok((Task::Named(operation), &self.arguments[1..]))

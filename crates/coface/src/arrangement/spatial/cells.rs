@@ -1,7 +1,7 @@
 //! The cells of space.
 
 use super::PolygonalComplex;
-use super::face_planes::{FacePlane, face_planes};
+use super::face_planes::FacePlanes;
 use super::nesting::parents;
 use super::polygonal_complex::sign_of;
 use super::predicates::{GivenPoints, SpatialPredicates};
@@ -64,7 +64,7 @@ pub struct SpatialCells {
 /// A complex with the faces around its edges in their order: all that cells are found from.
 pub(super) struct OrderedFaces {
     complex: Arc<PolygonalComplex>,
-    planes: Vec<FacePlane>,
+    planes: FacePlanes,
     order: RadialOrder,
 }
 
@@ -92,7 +92,7 @@ impl OrderedFaces {
     ) -> Result<Self, Error> {
         let complex = complex.into();
         let (planes, sides) =
-            rayon::join(|| face_planes(&complex, predicates), || SidesAtEdges::new(&complex));
+            rayon::join(|| FacePlanes::new(&complex, predicates), || SidesAtEdges::new(&complex));
         let planes = planes?;
         let order = RadialOrder::new(&complex, predicates, &planes, sides)?;
         Ok(Self { complex, planes, order })

@@ -40,6 +40,31 @@ pub(super) fn lexicographic(predicates: &impl SpatialPredicates, a: u32, b: u32)
     (0..3).map(|axis| predicates.compare(axis, a, b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
 }
 
+/// The planes of all faces: listed, or asked of predicates that know all of them.
+pub(super) struct FacePlanes(Option<Vec<FacePlane>>);
+
+impl FacePlanes {
+    /// The planes of the faces of a complex.
+    ///
+    /// # Errors
+    /// `InvalidInput` naming the first face that has no area, whose sides do not run around it, or that is not flat.
+    pub(super) fn new(
+        complex: &PolygonalComplex,
+        predicates: &impl SpatialPredicates,
+    ) -> Result<Self, Error> {
+        let is_known = predicates.knows_planes();
+        Ok(Self(if is_known { None } else { Some(face_planes(complex, predicates)?) }))
+    }
+
+    /// The plane of a face.
+    pub(super) fn of(&self, predicates: &impl SpatialPredicates, face: usize) -> FacePlane {
+        match &self.0 {
+            Some(planes) => planes[face],
+            None => known_plane(predicates, face as u32).expect("the planes of all faces are known"),
+        }
+    }
+}
+
 /// The planes of all faces.
 ///
 /// At its lexicographically least vertex a face lies within a half turn, so the outermost two sides there are corners of its
@@ -47,7 +72,7 @@ pub(super) fn lexicographic(predicates: &impl SpatialPredicates, a: u32, b: u32)
 ///
 /// # Errors
 /// `InvalidInput` naming the first face that has no area, whose sides do not run around it, or that is not flat.
-pub(super) fn face_planes(
+fn face_planes(
     complex: &PolygonalComplex,
     predicates: &impl SpatialPredicates,
 ) -> Result<Vec<FacePlane>, Error> {
@@ -65,11 +90,8 @@ fn face_plane(
     face: usize,
     neighbors: &mut Vec<(u32, bool)>,
 ) -> Result<FacePlane, Error> {
-    if let Some(corners) = predicates.corners_of_plane(face as u32) {
-        let (axis, front) =
-            predicates.axis_of_plane(face as u32).expect("the corners of a plane are not on one line");
-        let front = if front.is_gt() { Sign::Plus } else { Sign::Minus };
-        return Ok(FacePlane { corners, axis: axis as u8, front });
+    if let Some(plane) = known_plane(predicates, face as u32) {
+        return Ok(plane);
     }
     let sides = complex.packed_sides().list(face);
     let tails = || sides.iter().map(|&side| complex.side_ends(side)[0]);
@@ -120,4 +142,12 @@ fn face_plane(
         .with_cure("triangulate the face"));
     }
     Ok(FacePlane { corners, axis: axis as u8, front })
+}
+
+/// The plane of a face that the predicates know.
+fn known_plane(predicates: &impl SpatialPredicates, face: u32) -> Option<FacePlane> {
+    let corners = predicates.corners_of_plane(face)?;
+    let (axis, front) = predicates.axis_of_plane(face).expect("the corners of a plane are not on one line");
+    let front = if front.is_gt() { Sign::Plus } else { Sign::Minus };
+    Some(FacePlane { corners, axis: axis as u8, front })
 }

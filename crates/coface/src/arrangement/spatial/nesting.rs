@@ -1,7 +1,7 @@
 //! Which shells lie in which cells: exact rays from components.
 
 use super::PolygonalComplex;
-use super::face_planes::FacePlane;
+use super::face_planes::FacePlanes;
 use super::predicates::SpatialPredicates;
 use super::shells::Shells;
 use crate::Error;
@@ -23,7 +23,7 @@ use std::cmp::Ordering;
 pub(super) fn parents(
     complex: &PolygonalComplex,
     predicates: &impl SpatialPredicates,
-    planes: &[FacePlane],
+    planes: &FacePlanes,
     shells: &Shells,
 ) -> Result<Vec<Option<u32>>, Error> {
     let count = shells.outer.len();
@@ -106,7 +106,7 @@ fn shells_around<P: SpatialPredicates>(
 struct Ray<'a, P> {
     complex: &'a PolygonalComplex,
     predicates: &'a P,
-    planes: &'a [FacePlane],
+    planes: &'a FacePlanes,
     near: [u32; 2],
 }
 
@@ -148,7 +148,7 @@ impl<P: SpatialPredicates> Ray<'_, P> {
         if winding == 0 {
             return Ok(0);
         }
-        let [p, q, r] = self.planes[face].corners;
+        let [p, q, r] = self.planes.of(self.predicates, face).corners;
         let side = self.linear(|point| self.predicates.orientation([p, q, r, point]));
         match (winding, side) {
             (1, Ordering::Greater) | (-1, Ordering::Less) => Ok(winding),

@@ -30,6 +30,11 @@ pub trait SpatialPredicates: Sync {
         None
     }
 
+    /// Whether [`Self::corners_of_plane`] are known for all faces.
+    fn knows_planes(&self) -> bool {
+        false
+    }
+
     /// An axis that is not in the plane of a face with [`Self::corners_of_plane`], and the sign of the normal along it, `Greater` where the
     /// front is towards the far end of the axis.
     fn axis_of_plane(&self, face: u32) -> Option<(usize, Ordering)> {

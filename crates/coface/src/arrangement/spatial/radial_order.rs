@@ -1,7 +1,7 @@
 //! The faces around each edge in their order.
 
 use super::PolygonalComplex;
-use super::face_planes::FacePlane;
+use super::face_planes::FacePlanes;
 use super::polygonal_complex::sign_of;
 use super::predicates::SpatialPredicates;
 use crate::Error;
@@ -33,7 +33,7 @@ struct Wing {
 /// The half-planes around one edge, compared by signs only.
 pub(super) struct EdgeView<'a, P> {
     predicates: &'a P,
-    planes: &'a [FacePlane],
+    planes: &'a FacePlanes,
     ends: [u32; 2],
 }
 
@@ -41,7 +41,7 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
     pub(super) fn new(
         complex: &PolygonalComplex,
         predicates: &'a P,
-        planes: &'a [FacePlane],
+        planes: &'a FacePlanes,
         edge: usize,
     ) -> Self {
         let ends = predicates.points_of_line(edge as u32).unwrap_or(complex.edges()[edge]);
@@ -57,7 +57,7 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
     /// edge; it is as good as a vertex next to the edge, once it is known in which half of the plane it is. So faces need not be
     /// convex, and holes need no care.
     fn wing(&self, side: u32) -> Wing {
-        let plane = &self.planes[(side >> 1) as usize];
+        let plane = self.planes.of(self.predicates, (side >> 1) as usize);
         let [a, b] = self.ends;
         let (apex, turn) = plane
             .corners
@@ -87,7 +87,7 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
             return first.apex_sign == second.apex_sign;
         }
         let [a, b] = self.ends;
-        let plane = &self.planes[(first.side >> 1) as usize];
+        let plane = self.planes.of(self.predicates, (first.side >> 1) as usize);
         let [x, y] = [first, second].map(|wing| plane.turn_along_axis(self.predicates, [a, b, wing.apex]));
         (x == y) == (first.apex_sign == second.apex_sign)
     }
@@ -180,7 +180,7 @@ impl RadialOrder {
     pub(super) fn new(
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
-        planes: &[FacePlane],
+        planes: &FacePlanes,
         sides: SidesAtEdges,
     ) -> Result<Self, Error> {
         let SidesAtEdges { starts, mut items } = sides;

@@ -1,7 +1,7 @@
 //! Shells: what the two sides of the faces close up to.
 
 use super::PolygonalComplex;
-use super::face_planes::{FacePlane, lexicographic};
+use super::face_planes::{FacePlanes, lexicographic};
 use super::predicates::SpatialPredicates;
 use super::radial_order::{EdgeView, RadialOrder};
 use crate::algebra::{ParityUnion, ParityUnionFind, RaggedArray, Sign, UnionFind};
@@ -32,7 +32,7 @@ impl Shells {
     pub(super) fn new(
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
-        planes: &[FacePlane],
+        planes: &FacePlanes,
         order: &RadialOrder,
     ) -> Self {
         let (mut half_faces, node_of_face) = patches(complex.face_count(), order.lists());
@@ -81,7 +81,7 @@ impl Shells {
         &mut self,
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
-        planes: &[FacePlane],
+        planes: &FacePlanes,
         order: &RadialOrder,
         component_count: usize,
     ) {

@@ -71,6 +71,10 @@ impl SpatialPredicates for CutPredicates<'_> {
         Some(self.sheets.corners[self.sheet_of_face[face as usize] as usize])
     }
 
+    fn knows_planes(&self) -> bool {
+        true
+    }
+
     fn axis_of_plane(&self, face: u32) -> Option<(usize, Ordering)> {
         let view = self.sheets.views[self.sheet_of_face[face as usize] as usize];
         Some((usize::from(view.axis), view.front))
