@@ -68,3 +68,9 @@ fn what_is_wound_around_twice() {
     let turned = info(spiral, "", &["--rule", "positive"]);
     assert!(area(&turned) == area(&all) || turned["empty"] == true);
 }
+
+#[test]
+fn a_rule_that_does_not_exist_is_wrong_usage() {
+    let run = coface(&["yin", "info", "none.svg", "--rule", "negative"]);
+    assert!(run.fails_with(2).contains("nonzero"));
+}

@@ -48,13 +48,16 @@ fn assert_alike(a: &YinSet, b: &YinSet, about: &str) {
     }
 }
 
+/// A map of the plane to itself.
+type Motion<'a> = &'a dyn Fn([f64; 2]) -> [f64; 2];
+
 #[test]
 fn motions_and_swaps_change_nothing() {
     for seed in 0..case_count(12) {
         let mut random = Random::new(seed + (3 << 32));
         let sets = [0; 2].map(|_| mapped(&smooth_set(&mut random, 1.0), on_grid).unwrap());
         let shift = [0; 2].map(|_| (random.coordinate() * 4096.0).round());
-        let motions: [(&dyn Fn([f64; 2]) -> [f64; 2], bool); 4] = [
+        let motions: [(Motion<'_>, bool); 4] = [
             (&|[x, y]| [x + shift[0], y + shift[1]], false),
             (&|[x, y]| [-x, y], true),
             (&|[x, y]| [-y, x], false),

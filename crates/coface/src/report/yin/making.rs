@@ -402,3 +402,56 @@ fn set_of(curves: &[Made]) -> Result<YinSet, Error> {
     let names: Option<Vec<u32>> = kinks.iter().map(|&(_, name)| name).collect();
     set.with_declared_kinks(&knots, names.as_deref(), None)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::yin::read_factories;
+    use std::f64::consts::PI;
+
+    fn set(text: &str) -> Result<PlanarSet, Error> {
+        PlanarSet::of(&read_factories(text.as_bytes())?, &SetRequest::default())
+    }
+
+    #[test]
+    fn circles_rectangles_and_lists_of_points_are_read() -> Result<(), Error> {
+        let text =
+            "1e-10\n# a frame with a disk in it\nRectangle -2 -1 2 1 0 1 0.3\nCircle 0.5 0 0.5 0 0.01\n";
+        let read = set(text)?;
+        assert_eq!((read.set().kinks().len(), read.set().curve_counts()), (4, [1, 1]));
+        assert!((read.set().area().expect("bounded") - (8.0 - 0.25 * PI)).abs() < 1e-8);
+        assert_eq!(read.set().curve(0).piece_count(), 2 * (14 + 7));
+        assert_eq!(read.set().curve(1).piece_count(), 315);
+        // Clockwise, all of the plane but a turned square.
+        let hole = set("Rectangle 0 0 1 1 0.7 0 0.6")?;
+        assert!(!hole.set().is_bounded() && hole.set().kinks().len() == 4);
+        let triangle = set("OrientedJordanCurve 3 0 0 4 0 0 4 0 0 0 1 2")?;
+        assert_eq!((triangle.set().area(), triangle.set().kinks().len()), (Some(8.0), 3));
+        Ok(())
+    }
+
+    #[test]
+    fn faults_have_line_and_column() {
+        for (text, line, said) in [
+            ("Circle 0 0 1 1 0.1\nOval 1 2", 2, "column 1: \"Oval\" is no curve"),
+            ("Circle 0 zero 1 1 0.1", 1, "column 10: \"zero\" is not a number"),
+            ("Circle 0 0 -1 1 0.1", 1, "column 12: the radius is -1"),
+            ("Circle 0 0 1 2 0.1", 1, "column 14: the orientation is 2"),
+            ("Circle 0 0 1 1", 1, "column 15: the line ends"),
+            ("Circle 0 0 1 1 0.1 9", 1, "column 20: \"9\" comes behind"),
+            ("Circle 0 0 1 1 9", 1, "has no area"),
+            ("Circle 0 0 1 1 1e-300", 1, "more than 2^24"),
+            ("Rectangle 0 0 0 1 0 1 0.1", 1, "has no area"),
+            ("OrientedJordanCurve 3 0 0 1 0 0 1 0 1", 1, "column 35: the last point (0, 1) is not the first"),
+            ("OrientedJordanCurve 4000000000 0 0", 1, "the line ends"),
+            ("OrientedJordanCurve 3 0 0 1 0 0 1 0 0 4", 1, "column 39: there is no point 4"),
+            ("OrientedJordanCurve 3 0 0 1 0 0 1 0 nan", 1, "column 37"),
+            ("OrientedJordanCurve 3 0 0 1 0 0 1 0 0 0 3", 1, "a kink twice"),
+            ("1\n2\nCircle 0 0 1 1 0.1", 2, "without a name"),
+        ] {
+            let error = set(text).err().unwrap_or_else(|| panic!("{text} is read"));
+            assert_eq!(error.line(), Some(line), "{text}: {error}");
+            assert!(error.to_string().contains(said), "{text}: {error}");
+        }
+    }
+}
