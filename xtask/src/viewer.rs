@@ -53,7 +53,9 @@ fn prepare() -> Result<(), String> {
         return Ok(());
     }
     println!("== viewer: npm ci");
-    let is_done = npm(&["ci", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"]).stdin(Stdio::null()).status();
+    let is_done = npm(&["ci", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=60000"])
+        .stdin(Stdio::null())
+        .status();
     match is_done.is_ok_and(|status| status.success()) {
         true => Ok(()),
         false => Err("npm ci cannot install what viewer/package-lock.json names".to_owned()),

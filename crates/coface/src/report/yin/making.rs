@@ -307,7 +307,7 @@ fn combined(
                 are_whole = false;
                 let curves: Vec<(Curve<'_>, Vec<u32>)> =
                     group.iter().map(|made| (made.curve.clone(), made.kinks.clone())).collect();
-                YinSet::combine_kinked_curves(&curves, rule).map(Combination::into_set)
+                YinSet::combine_kinked_curves(&curves, 0, rule).map(Combination::into_set)
             }
         };
         sets.push(set.map_err(|fault| {

@@ -6,7 +6,6 @@ mod coverage;
 mod curved;
 mod linear;
 mod outline;
-mod pasting;
 mod repair;
 
 pub use algebra::Normalized;
@@ -14,4 +13,3 @@ pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision}
 pub(in crate::yin) use coverage::first_covering;
 pub(in crate::yin) use curved::curved_jordan_rings;
 pub(in crate::yin) use linear::{combine_rings, linear_overlay};
-pub(in crate::yin) use pasting::repaired;

@@ -43,12 +43,13 @@ impl YinSet {
     /// ```
     pub fn combine_curves(curves: &[Curve<'_>], rule: InsideRule) -> Result<Combination, Error> {
         let curves: Vec<_> = curves.iter().map(|curve| (curve.clone(), Vec::new())).collect();
-        Self::combine_kinked_curves(&curves, rule)
+        Self::combine_kinked_curves(&curves, 0, rule)
     }
 
-    /// The same for curves with kinks at some of their knots.
+    /// The same for curves with kinks at some of their knots, with a winding number for what is far away.
     pub(crate) fn combine_kinked_curves(
         curves: &[(Curve<'_>, Vec<u32>)],
+        around: i32,
         rule: InsideRule,
     ) -> Result<Combination, Error> {
         if let Some(open) = curves.iter().position(|(curve, _)| !curve.is_closed()) {
@@ -71,8 +72,9 @@ impl YinSet {
             })
             .collect::<Result<_, Error>>()?;
         let operands: Vec<&Self> = rings.iter().collect();
-        let is_inside =
-            |windings: &[(u32, i32)]| rule.is_inside(windings.iter().map(|&(_, winding)| winding).sum());
+        let is_inside = |windings: &[(u32, i32)]| {
+            rule.is_inside(around + windings.iter().map(|&(_, winding)| winding).sum::<i32>())
+        };
         let mut found = match order {
             Order::LINEAR => combine_linear(&operands, is_inside)?,
             _ => combine_curved(&operands, Regions::Rings, is_inside)?,

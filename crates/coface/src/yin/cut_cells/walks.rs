@@ -154,7 +154,7 @@ impl CutCells<'_> {
         let curves: Vec<Curve<'_>> = parts.iter().map(|(curve, _)| curve.clone()).collect();
         // Walks that touch themselves or each other at a line are cut and pasted.
         let Ok(mut set) = YinSet::new(&curves) else {
-            return YinSet::combine_kinked_curves(&parts, InsideRule::Nonzero).map(Combination::into_set);
+            return YinSet::combine_kinked_curves(&parts, 0, InsideRule::Nonzero).map(Combination::into_set);
         };
         let kinks = (0..)
             .zip(&parts)

@@ -4,7 +4,6 @@ use super::TrackingCounts;
 use super::markers::{MarkerRange, moved_markers, polyline_length};
 use crate::Error;
 use crate::arrangement::boolean::InsideRule;
-use crate::yin::boolean::repaired;
 use crate::yin::kinks::are_surely_apart;
 use crate::yin::set::{CurveArena, Lying, lying};
 use crate::yin::{Curve, EndCondition, Kinks, KnotIndex, Order, YinFault, YinSet};
@@ -148,7 +147,7 @@ impl Fronts {
             .iter()
             .map(|front| (front.curve.clone(), front.kinks.iter().map(|&(knot, _)| knot).collect()))
             .collect();
-        let combination = repaired(&curves, self.is_unbounded, rule)?;
+        let combination = YinSet::combine_kinked_curves(&curves, i32::from(self.is_unbounded), rule)?;
         let sources = combination.sources();
         let set = combination.set();
         let mut first = 0;

@@ -5,7 +5,6 @@ use super::sets::in_step;
 use super::{TrackingCounts, TrackingOptions};
 use crate::Error;
 use crate::arrangement::boolean::InsideRule;
-use crate::yin::boolean::repaired;
 use crate::yin::interface::Arcs;
 use crate::yin::kinks::are_surely_apart;
 use crate::yin::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
@@ -164,7 +163,7 @@ impl InterfaceGraph {
                 let kinks = self.phase_kinks(phase);
                 let curves: Vec<(Curve<'_>, Vec<u32>)> =
                     (0..set.curve_count()).map(|curve| set.curve(curve)).zip(kinks).collect();
-                Ok(repaired(&curves, !set.is_bounded(), rule)?.into_set())
+                Ok(YinSet::combine_kinked_curves(&curves, i32::from(!set.is_bounded()), rule)?.into_set())
             })
             .collect::<Result<_, Error>>()?;
         let options = InterfaceOptions {
