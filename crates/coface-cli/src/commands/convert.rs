@@ -312,6 +312,7 @@ fn repair_to_json(repair: &MeshRepair) -> Value {
 
 /// Says that the format has no room for the groups or the data of the model, where that is so.
 pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
+    let colors = model.vertex_colors();
     // Rings are written as rings of polygons, and polygons of one feature together, which tells these.
     let is_told = |data: &CellData| match format {
         Format::GeoJson | Format::Wkt | Format::Svg => {
@@ -319,7 +320,7 @@ pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
                 && (matches!(data.name(), "polygon" | "ring")
                     || data.name() == "feature" && format != Format::Svg)
         }
-        Format::Obj => data.kind() == GroupKind::Vertices && matches!(data.name(), "red" | "green" | "blue"),
+        Format::Obj => colors.is_some_and(|colors| colors.contains(&data)),
         _ => false,
     };
     let data_count = model.data().iter().filter(|data| !is_told(data)).count();

@@ -1,5 +1,6 @@
 //! What a file held.
 
+use super::numbers::Numbers;
 use super::{CellData, Format};
 use crate::algebra::RaggedArray;
 use crate::cellular::CellShape;
@@ -410,6 +411,21 @@ impl Model {
     /// The named numbers on vertices, lines, polygons and cells.
     pub fn data(&self) -> &[CellData] {
         &self.data
+    }
+
+    /// The colors of the vertices: data `red`, `green` and `blue` on vertices, a byte each.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Model;
+    /// assert!(Model::default().vertex_colors().is_none());
+    /// ```
+    pub fn vertex_colors(&self) -> Option<[&CellData; 3]> {
+        let part = |name| {
+            self.data_named(name, GroupKind::Vertices)
+                .filter(|data| data.components() == 1 && matches!(data.numbers(), Numbers::UInt8(_)))
+        };
+        Some([part("red")?, part("green")?, part("blue")?])
     }
 
     /// The array of this name on vertices, lines, polygons or cells.

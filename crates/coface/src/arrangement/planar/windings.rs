@@ -74,13 +74,16 @@ impl Windings {
 
     /// Whether the numbers around each bounded face satisfy a condition, and then whether no numbers do.
     pub(crate) fn where_satisfied(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Vec<bool> {
-        let of_list: Vec<bool> =
-            (0..self.lists.len() as u32).map(|list| condition(self.lists.list(list))).collect();
-        let mut found = Vec::with_capacity(self.list_of_face.len() + 1);
         // What cannot be reached has the empty list, the first.
-        let of_faces =
-            self.list_of_face.iter().map(|&list| of_list[if list == NONE { 0 } else { list as usize }]);
-        found.extend(of_faces);
+        let list_of = |&list: &u32| if list == NONE { 0 } else { list as usize };
+        // On the way to a list there are others, which no face has.
+        let mut is_used = vec![false; self.lists.len()];
+        is_used[0] = true;
+        self.list_of_face.iter().for_each(|list| is_used[list_of(list)] = true);
+        let is_satisfied = |(list, is_used)| is_used && condition(self.lists.list(list));
+        let of_list: Vec<bool> = (0..).zip(is_used).map(is_satisfied).collect();
+        let mut found = Vec::with_capacity(self.list_of_face.len() + 1);
+        found.extend(self.list_of_face.iter().map(|list| of_list[list_of(list)]));
         found.push(of_list[0]);
         found
     }

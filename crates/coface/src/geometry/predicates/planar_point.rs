@@ -38,11 +38,15 @@ impl PlanarPoint {
     /// Constant: a hundred operations in floating point unless the lines are nearly parallel.
     pub fn crossing(s: PlanarLine, t: PlanarLine) -> Option<Self> {
         // Lines along the axes know one coordinate each.
-        let is_along = |line: PlanarLine, axis: usize| line[0][1 - axis] == line[1][1 - axis];
-        let upright = match (is_along(s, 0) && is_along(t, 1), is_along(s, 1) && is_along(t, 0)) {
-            (true, false) => Some([t[0][0], s[0][1]]),
-            (false, true) => Some([s[0][0], t[0][1]]),
-            _ => None,
+        let is_along = |line: PlanarLine, axis: usize| {
+            line[0][1 - axis] == line[1][1 - axis] && line[0][axis] != line[1][axis]
+        };
+        let upright = if is_along(s, 0) && is_along(t, 1) {
+            Some([t[0][0], s[0][1]])
+        } else if is_along(s, 1) && is_along(t, 0) {
+            Some([s[0][0], t[0][1]])
+        } else {
+            None
         };
         if let Some(rounded) = upright {
             return Some(Self { lines: Some([s, t]), rounded, residues: [Some(Ordering::Equal); 2] });
@@ -333,6 +337,14 @@ mod tests {
         let [a, b] = line.map(|point| point.map(rational));
         let slope = &(&b[1] - &a[1]) * &(&b[0] - &a[0]).inverse().unwrap();
         &a[1] + &(&(x - &a[0]) * &slope)
+    }
+
+    #[test]
+    fn one_point_is_no_line() {
+        let (level, upright) = ([[0., 1.], [-1., 1.]], [[0., 0.], [0., 2.]]);
+        assert!(PlanarPoint::crossing(level, [[0.; 2]; 2]).is_none());
+        assert!(PlanarPoint::crossing([[0.; 2]; 2], upright).is_none());
+        assert_eq!(PlanarPoint::crossing(upright, level).unwrap().rounded(), [0., 1.]);
     }
 
     /// Lines between points of a few sorts: any size, a small grid, a grid that is not exact in binary.

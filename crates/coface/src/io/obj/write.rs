@@ -3,8 +3,7 @@
 use super::groups::MOST_NAMES;
 use crate::io::decimal::{flush, push_f64, push_natural};
 use crate::io::limits::{require_dimension, require_mesh};
-use crate::io::numbers::Numbers;
-use crate::io::{CellData, GroupKind, Model};
+use crate::io::{GroupKind, Model};
 use crate::{Error, ErrorKind};
 use std::io::Write;
 
@@ -35,7 +34,7 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let names = Names::new(model)?;
     let mut text =
         format!("# {} vertices, {} polygons\n", model.vertex_count, model.polygons.len()).into_bytes();
-    let colors = colors_of(model);
+    let colors = model.vertex_colors();
     let points = model.positions.as_flat().chunks_exact(model.positions.dimension().max(1));
     for (vertex, point) in points.enumerate() {
         text.push(b'v');
@@ -80,16 +79,6 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     output.write_all(&text)?;
     output.flush()?;
     Ok(())
-}
-
-/// The data that are colors of vertices: red, green and blue, each from 0 to 255.
-fn colors_of(model: &Model) -> Option<[&CellData; 3]> {
-    let part = |name| {
-        model
-            .data_named(name, GroupKind::Vertices)
-            .filter(|data| data.components() == 1 && matches!(data.numbers(), Numbers::UInt8(_)))
-    };
-    Some([part("red")?, part("green")?, part("blue")?])
 }
 
 /// A share with at most four decimals.
