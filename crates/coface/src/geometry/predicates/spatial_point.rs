@@ -208,6 +208,8 @@ impl SpatialPoint {
     pub fn range(&self, axis: usize) -> [f64; 2] {
         let value = self.rounded[axis];
         match self.residues[axis] {
+            _ if value == f64::INFINITY => [f64::MAX, value],
+            _ if value == f64::NEG_INFINITY => [value, f64::MIN],
             Ordering::Less => [value.next_down(), value],
             Ordering::Equal => [value, value],
             Ordering::Greater => [value, value.next_up()],
