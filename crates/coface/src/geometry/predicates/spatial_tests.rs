@@ -266,3 +266,11 @@ fn planes_through_one_point_meet_there() {
 fn points_are_small() {
     assert!(size_of::<SpatialPoint>() <= 320);
 }
+
+#[test]
+fn beyond_the_largest_number_is_a_range_too() {
+    let (line, plane) = ([[0., 0., 0.], [0., 1., 5e-309]], [[0., 0., -3.], [1., 0., -3.], [0., -1., -3.]]);
+    let point = SpatialPoint::on_plane(line, plane).unwrap();
+    assert_eq!((point.rounded()[1], point.range(1)), (f64::NEG_INFINITY, [f64::NEG_INFINITY, f64::MIN]));
+    assert!(!point.is_exactly_rounded());
+}
