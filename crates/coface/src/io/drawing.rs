@@ -420,6 +420,23 @@ pub(super) fn written_dimension(model: &Model, format: &str) -> Result<usize, Er
     Ok(if in_plane { 2 } else { 3 })
 }
 
+/// Things between two brackets with something between them.
+pub(super) fn push_list<T>(
+    text: &mut Vec<u8>,
+    [open, between, close]: [&[u8]; 3],
+    items: impl Iterator<Item = T>,
+    push: impl Fn(T, &mut Vec<u8>),
+) {
+    text.extend_from_slice(open);
+    for (i, item) in items.enumerate() {
+        if i > 0 {
+            text.extend_from_slice(between);
+        }
+        push(item, text);
+    }
+    text.extend_from_slice(close);
+}
+
 /// Appends the coordinates of a vertex, with something between them.
 pub(super) fn push_place(model: &Model, vertex: u32, dimension: usize, between: u8, text: &mut Vec<u8>) {
     let width = model.positions.dimension();

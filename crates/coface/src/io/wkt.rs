@@ -9,7 +9,9 @@
 
 use super::Model;
 use super::decimal::flush;
-use super::drawing::{Drawing, Features, Place, Shape, closed, push_place, shapes, written_dimension};
+use super::drawing::{
+    Drawing, Features, Place, Shape, closed, push_list, push_place, shapes, written_dimension,
+};
 use super::scanner::{Scanner, parse_f64, quoted};
 use crate::{Error, ErrorKind};
 use std::io::{Read, Write};
@@ -18,6 +20,8 @@ use std::io::{Read, Write};
 const LONGEST: usize = 1 << 12;
 /// Collections in collections.
 const DEEPEST: usize = 64;
+/// How a list begins, what is between its things, and how it ends.
+const LIST: [&[u8]; 3] = [b"(", b", ", b")"];
 const CURE: &str = "write it as in POLYGON ((0 0, 1 0, 0 1, 0 0))";
 
 /// The kinds of geometry, by their names.
@@ -437,7 +441,7 @@ impl Writer<'_> {
             text.extend_from_slice(b"GEOMETRYCOLLECTION");
             text.extend_from_slice(axes);
             let kinds = shapes.chunk_by(|(a, _), (b, _)| name_of(a) == name_of(b));
-            return push_list(text, kinds, |kind, text| self.push_geometry(kind, text));
+            return push_list(text, LIST, kinds, |kind, text| self.push_geometry(kind, text));
         }
         if shapes.len() > 1 {
             text.extend_from_slice(b"MULTI");
@@ -446,14 +450,14 @@ impl Writer<'_> {
         text.extend_from_slice(axes);
         match shapes {
             [(shape, _)] => self.push_shape(shape, text),
-            _ => push_list(text, shapes.iter(), |(shape, _), text| self.push_shape(shape, text)),
+            _ => push_list(text, LIST, shapes.iter(), |(shape, _), text| self.push_shape(shape, text)),
         }
     }
 
     fn push_shape(&self, shape: &Shape, text: &mut Vec<u8>) {
         match shape {
             Shape::Line(i) => self.push_path(text, self.model.lines.list(*i).iter().copied()),
-            Shape::Rings(range) => push_list(text, range.clone(), |i, text| {
+            Shape::Rings(range) => push_list(text, LIST, range.clone(), |i, text| {
                 self.push_path(text, self.model.lines.list(i).iter().copied());
             }),
             Shape::Face(i) => {
@@ -466,20 +470,10 @@ impl Writer<'_> {
     }
 
     fn push_path(&self, text: &mut Vec<u8>, path: impl Iterator<Item = u32>) {
-        push_list(text, path, |vertex, text| push_place(self.model, vertex, self.dimension, b' ', text));
+        push_list(text, LIST, path, |vertex, text| {
+            push_place(self.model, vertex, self.dimension, b' ', text);
+        });
     }
-}
-
-/// Things in parentheses with commas between them.
-fn push_list<T>(text: &mut Vec<u8>, items: impl Iterator<Item = T>, push: impl Fn(T, &mut Vec<u8>)) {
-    text.push(b'(');
-    for (i, item) in items.enumerate() {
-        if i > 0 {
-            text.extend_from_slice(b", ");
-        }
-        push(item, text);
-    }
-    text.push(b')');
 }
 
 #[cfg(test)]

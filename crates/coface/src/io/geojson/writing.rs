@@ -3,9 +3,12 @@
 use crate::Error;
 use crate::io::Model;
 use crate::io::decimal::flush;
-use crate::io::drawing::{Features, Shape, closed, push_place, shapes, written_dimension};
+use crate::io::drawing::{Features, Shape, closed, push_list, push_place, shapes, written_dimension};
 use serde_json::{Map, Value};
 use std::io::Write;
+
+/// How a list begins, what is between its things, and how it ends.
+const LIST: [&[u8]; 3] = [b"[", b",", b"]"];
 
 /// Writes a `FeatureCollection`, one feature a line.
 ///
@@ -102,7 +105,7 @@ impl Writer<'_> {
         text.extend_from_slice(name.as_bytes());
         text.extend_from_slice(b"\",\"coordinates\":");
         if many {
-            self.push_list(shapes.iter(), text, |(shape, _), text| self.push_shape(shape, text));
+            push_list(text, LIST, shapes.iter(), |(shape, _), text| self.push_shape(shape, text));
         } else {
             self.push_shape(&shapes[0].0, text);
         }
@@ -112,7 +115,7 @@ impl Writer<'_> {
     fn push_shape(&self, shape: &Shape, text: &mut Vec<u8>) {
         match shape {
             Shape::Line(i) => self.push_path(self.model.lines.list(*i).iter().copied(), text),
-            Shape::Rings(range) => self.push_list(range.clone(), text, |i, text| {
+            Shape::Rings(range) => push_list(text, LIST, range.clone(), |i, text| {
                 self.push_path(self.model.lines.list(i).iter().copied(), text);
             }),
             Shape::Face(i) => {
@@ -125,28 +128,12 @@ impl Writer<'_> {
     }
 
     fn push_path(&self, path: impl Iterator<Item = u32>, text: &mut Vec<u8>) {
-        self.push_list(path, text, |vertex, text| self.push_position(vertex, text));
+        push_list(text, LIST, path, |vertex, text| self.push_position(vertex, text));
     }
 
     fn push_position(&self, vertex: u32, text: &mut Vec<u8>) {
         text.push(b'[');
         push_place(self.model, vertex, self.dimension, b',', text);
-        text.push(b']');
-    }
-
-    fn push_list<T>(
-        &self,
-        items: impl Iterator<Item = T>,
-        text: &mut Vec<u8>,
-        push: impl Fn(T, &mut Vec<u8>),
-    ) {
-        text.push(b'[');
-        for (i, item) in items.enumerate() {
-            if i > 0 {
-                text.push(b',');
-            }
-            push(item, text);
-        }
         text.push(b']');
     }
 }

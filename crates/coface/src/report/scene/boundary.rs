@@ -12,8 +12,9 @@ impl Scene {
     ///
     /// $O(n \log n)$ for n sides of polygons.
     pub fn with_boundary(mut self) -> Self {
-        let is_surface = self.cells.is_empty() && self.simplices.iter().all(|simplex| simplex.len() < 4);
-        if !is_surface || self.polygons.is_empty() {
+        let is_surface =
+            self.parts.cells.is_empty() && self.parts.simplices.iter().all(|simplex| simplex.len() < 4);
+        if !is_surface || self.parts.polygons.is_empty() {
             return self;
         }
         let (loose, branched) = self.sides_by_use();
@@ -45,8 +46,8 @@ impl Scene {
 
     /// The sides of exactly one polygon, as it runs through them, and those of three or more.
     fn sides_by_use(&self) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
-        let mut sides: Vec<([u32; 2], bool)> = Vec::with_capacity(self.polygons.item_count());
-        for walk in self.polygons.iter().chain(self.rims.iter()) {
+        let mut sides: Vec<([u32; 2], bool)> = Vec::with_capacity(self.parts.polygons.item_count());
+        for walk in self.parts.polygons.iter().chain(self.parts.rims.iter()) {
             sides.extend((0..walk.len()).map(|i| {
                 let [a, b] = [walk[i], walk[(i + 1) % walk.len()]];
                 ([a.min(b), a.max(b)], a > b)

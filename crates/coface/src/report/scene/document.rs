@@ -41,21 +41,21 @@ impl Scene {
             "dimension": self.dimension,
             "origin": self.origin,
             "positions": reals(self.positions.iter().flat_map(shifted)),
-            "polygons": lists(&self.polygons),
-            "rims": lists(&self.rims),
-            "polygonsOfRims": numbers(self.polygon_of_rim.iter().copied()),
-            "simplices": lists(&self.simplices),
-            "cells": lists(&self.cells),
-            "signs": numbers(self.cell_signs.iter().map(|&is_negative| u32::from(is_negative))),
+            "polygons": lists(&self.parts.polygons),
+            "rims": lists(&self.parts.rims),
+            "polygonsOfRims": numbers(self.parts.polygon_of_rim.iter().copied()),
+            "simplices": lists(&self.parts.simplices),
+            "cells": lists(&self.parts.cells),
+            "signs": numbers(self.parts.cell_signs.iter().map(|&is_negative| u32::from(is_negative))),
             "notes": self.notes,
             "triangles": null,
             "layers": layers,
             "panes": self.panes.iter().map(pane_to_json).collect::<Vec<_>>(),
         });
         // Triangles that are the polygons need not be there twice.
-        let is_plain = self.cells.is_empty()
-            && common_width(&self.polygons) == Some(3)
-            && self.triangles.as_flattened() == self.polygons.items();
+        let is_plain = self.parts.cells.is_empty()
+            && common_width(&self.parts.polygons) == Some(3)
+            && self.triangles.as_flattened() == self.parts.polygons.items();
         if !is_plain {
             object["triangles"] = json!({
                 "items": numbers(self.triangles.as_flattened().iter().copied()),

@@ -29,15 +29,7 @@ pub struct Scene {
     pub(super) dimension: usize,
     pub(super) origin: [f64; 3],
     pub(super) positions: Vec<[f64; 3]>,
-    pub(super) polygons: RaggedArray,
-    /// Further walks around polygons: holes.
-    pub(super) rims: RaggedArray,
-    pub(super) polygon_of_rim: Vec<u32>,
-    pub(super) simplices: RaggedArray,
-    /// The polygons around each 3-cell.
-    pub(super) cells: RaggedArray,
-    /// Whether a 3-cell has its polygon with a minus, for chain complexes; else empty.
-    pub(super) cell_signs: Vec<bool>,
+    pub(super) parts: Parts,
     /// What is known of each 3-cell, or of each polygon where there are none; else empty.
     pub(super) notes: Vec<String>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -81,16 +73,11 @@ impl Scene {
             }
             _ => {
                 let count = parts.vertex_count(model);
-                layout::laid_out(count, &edges_of(&parts.polygons, &parts.rims, &parts.simplices))
+                layout::laid_out(count, &parts.edges())
             }
         };
-        let mut scene = Self::flat(title, positions, parts.simplices);
+        let mut scene = Self::flat(title, positions, parts);
         scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
-        scene.polygons = parts.polygons;
-        scene.rims = parts.rims;
-        scene.polygon_of_rim = parts.polygon_of_rim;
-        scene.cells = parts.cells;
-        scene.cell_signs = parts.cell_signs;
         scene.shade();
         for layer in region_layers(model, &scene.positions) {
             scene.push_layer(layer);
@@ -98,20 +85,15 @@ impl Scene {
         Ok(scene)
     }
 
-    /// A scene in the plane without shading, its vertices with these points and edges.
-    pub(super) fn flat(title: &str, positions: Vec<[f64; 3]>, simplices: RaggedArray) -> Self {
+    /// A scene in the plane without shading.
+    pub(super) fn flat(title: &str, positions: Vec<[f64; 3]>, parts: Parts) -> Self {
         Self {
             title: title.to_owned(),
             report: Value::Null,
             dimension: 2,
             origin: middle(&positions),
             positions,
-            polygons: RaggedArray::new(),
-            rims: RaggedArray::new(),
-            polygon_of_rim: Vec::new(),
-            simplices,
-            cells: RaggedArray::new(),
-            cell_signs: Vec::new(),
+            parts,
             notes: Vec::new(),
             triangles: Vec::new(),
             polygon_of_triangle: Vec::new(),
@@ -141,7 +123,7 @@ impl Scene {
             layer.is_on = true;
             for cell in fault["cells"].as_array().into_iter().flatten() {
                 let vertices = super::results::vertices(cell);
-                if self.cells.is_empty() && vertices.len() > 3 {
+                if self.parts.cells.is_empty() && vertices.len() > 3 {
                     layer.push_fan(&vertices);
                 } else {
                     layer.push_simplex(&vertices);
@@ -163,7 +145,7 @@ impl Scene {
 
     /// Whether there are 3-cells.
     pub fn has_cells(&self) -> bool {
-        !self.cells.is_empty()
+        !self.parts.cells.is_empty()
     }
 
     /// What it is called.
@@ -178,12 +160,12 @@ impl Scene {
 
     /// The polygons, those around 3-cells included, by the vertices around them.
     pub fn polygons(&self) -> &RaggedArray {
-        &self.polygons
+        &self.parts.polygons
     }
 
     /// Further walks around polygons: their holes.
     pub fn rims(&self) -> &RaggedArray {
-        &self.rims
+        &self.parts.rims
     }
 
     /// The number of coordinates that matter: 2 for drawings, else 3.
@@ -193,7 +175,7 @@ impl Scene {
 
     /// The sides of polygons and the edges of simplices, rising and each once. $O(n \log n)$.
     pub fn edges(&self) -> Vec<[u32; 2]> {
-        edges_of(&self.polygons, &self.rims, &self.simplices)
+        self.parts.edges()
     }
 
     /// What is shaded.
@@ -213,14 +195,14 @@ impl Scene {
 
     fn shade(&mut self) {
         let mut rims_of_polygon =
-            vec![Vec::new(); if self.rims.is_empty() { 0 } else { self.polygons.len() }];
-        for (rim, &polygon) in self.polygon_of_rim.iter().enumerate() {
+            vec![Vec::new(); if self.parts.rims.is_empty() { 0 } else { self.parts.polygons.len() }];
+        for (rim, &polygon) in self.parts.polygon_of_rim.iter().enumerate() {
             rims_of_polygon[polygon as usize].push(rim);
         }
         let at = |&vertex: &u32| self.positions[vertex as usize];
         let shade = |(polygon, walk): (usize, &[u32])| -> Vec<[u32; 3]> {
             let rims = rims_of_polygon.get(polygon).map_or(&[][..], Vec::as_slice);
-            let walks = std::iter::once(walk).chain(rims.iter().map(|&rim| self.rims.list(rim)));
+            let walks = std::iter::once(walk).chain(rims.iter().map(|&rim| self.parts.rims.list(rim)));
             let vertices: Vec<u32> = walks.clone().flatten().copied().collect();
             let corners: Vec<[f64; 3]> = vertices.iter().map(at).collect();
             let lengths: Vec<usize> = walks.map(<[u32]>::len).collect();
@@ -229,14 +211,17 @@ impl Scene {
                 .map(|triangle| triangle.map(|i| vertices[i as usize]))
                 .collect()
         };
-        if self.cells.is_empty() && self.rims.is_empty() && common_width(&self.polygons) == Some(3) {
-            self.triangles = self.polygons.iter().map(|walk| [walk[0], walk[1], walk[2]]).collect();
+        if self.parts.cells.is_empty()
+            && self.parts.rims.is_empty()
+            && common_width(&self.parts.polygons) == Some(3)
+        {
+            self.triangles = self.parts.polygons.iter().map(|walk| [walk[0], walk[1], walk[2]]).collect();
             self.polygon_of_triangle = (0..self.triangles.len() as u32).collect();
             return;
         }
-        let shaded_polygons: Vec<Vec<[u32; 3]>> = self.polygons.iter().enumerate().map(shade).collect();
-        let mut in_cell = vec![false; self.polygons.len()];
-        for (cell, polygons) in self.cells.iter().enumerate() {
+        let shaded_polygons: Vec<Vec<[u32; 3]>> = self.parts.polygons.iter().enumerate().map(shade).collect();
+        let mut in_cell = vec![false; self.parts.polygons.len()];
+        for (cell, polygons) in self.parts.cells.iter().enumerate() {
             for &polygon in polygons {
                 in_cell[polygon as usize] = true;
                 for &triangle in &shaded_polygons[polygon as usize] {
@@ -246,7 +231,7 @@ impl Scene {
                 }
             }
         }
-        let has_cells = !self.cells.is_empty();
+        let has_cells = !self.parts.cells.is_empty();
         for (polygon, triangles) in shaded_polygons.into_iter().enumerate().filter(|(p, _)| !in_cell[*p]) {
             for triangle in triangles {
                 self.triangles.push(triangle);
@@ -271,20 +256,4 @@ fn middle(positions: &[[f64; 3]]) -> [f64; 3] {
         let [low, high] = bounds(axis);
         if low <= high { 0.5 * low + 0.5 * high } else { 0.0 }
     })
-}
-
-fn edges_of(polygons: &RaggedArray, rims: &RaggedArray, simplices: &RaggedArray) -> Vec<[u32; 2]> {
-    let mut edges = Vec::new();
-    for walk in polygons.iter().chain(rims.iter()) {
-        edges.extend((0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]]));
-    }
-    for simplex in simplices.iter() {
-        for (i, &a) in simplex.iter().enumerate() {
-            edges.extend(simplex[i + 1..].iter().map(|&b| [a, b]));
-        }
-    }
-    edges.iter_mut().for_each(|edge| edge.sort_unstable());
-    edges.sort_unstable();
-    edges.dedup();
-    edges
 }

@@ -5,7 +5,7 @@ use crate::chains::ChainComplex;
 use crate::io::{Model, Structure};
 
 /// The cells of a model for drawing.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Parts {
     /// Polygons by the first walk around each.
     pub(super) polygons: RaggedArray,
@@ -21,6 +21,23 @@ pub(super) struct Parts {
 }
 
 impl Parts {
+    /// The sides of polygons and the edges of simplices, rising and each once.
+    pub(super) fn edges(&self) -> Vec<[u32; 2]> {
+        let mut edges = Vec::new();
+        for walk in self.polygons.iter().chain(self.rims.iter()) {
+            edges.extend((0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]]));
+        }
+        for simplex in self.simplices.iter() {
+            for (i, &a) in simplex.iter().enumerate() {
+                edges.extend(simplex[i + 1..].iter().map(|&b| [a, b]));
+            }
+        }
+        edges.iter_mut().for_each(|edge| edge.sort_unstable());
+        edges.sort_unstable();
+        edges.dedup();
+        edges
+    }
+
     pub(super) fn add(&mut self, model: &Model) {
         for polygon in model.polygons().iter() {
             self.polygons.push(polygon);

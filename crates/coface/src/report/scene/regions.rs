@@ -1,6 +1,7 @@
 //! Regions of the plane: polygons with holes of drawings, and sets with curved boundaries.
 
 use super::forest::forest_pane;
+use super::parts::Parts;
 use super::shading::triangulated_walks;
 use super::{Layer, Scene};
 use crate::Error;
@@ -101,7 +102,11 @@ impl Scene {
             starts.push(knots.len() as u32);
         }
         let points: Vec<[u32; 1]> = (0..knots.len() as u32).map(|knot| [knot]).collect();
-        let mut scene = Self::flat(title, knots, RaggedArray::from_lists(points));
+        let mut scene = Self::flat(
+            title,
+            knots,
+            Parts { simplices: RaggedArray::from_lists(points), ..Parts::default() },
+        );
         let [low, high] = set.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
         let extent = (high[0] - low[0]).max(high[1] - low[1]);
         let chords = curves.iter().map(|curve| match curve.order() {

@@ -98,14 +98,15 @@ impl Scene {
     /// What an arrangement says about its cells: volumes or areas, and the inputs that they lie in. The counts if they differ.
     fn add_notes(&mut self, result: &Value) -> Result<bool, [usize; 2]> {
         let Some(measures) = result["measures"].as_array() else { return Ok(false) };
-        let count = if self.cells.is_empty() { self.polygons.len() } else { self.cells.len() };
+        let count =
+            if self.parts.cells.is_empty() { self.parts.polygons.len() } else { self.parts.cells.len() };
         if count != measures.len() {
             return Err([count, measures.len()]);
         }
         let files = if result["files"].is_array() { "files" } else { "inputs" };
         let names: Vec<&str> =
             array(result, files).iter().map(|file| file["file"].as_str().unwrap_or("input")).collect();
-        let word = if self.cells.is_empty() { "area" } else { "volume" };
+        let word = if self.parts.cells.is_empty() { "area" } else { "volume" };
         let note = |(cell, measure): (usize, &Value)| {
             let inside: Vec<String> = vertices(&result["inside"][cell])
                 .into_iter()
