@@ -12,6 +12,7 @@
 //!   witnesses: what is a manifold, what can be oriented, where the boundary runs.
 //! * [`topology`] asks: homology, cohomology, generators.
 //! * [`io`] reads and writes files; [`report`] puts everything that is known about a model together.
+//! * [`progress`] tells how far long work is, and stops it.
 //!
 //! Answers are exact; an [`Error`] names the place, the fault and the cure. The guide is in the folder `examples`.
 
@@ -23,6 +24,7 @@ mod error;
 pub mod geometry;
 mod ids;
 pub mod io;
+pub mod progress;
 pub mod report;
 pub mod simplicial;
 pub mod surface;

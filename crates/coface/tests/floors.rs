@@ -8,27 +8,40 @@ use std::path::{Path, PathBuf};
 const ALLOWED: &[(&str, &[&str])] = &[
     // Floor 0: ground.
     ("error", &[]),
-    ("ids", &["error"]),
-    ("algebra", &["error", "ids"]),
-    ("geometry", &["error", "ids", "algebra"]),
+    ("progress", &[]),
+    ("ids", &["error", "progress"]),
+    ("algebra", &["error", "progress", "ids"]),
+    ("geometry", &["error", "progress", "ids", "algebra"]),
     // Floor 1: the centre. It sees no coordinate.
-    ("chains", &["error", "ids", "algebra"]),
+    ("chains", &["error", "progress", "ids", "algebra"]),
     // Floor 2: producers, with the arrows that are allowed among them.
-    ("simplicial", &["error", "ids", "algebra", "geometry", "chains"]),
-    ("surface", &["error", "ids", "algebra", "geometry", "chains", "simplicial"]),
-    ("cellular", &["error", "ids", "algebra", "geometry", "chains", "simplicial", "surface"]),
-    ("arrangement", &["error", "ids", "algebra", "geometry", "chains", "cellular"]),
-    ("yin", &["error", "ids", "algebra", "geometry", "chains", "simplicial", "arrangement"]),
+    ("simplicial", &["error", "progress", "ids", "algebra", "geometry", "chains"]),
+    ("surface", &["error", "progress", "ids", "algebra", "geometry", "chains", "simplicial"]),
+    ("cellular", &["error", "progress", "ids", "algebra", "geometry", "chains", "simplicial", "surface"]),
+    ("arrangement", &["error", "progress", "ids", "algebra", "geometry", "chains", "cellular"]),
+    ("yin", &["error", "progress", "ids", "algebra", "geometry", "chains", "simplicial", "arrangement"]),
     // Floor 3: questions. They see chain complexes and combinatorial producers, neither coordinates nor files.
     (
         "topology",
-        &["error", "ids", "algebra", "chains", "simplicial", "surface", "cellular", "arrangement", "yin"],
+        &[
+            "error",
+            "progress",
+            "ids",
+            "algebra",
+            "chains",
+            "simplicial",
+            "surface",
+            "cellular",
+            "arrangement",
+            "yin",
+        ],
     ),
     // Floor 4: doors.
     (
         "io",
         &[
             "error",
+            "progress",
             "ids",
             "algebra",
             "geometry",
@@ -46,6 +59,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "report",
         &[
             "error",
+            "progress",
             "ids",
             "algebra",
             "geometry",
