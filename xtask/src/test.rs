@@ -45,7 +45,7 @@ pub(crate) fn check(tally: &mut Tally, name: &str, command: &mut Command) {
     println!("== {name}: {} in {:.0} s", verdict(has_passed), begin.elapsed().as_secs_f64());
 }
 
-/// The pages of the guide: each example checks its own answers.
+/// The pages of the guide: each example checks its own answers. The tests before this have built them.
 fn guide(tally: &mut Tally) {
     let folder = root().join("crates/coface/examples");
     let mut pages: Vec<String> = std::fs::read_dir(&folder)
@@ -55,10 +55,17 @@ fn guide(tally: &mut Tally) {
         .collect();
     pages.sort();
     for page in pages {
-        let mut command = cargo(&["run", "--quiet", "--package", "coface", "--example", &page]);
-        // The library is built for itself once more here, and the pages take no time.
-        check(tally, &page, command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0"));
+        check(tally, &page, &mut built(&format!("examples/{page}")));
     }
+}
+
+/// A program that the tests have built.
+fn built(name: &str) -> Command {
+    let folder = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let mut command =
+        Command::new(folder.join("debug").join(name).with_extension(std::env::consts::EXE_EXTENSION));
+    command.current_dir(root());
+    command
 }
 
 /// Unit tests, property tests, tests of the floors and of the command line, doc tests; all are run even when some fail.
@@ -143,8 +150,8 @@ pub(crate) fn install_package(name: &str) {
     }
 }
 
-/// Runs the commands that the README promises, as they stand there, but built with little optimization, which takes minutes less, and in a
-/// folder of their own, so that no slow program takes the place of a quick one.
+/// Runs the commands that the README promises, with the program that the tests have built: building it once more with all optimizations takes
+/// minutes and shows nothing.
 fn readme(tally: &mut Tally) {
     let text = std::fs::read_to_string(root().join("README.md")).unwrap_or_default();
     let commands = promised_commands(&text);
@@ -152,14 +159,8 @@ fn readme(tally: &mut Tally) {
         println!("== readme: failed, README.md has no line `cargo run --release -- ...`");
         tally.count(false);
     }
-    for command in commands {
-        let mut command = cargo(&command);
-        command
-            .env("CARGO_TARGET_DIR", root().join("target/readme"))
-            .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0")
-            .env("CARGO_PROFILE_RELEASE_LTO", "off")
-            .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
-        promise(tally, &mut command);
+    for arguments in commands {
+        promise(tally, built("coface").args(arguments));
     }
 }
 
@@ -175,13 +176,13 @@ fn promise(tally: &mut Tally, command: &mut Command) {
     println!("== readme: {}", verdict(has_passed));
 }
 
-/// The lines of a text that run the program on a file of the repository, without the word `cargo`.
+/// What a text says to the program about files of the repository: the words after `--`.
 fn promised_commands(text: &str) -> Vec<Vec<&str>> {
     text.lines()
         .map(|line| line.trim().trim_start_matches("$ "))
         .filter(|line| line.starts_with("cargo run --release -- ") && line.contains("data/"))
         .filter(|line| !line.contains(['|', '>', '"', '\'', '`']))
-        .map(|line| line.split(" #").next().unwrap_or(line).split_whitespace().skip(1).collect())
+        .map(|line| line.split(" #").next().unwrap_or(line).split_whitespace().skip(4).collect())
         .collect()
 }
 
@@ -220,6 +221,6 @@ mod tests {
     fn promised_commands_are_found() {
         let text = "Try\n```sh\n$ cargo run --release -- info data/spot.obj   # a report\ncargo run --release -- info mine.obj\n\
                     cargo run --release -- info --json data/spot.obj | jq .\n```\n";
-        assert_eq!(promised_commands(text), [["run", "--release", "--", "info", "data/spot.obj"]]);
+        assert_eq!(promised_commands(text), [["info", "data/spot.obj"]]);
     }
 }
