@@ -1,7 +1,6 @@
 //! The command line: verbs and the options they share.
 
 use crate::commands;
-use crate::progress::READING;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
 use coface::io::{Format, ReadOptions};
@@ -28,7 +27,7 @@ pub(crate) struct Arguments {
 
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.
-Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage; 130 interrupted.
+Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage; 130 interrupted; 143 terminated.
 
   coface info bunny.ply              what is it, and what is wrong with it?
   coface homology torus.off --json   integral homology for a program
@@ -65,7 +64,6 @@ impl Common {
     pub(crate) fn reading(&self) -> ReadOptions {
         let mut options = ReadOptions::default();
         (options.format, options.flatten) = (self.format, self.flatten);
-        options.progress = Some(&READING);
         options
     }
 }

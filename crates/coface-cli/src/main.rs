@@ -24,8 +24,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    progress::end_on_interrupt();
-    match start_threads(&arguments).and_then(|()| commands::run(&arguments)) {
+    progress::end_on_signals();
+    match start_threads(&arguments).and_then(|()| progress::watched(|| commands::run(&arguments))) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -1,27 +1,31 @@
 //! A sign of life on standard error for work longer than a second.
 
-use coface::io::ReadProgress;
+use coface::progress::{Stage, Unit, Watch};
 use indicatif::{HumanBytes, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, LazyLock};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// How long work may take unseen.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// What stages of reading begin with.
-pub(crate) const READS: &str = "reading ";
 const TICK: Duration = Duration::from_millis(100);
 
-/// How far reading has come, over all threads.
-pub(crate) static READING: ReadProgress = ReadProgress::new();
+/// Looks on all that the library does.
+static WATCH: LazyLock<Arc<Watch>> = LazyLock::new(|| Arc::new(Watch::new()));
 
 /// Whether a line is shown on standard error now.
 static IS_SHOWN: AtomicBool = AtomicBool::new(false);
 
-/// Shows the stage of the work and the time it has taken, while a file is read how much of it, how fast and how much longer, from one second on
-/// and only on a terminal; dropping it clears the line.
+/// Does the work of the program, whose stages are shown by [`Progress`].
+pub(crate) fn watched<T>(work: impl FnOnce() -> T) -> T {
+    WATCH.run(work).expect("nobody stops this watch: an interrupt ends the program")
+}
+
+/// Shows the stage of the work and the time it has taken; of a stage that the library counts, how much of it is done, how fast and how much
+/// longer it takes. From one second on and only on a terminal; dropping it clears the line.
 pub(crate) struct Progress {
     shown: Option<(Sender<String>, JoinHandle<()>)>,
 }
@@ -35,50 +39,28 @@ impl Progress {
         let (stages, received) = channel::<String>();
         let thread = std::thread::spawn(move || {
             let begin = Instant::now();
-            let mut stage = String::new();
-            let mut bar: Option<ProgressBar> = None;
-            let mut was_reading = false;
-            let mut since = begin;
+            let mut line = Line::new(begin);
+            let mut coarse = String::new();
             loop {
                 match received.recv_timeout(TICK) {
                     Ok(next) => {
-                        stage = next;
-                        since = Instant::now();
+                        coarse = next;
+                        continue;
                     }
                     Err(RecvTimeoutError::Timeout) => {}
                     Err(RecvTimeoutError::Disconnected) => break,
                 }
-                if begin.elapsed() < PATIENCE {
-                    continue;
+                line.see(WATCH.stage());
+                if begin.elapsed() >= PATIENCE {
+                    line.show(&coarse);
                 }
-                let bar = bar.get_or_insert_with(|| new_bar(begin));
-                IS_SHOWN.store(true, Ordering::Relaxed);
-                let (done, total) = (READING.done(), READING.total());
-                let is_reading = stage.starts_with(READS) && done < total;
-                if is_reading != was_reading {
-                    bar.set_style(style(if is_reading { WITH_BYTES } else { WITHOUT_BYTES }));
-                    was_reading = is_reading;
-                }
-                if is_reading {
-                    bar.set_length(total);
-                    bar.set_position(done);
-                    // Over all that was read: what went by before the line was shown counts too.
-                    let rate = done as f64 / since.elapsed().as_secs_f64().max(1e-3);
-                    let left = (total - done) as f64 / rate.max(1.0);
-                    bar.set_prefix(format!("{}/s, {left:.0} s left", HumanBytes(rate as u64)));
-                }
-                bar.set_message(stage.clone());
-                bar.tick();
             }
-            if let Some(bar) = bar {
-                bar.finish_and_clear();
-                IS_SHOWN.store(false, Ordering::Relaxed);
-            }
+            line.clear();
         });
         Self { shown: Some((stages, thread)) }
     }
 
-    /// Says what is being done now.
+    /// Says what is being done now, where the library does not.
     pub(crate) fn stage(&self, name: impl Into<String>) {
         if let Some((stages, _)) = &self.shown {
             // The thread ends only after this sender is gone.
@@ -97,8 +79,97 @@ impl Drop for Progress {
     }
 }
 
-const WITHOUT_BYTES: &str = "{spinner} {msg} {elapsed}";
-const WITH_BYTES: &str = "{spinner} {msg} {bar:20} {bytes} of {total_bytes}, {prefix}";
+/// The line on standard error.
+struct Line {
+    begin: Instant,
+    bar: Option<ProgressBar>,
+    template: &'static str,
+    counted: Option<Stage>,
+    /// When the stage that is counted was first seen.
+    since: Instant,
+}
+
+impl Line {
+    fn new(begin: Instant) -> Self {
+        Self { begin, bar: None, template: UNCOUNTED, counted: None, since: begin }
+    }
+
+    /// The stage that the library has come to.
+    fn see(&mut self, stage: Option<Stage>) {
+        let is_same = match (&self.counted, &stage) {
+            (Some(a), Some(b)) => (&a.name, a.total) == (&b.name, b.total) && a.done <= b.done,
+            _ => false,
+        };
+        if !is_same {
+            self.since = Instant::now();
+        }
+        self.counted = stage;
+    }
+
+    /// Shows that stage, or the coarse one when there is none.
+    fn show(&mut self, coarse: &str) {
+        let bar = self.bar.get_or_insert_with(|| new_bar(self.begin));
+        IS_SHOWN.store(true, Ordering::Relaxed);
+        let template = match &self.counted {
+            Some(Stage { total: 0, .. }) | None => UNCOUNTED,
+            Some(Stage { unit: Unit::Bytes, .. }) => OF_BYTES,
+            Some(_) => OF_ITEMS,
+        };
+        if template != self.template {
+            bar.set_style(style(template));
+            self.template = template;
+        }
+        match &self.counted {
+            Some(stage) => {
+                let rate = stage.done as f64 / self.since.elapsed().as_secs_f64().max(TICK.as_secs_f64());
+                let per_second = match stage.unit {
+                    Unit::Bytes => format!("{}/s", HumanBytes(rate as u64)),
+                    _ => format!("{}/s", with_prefix(rate)),
+                };
+                match stage.total {
+                    0 if stage.done == 0 => bar.set_message(stage.name.clone()),
+                    0 => bar.set_message(format!("{} {per_second}", stage.name)),
+                    total => {
+                        bar.set_message(stage.name.clone());
+                        bar.set_length(total);
+                        bar.set_position(stage.done.min(total));
+                        let left = total.saturating_sub(stage.done) as f64 / rate;
+                        let left = if rate > 0.0 { format!(", {left:.0} s left") } else { String::new() };
+                        bar.set_prefix(per_second + &left);
+                    }
+                }
+            }
+            None => bar.set_message(coarse.to_owned()),
+        }
+        bar.tick();
+    }
+
+    fn clear(&mut self) {
+        if let Some(bar) = self.bar.take() {
+            bar.finish_and_clear();
+            IS_SHOWN.store(false, Ordering::Relaxed);
+        }
+    }
+}
+
+/// A number in three or four digits: 950, 12.3 k, 4.56 M.
+fn with_prefix(number: f64) -> String {
+    let (scaled, prefix) = match number {
+        x if x >= 1e9 => (x / 1e9, " G"),
+        x if x >= 1e6 => (x / 1e6, " M"),
+        x if x >= 1e3 => (x / 1e3, " k"),
+        x => return format!("{x:.0}"),
+    };
+    match scaled {
+        x if x < 10.0 => format!("{x:.2}{prefix}"),
+        x if x < 100.0 => format!("{x:.1}{prefix}"),
+        x => format!("{x:.0}{prefix}"),
+    }
+}
+
+const UNCOUNTED: &str = "{spinner} {msg} {elapsed}";
+const OF_BYTES: &str = "{spinner} {msg} {bar:20} {bytes} of {total_bytes}, {prefix}";
+const OF_ITEMS: &str = "{spinner} {msg} {bar:20} {human_pos} of {human_len}, {prefix}";
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_spinner())
@@ -106,26 +177,62 @@ fn style(template: &str) -> ProgressStyle {
 
 fn new_bar(begin: Instant) -> ProgressBar {
     ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr())
-        .with_style(style(WITHOUT_BYTES))
+        .with_style(style(UNCOUNTED))
         .with_elapsed(begin.elapsed())
 }
 
-/// Ends the program with status 130 when the user interrupts it: no temporary file stays, and no half a line.
-pub(crate) fn end_on_interrupt() {
-    // Without a handler the system ends the program, as it does others.
-    let _ = ctrlc::set_handler(|| {
-        coface::io::abandon_files();
-        let mut out = std::io::stderr();
-        if IS_SHOWN.load(Ordering::Relaxed) {
-            // Back to the start of the line of progress, and away with it.
-            let _ = out.write_all(b"\r\x1b[2K");
-        }
-        if out.is_terminal() {
-            let _ = out.write_all(b"interrupted\n");
-        }
-        std::process::exit(INTERRUPTED);
+/// Ends the program when the user interrupts it or the system asks it to end: no temporary file stays, and no half a line. To be called before
+/// there are other threads.
+#[cfg(unix)]
+pub(crate) fn end_on_signals() {
+    use nix::sys::signal::{SigSet, Signal};
+    let signals: SigSet = [Signal::SIGINT, Signal::SIGTERM].into_iter().collect();
+    // Without somebody who waits for them the system ends the program, as it does others.
+    if signals.thread_block().is_err() {
+        return;
+    }
+    std::thread::spawn(move || {
+        let status = match signals.wait() {
+            Ok(Signal::SIGTERM) => TERMINATED,
+            _ => INTERRUPTED,
+        };
+        end(status)
     });
+}
+
+/// Ends the program when the user interrupts it: no temporary file stays, and no half a line.
+#[cfg(not(unix))]
+pub(crate) fn end_on_signals() {
+    // Without a handler the system ends the program, as it does others.
+    let _ = ctrlc::set_handler(|| end(INTERRUPTED));
+}
+
+fn end(status: i32) -> ! {
+    coface::io::abandon_files();
+    let mut out = std::io::stderr();
+    if IS_SHOWN.load(Ordering::Relaxed) {
+        // Back to the start of the line of progress, and away with it.
+        let _ = out.write_all(b"\r\x1b[2K");
+    }
+    if out.is_terminal() {
+        let _ = out.write_all(if status == INTERRUPTED { &b"interrupted\n"[..] } else { b"terminated\n" });
+    }
+    std::process::exit(status)
 }
 
 /// The exit status of what ended on an interrupt, as shells have it.
 const INTERRUPTED: i32 = 130;
+/// The exit status of what the system asked to end.
+#[cfg(unix)]
+const TERMINATED: i32 = 143;
+
+#[cfg(test)]
+mod tests {
+    use super::with_prefix;
+
+    #[test]
+    fn rates_are_short() {
+        let shown = [0.4, 950.0, 1234.0, 56_789.0, 1.5e8, 2e9].map(with_prefix);
+        assert_eq!(shown, ["0", "950", "1.23 k", "56.8 k", "150 M", "2.00 G"]);
+    }
+}

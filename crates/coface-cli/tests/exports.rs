@@ -129,9 +129,9 @@ fn a_report_is_a_page_with_pictures() {
     assert_eq!(std::fs::read_to_string(&both).unwrap().matches("<article>").count(), 2);
 }
 
-/// Sends the signal of Ctrl-C to a program that makes a large file, as soon as `is_time` says; gives how it ended.
+/// Sends a signal (that of Ctrl-C is INT) to a program that makes a large file, as soon as `is_time` says; gives how it ended.
 #[cfg(unix)]
-fn interrupted(out: &std::path::Path, is_time: impl Fn() -> bool) -> std::process::ExitStatus {
+fn ended_by(signal: &str, out: &std::path::Path, is_time: impl Fn() -> bool) -> std::process::ExitStatus {
     use std::process::{Command, Stdio};
     let mut child = Command::new(env!("CARGO_BIN_EXE_coface"))
         .args(["generate", "torus", "--columns", "900", "--rows", "600", "--to", "obj", "-o", argument(out)])
@@ -142,7 +142,7 @@ fn interrupted(out: &std::path::Path, is_time: impl Fn() -> bool) -> std::proces
     while !is_time() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
     child.wait().unwrap()
 }
 
@@ -152,10 +152,12 @@ fn an_interrupt_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("torus.obj");
     let files = || std::fs::read_dir(folder.path()).unwrap().count();
-    let start = std::time::Instant::now();
     // While it computes, and while it writes: then there is a temporary file.
-    let status = interrupted(&out, || start.elapsed() > std::time::Duration::from_millis(300));
-    assert_eq!((status.code(), files()), (Some(130), 0));
-    let status = interrupted(&out, || files() > 0);
-    assert_eq!((status.code(), files()), (Some(130), 0));
+    for (signal, status) in [("-INT", 130), ("-TERM", 143)] {
+        let start = std::time::Instant::now();
+        let ended = ended_by(signal, &out, || start.elapsed() > std::time::Duration::from_millis(300));
+        assert_eq!((ended.code(), files()), (Some(status), 0));
+        let ended = ended_by(signal, &out, || files() > 0);
+        assert_eq!((ended.code(), files()), (Some(status), 0));
+    }
 }

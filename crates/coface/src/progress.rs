@@ -156,11 +156,64 @@ impl Steps {
     pub(crate) fn advance(&self, count: usize) {
         if let Some((watch, counted)) = &self.0 {
             counted.done.fetch_add(count as u64, Ordering::Relaxed);
-            if watch.is_stopped.load(Ordering::Relaxed) {
+            // What is told while the work unwinds, as when buffers are written out, is told to nobody.
+            if watch.is_stopped.load(Ordering::Relaxed) && !std::thread::panicking() {
                 // No fault, so the hook that reports panics hears nothing of it.
                 resume_unwind(Box::new(Stopped));
             }
         }
+    }
+}
+
+impl Steps {
+    /// Goes through items; each is a step, told a batch at a time.
+    pub(crate) fn each<I: IntoIterator>(&self, items: I) -> Each<'_, I::IntoIter> {
+        Each { items: items.into_iter(), steps: self, untold: 0 }
+    }
+
+    /// The item of this place among all of the stage is being done: each is a step, told a batch at a time by the first of the next batch.
+    /// For loops whose items are done by many threads, or in any order.
+    #[inline]
+    pub(crate) fn pass(&self, place: usize) {
+        if place.is_multiple_of(BATCH) && place > 0 {
+            self.advance(BATCH);
+        }
+    }
+}
+
+/// So many items are told at once where each takes nanoseconds.
+const BATCH: usize = 1 << 12;
+
+/// Items that are counted as they go by.
+#[derive(Debug)]
+pub(crate) struct Each<'a, I> {
+    items: I,
+    steps: &'a Steps,
+    untold: usize,
+}
+
+impl<I: Iterator> Iterator for Each<'_, I> {
+    type Item = I::Item;
+
+    #[inline]
+    fn next(&mut self) -> Option<I::Item> {
+        // What is taken next is not done yet, what was taken before is.
+        if self.untold == BATCH {
+            self.steps.advance(BATCH);
+            self.untold = 0;
+        }
+        let item = self.items.next();
+        if item.is_some() {
+            self.untold += 1;
+        } else {
+            self.steps.advance(self.untold);
+            self.untold = 0;
+        }
+        item
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.items.size_hint()
     }
 }
 
@@ -177,6 +230,7 @@ mod tests {
     use super::{Stage, Stopped, Unit, Watch, stage, stage_of_bytes};
     use rayon::prelude::*;
     use std::sync::Arc;
+    use std::sync::atomic::Ordering;
 
     #[test]
     fn stages_nest_and_end() {
@@ -225,6 +279,23 @@ mod tests {
         assert_eq!(stopped, Err(Stopped));
         assert_eq!(watch.stage(), None);
         assert_eq!(watch.run(|| drop(stage("more", 0))), Err(Stopped));
+    }
+
+    #[test]
+    fn items_are_counted_a_batch_at_a_time() {
+        let watch = Arc::new(Watch::new());
+        let done = |steps: &super::Steps| {
+            steps.0.as_ref().map_or(0, |(_, counted)| counted.done.load(Ordering::Relaxed))
+        };
+        let counted = watch.run(|| {
+            let (serial, parallel) = (stage("serial", 10_000), stage("parallel", 10_000));
+            for place in serial.each(0..10_000_usize) {
+                assert!(done(&serial) <= place as u64);
+            }
+            (0..10_000).into_par_iter().for_each(|place| parallel.pass(place));
+            (done(&serial), done(&parallel))
+        });
+        assert_eq!(counted, Ok((10_000, 8192)));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::hermite::{HermiteTransform, hermite_with_transform};
 use super::sparse_vector::{combination, entry_of, linear_combination};
 use super::{Entry, Integer, SparseMatrix, SparseVector};
+use crate::progress::{Steps, stage};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -31,6 +32,8 @@ pub(super) struct Elimination {
     is_wide: bool,
     spare: SparseVector,
     pub(super) pivots: Vec<Pivot>,
+    /// One for each row.
+    steps: Steps,
 }
 
 /// Which vectors of a matrix are recombined.
@@ -129,7 +132,9 @@ impl Elimination {
             }
         }
         let column_counts = columns.iter().map(|column| column.len() as u32).collect();
+        let steps = stage("eliminating rows", rows.iter().filter(|row| !row.is_empty()).count());
         let mut elimination = Self {
+            steps,
             rows,
             columns,
             column_counts,
@@ -339,6 +344,7 @@ impl Elimination {
         self.columns[column as usize] = Vec::new();
         self.rows[row as usize] = Vec::new();
         self.pivots.push(Pivot { row, column, value });
+        self.steps.advance(1);
     }
 
     /// Subtracts multiples of the pivot row from the others until their entries in the pivot column are smaller than
@@ -417,6 +423,7 @@ impl Elimination {
 
     /// Row `i` minus `factor` times the pivot row.
     fn subtract_multiple(&mut self, i: u32, factor: &Integer, pivot_row: &[(u32, Integer)]) {
+        self.steps.advance(0);
         let mut old = std::mem::take(&mut self.rows[i as usize]);
         let mut new = std::mem::take(&mut self.spare);
         let mut terms = old.drain(..).peekable();

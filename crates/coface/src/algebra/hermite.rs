@@ -1,6 +1,7 @@
 //! Hermite normal form with a small transform, by lattice basis reduction.
 
 use super::Integer;
+use crate::progress::stage;
 
 /// The row Hermite form of an integer matrix: $U A = H$ with U unimodular.
 pub(super) struct HermiteTransform {
@@ -61,7 +62,10 @@ struct Reduction {
 impl Reduction {
     fn run(&mut self) {
         let mut k = 1;
+        // Rows go up and down: nobody knows how often.
+        let steps = stage("reducing rows", 0);
         while k < self.rows.len() {
+            steps.advance(1);
             let (above, own) = self.reduce(k, k - 1);
             let is_out_of_order = match (above, own) {
                 (Some(above), Some(own)) => above <= own,

@@ -1,6 +1,7 @@
 //! Rank and a determinant of an integer matrix from its residues modulo many primes.
 
 use super::{Field, Integer, Odd, SparseVector, large_primes};
+use crate::progress::{Steps, stage};
 use rayon::prelude::*;
 
 /// The rank of a matrix, and a non-zero minor of that size, positive.
@@ -14,20 +15,26 @@ use rayon::prelude::*;
 pub(super) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usize, Integer) {
     let mut first_prime = large_primes().next().expect("there are odd primes");
     'search: loop {
+        let ranking = stage("finding the rank", column_count);
         let mut whole = Residues::new(rows, column_count, first_prime);
-        let (pivot_rows, pivot_columns) = whole.eliminate().pivots;
+        let (pivot_rows, pivot_columns) = whole.eliminate(&ranking).pivots;
+        drop(ranking);
         let rank = pivot_rows.len();
         let is_full = rank == rows.len().min(column_count);
         let minor = submatrix(rows, &pivot_rows, &pivot_columns);
         let bits = hadamard_bits(rows, rank + 1) + 1;
         // Each of them has more than 30 bits.
         let primes: Vec<u32> = large_primes().take(bits.div_ceil(30)).collect();
+        let steps = stage(
+            "finding a minor modulo primes",
+            primes.len() * (rank + if is_full { 0 } else { column_count }),
+        );
         let residues: Vec<(u32, bool)> = primes
             .par_iter()
             .map(|&prime| {
-                let determinant = Residues::new(&minor, rank, prime).eliminate().determinant;
-                let grows =
-                    !is_full && Residues::new(rows, column_count, prime).eliminate().pivots.0.len() > rank;
+                let determinant = Residues::new(&minor, rank, prime).eliminate(&steps).determinant;
+                let grows = !is_full
+                    && Residues::new(rows, column_count, prime).eliminate(&steps).pivots.0.len() > rank;
                 (determinant, grows)
             })
             .collect();
@@ -77,11 +84,13 @@ impl Residues {
         Self { prime, column_count, rows: rows.iter().map(dense).collect() }
     }
 
-    fn eliminate(&mut self) -> Eliminated {
+    /// Each column is a step.
+    fn eliminate(&mut self, steps: &Steps) -> Eliminated {
         let (field, prime) = (Odd::new(self.prime), u64::from(self.prime));
         let mut order: Vec<u32> = (0..self.rows.len() as u32).collect();
         let (mut pivot_columns, mut determinant) = (Vec::new(), 1u64);
         for column in 0..self.column_count {
+            steps.advance(1);
             let rank = pivot_columns.len();
             let Some(at) = (rank..self.rows.len()).find(|&i| self.rows[i][column] != 0) else { continue };
             if at != rank {

@@ -1,6 +1,7 @@
 //! Products of sparse matrices with matrices and vectors.
 
 use super::{Entry, Integer, IntegerMatrix, SparseMatrix, WideMatrix};
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 
@@ -121,12 +122,15 @@ impl<E: Entry> SparseMatrix<E> {
 
     /// The product in machine integers; `None` when one does not suffice.
     fn narrow_product<F: Entry>(&self, other: &SparseMatrix<F>) -> Option<Result<SparseMatrix, Error>> {
+        let steps = stage("multiplying matrices", other.column_count());
         let blocks: Option<Vec<ColumnBlock>> = (0..other.column_count().div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| {
                 let (mut lengths, mut rows, mut entries) = (Vec::new(), Vec::new(), Vec::new());
                 let mut terms: Vec<(u32, i64)> = Vec::new();
-                for j in block * BLOCK..((block + 1) * BLOCK).min(other.column_count()) {
+                let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
+                steps.advance(columns.len());
+                for j in columns {
                     terms.clear();
                     for (k, factor) in other.column(j).terms() {
                         let factor = factor.to_i64()?;
@@ -158,9 +162,11 @@ impl<E: Entry> SparseMatrix<E> {
 
     /// The product in integers of any size.
     fn wide_product<F: Entry>(&self, other: &SparseMatrix<F>) -> Result<WideMatrix, Error> {
+        let steps = stage("multiplying matrices of large integers", other.column_count());
         let columns: Vec<Vec<(u32, Integer)>> = (0..other.column_count())
             .into_par_iter()
             .map(|j| {
+                steps.pass(j);
                 let mut terms = Vec::new();
                 for (k, factor) in other.column(j).terms() {
                     let factor = factor.to_integer();

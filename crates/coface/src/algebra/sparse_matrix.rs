@@ -440,11 +440,13 @@ impl SparseMatrix {
         }
         const BLOCK: usize = 1 << 14;
         let block_count = other.column_count().div_ceil(BLOCK);
+        let steps = crate::progress::stage("multiplying boundaries", other.column_count());
         Ok((0..block_count)
             .into_par_iter()
             .filter_map(|block| {
                 let mut sums = Vec::new();
                 let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
+                steps.advance(columns.len());
                 columns.into_iter().find(|&j| !self.combination_is_zero(other.column(j), &mut sums))
             })
             .min())

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Integer, SparseMatrix, SparseVector};
 use crate::chains::{AcyclicMatching, ChainComplex, MatchedPair};
+use crate::progress::{Steps, stage};
 
 /// The elimination of matched faces from chains of one degree less than that of the pairs.
 pub(super) struct Flow<'a> {
@@ -15,6 +16,8 @@ pub(super) struct Flow<'a> {
     values: Vec<i64>,
     /// The matched faces that may have a coefficient; empty between calls.
     waiting: SlotQueue,
+    /// Told a 0 now and then, so that a long elimination can be stopped; whoever starts one counts what is done.
+    steps: &'a Steps,
 }
 
 const NOWHERE: u32 = u32::MAX;
@@ -76,7 +79,12 @@ pub(super) struct Eliminated {
 
 impl<'a> Flow<'a> {
     /// The flow along the pairs of cells of this degree with their faces, which has a boundary matrix.
-    pub(super) fn new(complex: &'a ChainComplex, matching: &'a AcyclicMatching, degree: usize) -> Self {
+    pub(super) fn new(
+        complex: &'a ChainComplex,
+        matching: &'a AcyclicMatching,
+        degree: usize,
+        steps: &'a Steps,
+    ) -> Self {
         let matrix = complex.boundary_matrix(degree).expect("a flow is of a degree with a boundary matrix");
         let pairs = matching.pairs(complex, degree);
         let mut slot_of_face = vec![NOWHERE; matrix.row_count()];
@@ -86,7 +94,7 @@ impl<'a> Flow<'a> {
         }
         let slot_count = pairs.len() + critical.len();
         let waiting = SlotQueue::new(pairs.len());
-        Self { matrix, pairs, slot_of_face, slot_count, values: vec![0; slot_count], waiting }
+        Self { matrix, pairs, slot_of_face, slot_count, values: vec![0; slot_count], waiting, steps }
     }
 
     /// Grows a chain of cells until its boundary has no matched face: that boundary on the numbers of critical faces.
@@ -143,7 +151,12 @@ impl<'a> Flow<'a> {
                 }
             }
         }
+        let mut popped = 0;
         while let Some(slot) = waiting.pop() {
+            popped += 1;
+            if popped % (1 << 12) == 0 {
+                self.steps.advance(0);
+            }
             let value = &values[slot];
             if value.is_zero() {
                 continue;
@@ -254,7 +267,9 @@ impl Sweep {
     ) {
         let Some(matrix) = complex.boundary_matrix(degree) else { return };
         let minus_one = Integer::from(-1);
-        for &MatchedPair { face, cell } in matching.pairs(complex, degree).iter().rev() {
+        let pairs = matching.pairs(complex, degree);
+        let steps = stage("carrying cochains", pairs.len());
+        for &MatchedPair { face, cell } in steps.each(pairs.iter().rev()) {
             let column = matrix.column(cell as usize);
             let from_source = source.map_or(&[][..], |source| source.list(cell as usize));
             let is_bare = column.rows().iter().all(|&other| {

@@ -6,6 +6,7 @@
 
 use crate::algebra::{SparseMatrix, UnionFind};
 use crate::chains::ChainComplex;
+use crate::progress::stage;
 use std::sync::OnceLock;
 
 /// A pair of a cell and one of its faces that cancel, with unit incidence between them.
@@ -159,7 +160,8 @@ impl Remaining {
 fn span(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -> Option<(Remaining, Pairs)> {
     let mut trees = UnionFind::new(matrix.row_count());
     let mut forest = Vec::with_capacity(matrix.row_count());
-    for edge in remaining.iter() {
+    let steps = stage("spanning vertices", remaining.iter().count());
+    for edge in steps.each(remaining.iter()) {
         let column = matrix.column(edge as usize);
         match (column.rows(), column.entries()) {
             (&[a, b], [-1, 1] | [1, -1]) if trees.unite(a, b) => forest.push(edge),
@@ -212,7 +214,9 @@ fn root_forest(matrix: &SparseMatrix, forest: &[u32], roots: &[u32]) -> Vec<Matc
     }
     let mut pairs = Vec::with_capacity(forest.len());
     let mut at = 0;
+    let steps = stage("rooting trees", matrix.row_count());
     while let Some(&vertex) = queue.get(at) {
+        steps.pass(at);
         at += 1;
         for &edge in &edges_at[starts[vertex as usize] as usize..starts[vertex as usize + 1] as usize] {
             for &other in matrix.column(edge as usize).rows() {
@@ -239,7 +243,8 @@ struct Cofaces {
 /// first remaining cell aside as critical, and so on. Gives the faces that are in no pair.
 fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -> (Remaining, Pairs) {
     let mut cofaces = vec![Cofaces::default(); matrix.row_count()];
-    for cell in remaining.iter() {
+    let steps = stage("matching cells", 2 * remaining.iter().count());
+    for cell in steps.each(remaining.iter()) {
         for &face in matrix.column(cell as usize).rows() {
             let cofaces = &mut cofaces[face as usize];
             cofaces.count += 1;
@@ -256,6 +261,7 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
     let mut faces = Remaining::all(matrix.row_count());
     let mut pairs = Vec::with_capacity(matrix.row_count().min(matrix.column_count()));
     let mut candidates = remaining.iter();
+    let mut taken = 0;
     loop {
         let cell = if let Some(&face) = free.get(at) {
             at += 1;
@@ -279,6 +285,8 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
             cell
         };
         gone.insert(cell);
+        taken += 1;
+        steps.pass(taken);
         for &face in matrix.column(cell as usize).rows() {
             let cofaces = &mut cofaces[face as usize];
             cofaces.count -= 1;

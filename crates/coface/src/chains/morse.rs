@@ -3,6 +3,7 @@
 use super::flow::{Flow, Sweep};
 use crate::algebra::{Integer, SparseVector, WideMatrix, linear_combination};
 use crate::chains::{AcyclicMatching, ChainComplex};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -54,6 +55,9 @@ impl<'a> MorseComplex<'a> {
 
     pub(super) fn of(complex: Cow<'a, ChainComplex>) -> Self {
         let matching = AcyclicMatching::new(&complex);
+        let flows = |degree: &usize| !matching.has_zero_boundary(*degree);
+        let total = (1..complex.degree_count()).filter(flows).map(|k| matching.critical_cells(k).len()).sum();
+        let steps = stage("cancelling pairs", total);
         let boundaries = (1..complex.degree_count())
             .into_par_iter()
             .map(|degree| {
@@ -61,8 +65,13 @@ impl<'a> MorseComplex<'a> {
                 if cells.is_empty() || matching.has_zero_boundary(degree) {
                     return vec![Vec::new(); cells.len()];
                 }
-                let mut flow = Flow::new(&complex, &matching, degree);
-                cells.iter().map(|&cell| flow.boundary(&[(cell, Integer::ONE)])).collect()
+                let mut flow = Flow::new(&complex, &matching, degree, &steps);
+                let boundary = |&cell: &u32| {
+                    let boundary = flow.boundary(&[(cell, Integer::ONE)]);
+                    steps.advance(1);
+                    boundary
+                };
+                cells.iter().map(boundary).collect()
             })
             .collect();
         Self { complex, matching, boundaries }
@@ -120,8 +129,10 @@ impl<'a> MorseComplex<'a> {
         chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
     ) -> Vec<SparseVector> {
         let cells = self.matching.critical_cells(degree);
-        let mut flow =
-            (degree > 0 && !cells.is_empty()).then(|| Flow::new(&self.complex, &self.matching, degree));
+        let chains = chains.into_iter();
+        let steps = stage("growing chains", chains.size_hint().0);
+        let mut flow = (degree > 0 && !cells.is_empty())
+            .then(|| Flow::new(&self.complex, &self.matching, degree, &steps));
         let image = |chain: &[(u32, Integer)]| {
             let mut image: SparseVector =
                 chain.iter().map(|(i, x)| (cells[*i as usize], x.clone())).collect();
@@ -132,9 +143,10 @@ impl<'a> MorseComplex<'a> {
                 image.extend(added);
             }
             image.sort_unstable_by_key(|&(cell, _)| cell);
+            steps.advance(1);
             image
         };
-        chains.into_iter().map(image).collect()
+        chains.map(image).collect()
     }
 
     /// The projection of a chain of this degree, given on the cells of the complex, to the Morse complex: on the numbers
@@ -181,7 +193,8 @@ impl<'a> MorseComplex<'a> {
             let kept = chain.iter().filter_map(|(cell, x)| Some((number(cell)?, x.clone())));
             return (kept.collect(), Vec::new());
         }
-        let eliminated = Flow::new(&self.complex, &self.matching, degree + 1).push(chain);
+        let steps = stage("projecting a chain", 0);
+        let eliminated = Flow::new(&self.complex, &self.matching, degree + 1, &steps).push(chain);
         // What was added cancels; what cancels is the homotopy.
         let mut taken: SparseVector = eliminated.added.into_iter().map(|(cell, x)| (cell, -x)).collect();
         taken.sort_unstable_by_key(|&(cell, _)| cell);

@@ -1,6 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::watching::{ReadProgress, Watched};
+use super::watching::{Watched, name_of, reading};
 use super::{
     Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg,
     vtk, wkt, yin,
@@ -12,6 +12,8 @@ use std::path::Path;
 
 /// So many bytes are looked at to tell the format.
 const START: usize = 1 << 16;
+/// What a stream without a name is called.
+const STREAM: &str = "the input";
 
 /// Reads the model in a file. Without a format, the name and the content tell it; when they disagree it is an error
 /// that says how to settle it. [`Model::format`] then says which it was.
@@ -46,8 +48,6 @@ pub struct ReadOptions {
     pub format: Option<Format>,
     /// The farthest that chords may be from the curves of an SVG, in its unit; curves are refused without it.
     pub flatten: Option<f64>,
-    /// Where it is counted how far reading a file has come.
-    pub progress: Option<&'static ReadProgress>,
 }
 
 impl ReadOptions {
@@ -87,8 +87,8 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
             _ => Format::Json,
         };
         let read = || match format {
-            Format::Isosig => isosig::read_entry(open(file)?, entry),
-            _ => json::read_entry(open(file)?, entry),
+            Format::Isosig => isosig::read_entry(watched(file)?, entry),
+            _ => json::read_entry(watched(file)?, entry),
         };
         return match read() {
             Ok(model) => Ok(model.with_format(format)),
@@ -96,7 +96,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
         };
     }
     let read = || {
-        let mut file = watched(path, options)?;
+        let mut file = watched(path)?;
         let (start, whole) = start_of(&mut file)?;
         let format = match format {
             Some(format) => format,
@@ -120,7 +120,8 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
 /// assert!(model.structure().is_some());
 /// # Ok(()) }
 /// ```
-pub fn read(mut input: impl Read, format: Format) -> Result<Model, Error> {
+pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
+    let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
     read_started(&start, whole, &mut input, format, None)
 }
@@ -138,8 +139,9 @@ pub fn read(mut input: impl Read, format: Format) -> Result<Model, Error> {
 /// assert_eq!(model.lines().len(), 1);
 /// # Ok(()) }
 /// ```
-pub fn read_with(mut input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     options.check()?;
+    let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
     let format = match options.format {
         Some(format) => format,
@@ -190,14 +192,14 @@ pub fn read_boundary_path(
     if !path.exists()
         && let Some((file, entry)) = entry_of(path)
     {
-        let drawing = open(file).and_then(|file| json::read_boundary(file, Some(entry)));
+        let drawing = watched(file).and_then(|file| json::read_boundary(file, Some(entry)));
         return match drawing {
             Ok(drawing) => Ok(drawing.with_format(Format::Json)),
             Err(error) => Err(error.in_file(file.display().to_string())),
         };
     }
     let read = || {
-        let mut file = watched(path, options)?;
+        let mut file = watched(path)?;
         let (start, whole) = start_of(&mut file)?;
         if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
             return factories_started(&start, whole, &mut file);
@@ -228,11 +230,12 @@ pub fn read_boundary_path(
 /// # Ok(()) }
 /// ```
 pub fn read_boundary(
-    mut input: impl Read,
+    input: impl Read,
     format: Format,
     options: &ReadOptions,
 ) -> Result<yin::BoundaryDrawing, Error> {
     options.check()?;
+    let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
     boundary_started(&start, whole, &mut input, format, options.flatten)
 }
@@ -249,11 +252,9 @@ pub fn read_boundary(
 /// assert!(io::read_boundary_with(&b"{\"plane\": true}"[..], &ReadOptions::default())?.is_plane());
 /// # Ok(()) }
 /// ```
-pub fn read_boundary_with(
-    mut input: impl Read,
-    options: &ReadOptions,
-) -> Result<yin::BoundaryDrawing, Error> {
+pub fn read_boundary_with(input: impl Read, options: &ReadOptions) -> Result<yin::BoundaryDrawing, Error> {
     options.check()?;
+    let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
     if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
         return factories_started(&start, whole, &mut input);
@@ -372,11 +373,11 @@ fn entry_of(path: &Path) -> Option<(&Path, &str)> {
         .find(|(file, _)| file.is_file())
 }
 
-/// A file whose bytes are counted as the options say.
-fn watched(path: &Path, options: &ReadOptions) -> Result<Watched<File>, Error> {
+/// A file whose bytes are counted.
+fn watched(path: &Path) -> Result<Watched<File>, Error> {
     let file = open(path)?;
     let total = file.metadata().map_or(0, |metadata| metadata.len());
-    Ok(Watched::new(file, total, options.progress))
+    Ok(reading(&name_of(path), file, total))
 }
 
 fn open(path: &Path) -> Result<File, Error> {

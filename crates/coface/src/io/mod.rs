@@ -52,4 +52,3 @@ pub use format::Format;
 pub use model::{Group, GroupKind, Model, Structure};
 pub(crate) use model::{repeated_vertex, segments};
 pub use output::{abandon_files, replace_file};
-pub use watching::ReadProgress;

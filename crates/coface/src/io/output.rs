@@ -1,5 +1,6 @@
 //! Files that appear whole or not at all.
 
+use super::watching::{name_of, writing};
 use crate::{Error, ErrorKind};
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufWriter, Write};
@@ -67,18 +68,22 @@ fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Error>)
         );
     }
     if old.as_ref().is_some_and(|old| !old.is_file()) {
-        return write_all(OpenOptions::new().write(true).open(&target)?, write).map(drop);
+        return write_all(&target, OpenOptions::new().write(true).open(&target)?, write);
     }
     let (temporary, file) = Temporary::beside(&target)?;
-    write_all(file, write)?;
+    write_all(&target, file, write)?;
     if let Some(old) = old {
         fs::set_permissions(&temporary.path, old.permissions())?;
     }
     temporary.rename(&target)
 }
 
-fn write_all(file: File, write: impl FnOnce(&mut dyn Write) -> Result<(), Error>) -> Result<(), Error> {
-    let mut out = BufWriter::with_capacity(1 << 16, file);
+fn write_all(
+    path: &Path,
+    file: File,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let mut out = BufWriter::with_capacity(1 << 16, writing(&name_of(path), file));
     write(&mut out)?;
     out.flush()?;
     Ok(())

@@ -1,73 +1,50 @@
-//! How far reading has come.
+//! How far reading and writing files have come.
 
-use std::io::Read;
-use std::sync::atomic::{AtomicU64, Ordering};
+use crate::progress::{Steps, stage_of_bytes};
+use std::io::{Read, Write};
+use std::path::Path;
 
-/// How many bytes of the file that is being read have been taken, for whoever shows it in another thread.
-///
-/// # Examples
-/// ```
-/// use coface::io::{self, ReadOptions, ReadProgress};
-/// # fn main() -> Result<(), coface::Error> {
-/// static PROGRESS: ReadProgress = ReadProgress::new();
-/// let path = std::env::temp_dir().join("coface-read-progress.json");
-/// std::fs::write(&path, "[[0, 1, 2]]")?;
-/// let mut options = ReadOptions::default();
-/// options.progress = Some(&PROGRESS);
-/// io::read_path_with(&path, &options)?;
-/// assert_eq!((PROGRESS.done(), PROGRESS.total()), (11, 11));
-/// # std::fs::remove_file(&path)?;
-/// # Ok(()) }
-/// ```
-#[derive(Debug, Default)]
-pub struct ReadProgress {
-    done: AtomicU64,
-    total: AtomicU64,
+/// A stream whose bytes are counted: a stage for whoever watches the work.
+pub(super) struct Watched<S> {
+    stream: S,
+    steps: Steps,
 }
 
-impl ReadProgress {
-    /// Nothing is being read.
-    pub const fn new() -> Self {
-        Self { done: AtomicU64::new(0), total: AtomicU64::new(0) }
-    }
-
-    /// The bytes that have been taken from the file.
-    pub fn done(&self) -> u64 {
-        self.done.load(Ordering::Relaxed)
-    }
-
-    /// The bytes of the whole file; 0 before there is one.
-    pub fn total(&self) -> u64 {
-        self.total.load(Ordering::Relaxed)
-    }
-
-    fn start(&self, total: u64) {
-        self.done.store(0, Ordering::Relaxed);
-        self.total.store(total, Ordering::Relaxed);
-    }
+/// Begins to read a stream of so many bytes, 0 where nobody can know.
+pub(super) fn reading<R: Read>(name: &str, stream: R, total: u64) -> Watched<R> {
+    Watched { stream, steps: stage_of_bytes(&format!("reading {name}"), total) }
 }
 
-/// A stream whose bytes are counted.
-pub(super) struct Watched<R> {
-    input: R,
-    progress: Option<&'static ReadProgress>,
+/// Begins to write a stream.
+pub(super) fn writing<W: Write>(name: &str, stream: W) -> Watched<W> {
+    Watched { stream, steps: stage_of_bytes(&format!("writing {name}"), 0) }
 }
 
-impl<R> Watched<R> {
-    pub(super) fn new(input: R, total: u64, progress: Option<&'static ReadProgress>) -> Self {
-        if let Some(progress) = progress {
-            progress.start(total);
-        }
-        Self { input, progress }
-    }
+/// The name of a file without its folder.
+pub(super) fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
+
+/// A stage never takes more bytes than this at once, so that it can be stopped.
+const PIECE: usize = 1 << 20;
 
 impl<R: Read> Read for Watched<R> {
     fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
-        let count = self.input.read(bytes)?;
-        if let Some(progress) = self.progress {
-            progress.done.fetch_add(count as u64, Ordering::Relaxed);
-        }
+        let most = bytes.len().min(PIECE);
+        let count = self.stream.read(&mut bytes[..most])?;
+        self.steps.advance(count);
         Ok(count)
+    }
+}
+
+impl<W: Write> Write for Watched<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let count = self.stream.write(&bytes[..bytes.len().min(PIECE)])?;
+        self.steps.advance(count);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.stream.flush()
     }
 }

@@ -1,6 +1,7 @@
 //! Filtrations: the order in which cells enter.
 
 use crate::chains::ChainComplex;
+use crate::progress::stage;
 use crate::{CellId, Error, ErrorKind};
 use std::cmp::Ordering;
 
@@ -114,7 +115,8 @@ impl Filtration {
                 let values = column.rows().iter().map(|&face| faces[face as usize]);
                 values.reduce(later).ok_or_else(|| no_vertices(below + 1, cell))
             };
-            let level = matrix.columns().enumerate().map(value).collect::<Result<_, Error>>()?;
+            let steps = stage("finding when cells enter", matrix.column_count());
+            let level = steps.each(matrix.columns().enumerate()).map(value).collect::<Result<_, Error>>()?;
             values.push(level);
         }
         Ok(Self { values, is_falling })
@@ -151,7 +153,8 @@ impl Filtration {
             let matrix = complex.boundary_matrix(degree).expect("each degree below the count has its matrix");
             let (below, level) = values.split_at_mut(degree);
             let below = &mut below[degree - 1];
-            for (column, value) in matrix.columns().zip(&level[0]) {
+            let steps = stage("finding when cells enter", matrix.column_count());
+            for (column, value) in steps.each(matrix.columns().zip(&level[0])) {
                 let Some(value) = *value else { continue };
                 for &face in column.rows() {
                     let face = face as usize;
@@ -194,7 +197,8 @@ impl Filtration {
         check_shape(complex, &self.values)?;
         for (below, matrix) in complex.boundary_matrices().iter().enumerate() {
             let (faces, cells) = (&self.values[below], &self.values[below + 1]);
-            for (cell, column) in matrix.columns().enumerate() {
+            let steps = stage("checking when cells enter", matrix.column_count());
+            for (cell, column) in steps.each(matrix.columns().enumerate()) {
                 for &face in column.rows() {
                     if self.order(faces[face as usize], cells[cell]) == Ordering::Greater {
                         return Err(Error::invalid(format!(
@@ -223,6 +227,7 @@ impl Filtration {
     pub(super) fn entrance(&self, degree: usize) -> Vec<u32> {
         let values = self.values(degree);
         let mut cells: Vec<u32> = (0..values.len() as u32).collect();
+        let _steps = stage("sorting cells", 0);
         cells.sort_by(|&a, &b| self.order(values[a as usize], values[b as usize]));
         cells
     }

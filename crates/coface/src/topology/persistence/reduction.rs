@@ -3,6 +3,7 @@
 use super::{Filtration, PersistenceDiagram, PersistencePair};
 use crate::algebra::{Binary, Field, Odd, SparseMatrix, UnionFind, is_prime};
 use crate::chains::ChainComplex;
+use crate::progress::stage;
 use crate::topology::Coefficients;
 use crate::{Error, ErrorKind};
 use std::cmp::Reverse;
@@ -138,7 +139,8 @@ impl<F: Field> Level<'_, F> {
         // The oldest vertex of the tree of each root.
         let mut oldest: Vec<u32> = (0..self.faces.len() as u32).collect();
         let mut partner = vec![NONE; self.cells.len()];
-        for (edge, &id) in self.cells.iter().enumerate() {
+        let steps = stage("merging components", self.cells.len());
+        for (edge, &id) in steps.each(self.cells.iter().enumerate()) {
             let mut ends = self
                 .matrix
                 .column(id as usize)
@@ -179,7 +181,8 @@ impl<F: Field> Level<'_, F> {
             return Columns { starts, entries };
         };
         entries.resize(starts[self.faces.len()], (NONE, any));
-        for (cell, &id) in self.cells.iter().enumerate() {
+        let steps = stage("transposing boundaries", self.cells.len());
+        for (cell, &id) in steps.each(self.cells.iter().enumerate()) {
             for (row, entry) in self.matrix.column(id as usize).iter() {
                 if let Some(unit) = self.field.unit(entry) {
                     let at = &mut next[numbers[row] as usize];
@@ -200,7 +203,8 @@ impl<F: Field> Level<'_, F> {
         let mut place = vec![NONE; self.cells.len()];
         let mut reduced = Columns { starts: vec![0], entries: Vec::new() };
         let mut sum = Sum { field: self.field, terms: BinaryHeap::new() };
-        for face in (0..self.faces.len()).rev().filter(|&face| !is_death[face]) {
+        let steps = stage("pairing cells", self.faces.len());
+        for face in steps.each((0..self.faces.len()).rev()).filter(|&face| !is_death[face]) {
             let coboundary = coboundaries.column(face);
             let Some(&(first, _)) = coboundary.first() else { continue };
             if partner[first as usize] == NONE {
@@ -209,6 +213,8 @@ impl<F: Field> Level<'_, F> {
             }
             sum.terms.extend(coboundary.iter().map(|&term| Reverse(term)));
             while let Some((first, coefficient)) = sum.pop() {
+                // A single coboundary may take long.
+                steps.advance(0);
                 let other = match (partner[first as usize], place[first as usize]) {
                     (NONE, _) => {
                         partner[first as usize] = face as u32;
