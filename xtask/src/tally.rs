@@ -14,18 +14,24 @@ impl Tally {
         *(if has_passed { &mut self.passed } else { &mut self.failed }) += 1;
     }
 
-    /// Adds the counts of a closing line of `cargo test`; other lines count nothing.
+    /// Adds the counts of a closing line of `cargo test` or of pytest; other lines count nothing.
     ///
-    /// The line is `test result: ok. 3 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.01s`.
+    /// The lines are `test result: ok. 3 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.01s` and
+    /// `1 failed, 3 passed, 2 skipped in 0.12s`.
     pub(crate) fn add_line(&mut self, line: &str) {
-        let Some(counts) = line.strip_prefix("test result: ") else { return };
-        let words: Vec<&str> = counts.split([' ', ';']).filter(|word| !word.is_empty()).collect();
+        let of_pytest = || {
+            let (counts, time) = line.trim_matches(['=', ' ']).rsplit_once(" in ")?;
+            let begins = counts.starts_with(|sign: char| sign.is_ascii_digit());
+            (begins && time.starts_with(|sign: char| sign.is_ascii_digit())).then_some(counts)
+        };
+        let Some(counts) = line.strip_prefix("test result: ").or_else(of_pytest) else { return };
+        let words: Vec<&str> = counts.split([' ', ';', ',']).filter(|word| !word.is_empty()).collect();
         for pair in words.windows(2) {
             let Ok(count) = pair[0].parse::<usize>() else { continue };
             match pair[1] {
                 "passed" => self.passed += count,
-                "failed" => self.failed += count,
-                "ignored" => self.skipped += count,
+                "failed" | "error" | "errors" => self.failed += count,
+                "ignored" | "skipped" | "xfailed" => self.skipped += count,
                 _ => {}
             }
         }
@@ -54,5 +60,9 @@ mod tests {
         tally.count(true);
         assert_eq!(tally, Tally { passed: 8, failed: 2, skipped: 1 });
         assert_eq!(tally.to_line(), "8 passed, 2 failed, 1 skipped");
+        tally.add_line("1 failed, 3 passed, 2 skipped, 1 warning, 1 error in 0.12s (0:00:00)");
+        tally.add_line("= 2 passed in 0.1s =");
+        tally.add_line("SKIPPED [1] tests/test_doors.py:3: 1 skipped in all");
+        assert_eq!(tally, Tally { passed: 13, failed: 4, skipped: 3 });
     }
 }

@@ -20,7 +20,7 @@ pub(crate) fn run() -> ExitCode {
     );
     let mut docs = cargo(&["doc", "--quiet", "--workspace", "--no-deps"]);
     check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
-    tests(&mut tally, "tests", cargo(&["test", "--workspace", "--no-fail-fast"]));
+    run_counted(&mut tally, "tests", cargo(&["test", "--workspace", "--no-fail-fast"]));
     graphblas(&mut tally);
     viewer(&mut tally);
     guide(&mut tally);
@@ -68,8 +68,8 @@ fn built(name: &str) -> Command {
     command
 }
 
-/// Unit tests, property tests, tests of the floors and of the command line, doc tests; all are run even when some fail.
-fn tests(tally: &mut Tally, name: &str, mut command: Command) {
+/// Many tests in one command, which says how many passed; all are run even when some fail.
+pub(crate) fn run_counted(tally: &mut Tally, name: &str, mut command: Command) {
     println!("== {name}: {}", words(&command));
     let begin = Instant::now();
     let mut counts = Tally::default();
@@ -122,8 +122,8 @@ fn graphblas(tally: &mut Tally) {
     // A few tests of a library that was tested before: building takes longer than they do.
     let mut of_congruence = cargo(&[&["test"], &of_library[..], &of_tests].concat());
     of_congruence.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
-    tests(tally, "graphblas", of_congruence);
-    tests(tally, "its crate", cargo(&[&["test"], &of_crate[..]].concat()));
+    run_counted(tally, "graphblas", of_congruence);
+    run_counted(tally, "its crate", cargo(&[&["test"], &of_crate[..]].concat()));
 }
 
 /// Whether the linker finds the library: the compiler prints a path for a file that it knows, and the bare name else.
@@ -197,9 +197,6 @@ fn skips(tally: &mut Tally) {
             skip("tests on real files", &format!("no MANIFEST.json in {}", folder.display()));
         }
         Some(_) => {}
-    }
-    if !root().join("crates/coface-py").is_dir() {
-        skip("the Python package", "it does not exist yet");
     }
 }
 

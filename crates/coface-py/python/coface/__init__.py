@@ -1,0 +1,131 @@
+"""Exact computational topology of meshes and cell complexes.
+
+A file, arrays or an object of another library become a :class:`Model` (:func:`read`, :func:`as_model`). A model tells what it is
+(:meth:`Model.report`), and makes a :class:`ChainComplex`, of which homology and everything else is asked.
+
+* Ids count from 0. Arrays of ids are integers; coordinates are ``float64`` with a row for each vertex.
+* The boundary matrix of degree k has a column for each k-cell and a row for each (k-1)-cell.
+* Nothing here has a tolerance but where one is an argument.
+* Faults are :class:`Error`: they name the place, the fault and the cure, and carry cells as data.
+
+Examples
+--------
+>>> import coface
+>>> torus = coface.generate("torus")
+>>> torus.report().name
+'torus'
+>>> coface.homology(torus)
+Homology(Z, Z^2, Z)
+"""
+
+from coface._coface import (
+    BoundaryOfBoundaryError,
+    Chain,
+    ChainComplex,
+    CoefficientError,
+    Complex,
+    Error,
+    FileError,
+    Generator,
+    Homology,
+    HomologyGroup,
+    InvalidInputError,
+    Model,
+    NonManifoldError,
+    NotAComplexError,
+    NotACycleError,
+    NotInComplexError,
+    NotPureError,
+    ParseError,
+    Report,
+    ShapeError,
+    Simplices,
+    TooLargeError,
+    UnsupportedFormatError,
+    Verdict,
+    __version__,
+    generate,
+    read,
+)
+from coface._models import as_chain_complex, as_complex, as_model
+from coface._questions import cohomology, homology
+from coface._view import page, view
+from coface._view import repr_html as _repr_html
+
+# The doors import the names above.
+from coface._doors import (  # isort: skip
+    from_gudhi,
+    from_meshio,
+    from_networkx,
+    from_open3d,
+    from_pyvista,
+    from_shapely,
+    from_trimesh,
+    to_gudhi,
+    to_meshio,
+    to_networkx,
+    to_open3d,
+    to_pyvista,
+    to_shapely,
+    to_trimesh,
+)
+from coface._plot import plot
+
+__all__ = [
+    "BoundaryOfBoundaryError",
+    "Chain",
+    "ChainComplex",
+    "CoefficientError",
+    "Complex",
+    "Error",
+    "FileError",
+    "Generator",
+    "Homology",
+    "HomologyGroup",
+    "InvalidInputError",
+    "Model",
+    "NonManifoldError",
+    "NotAComplexError",
+    "NotACycleError",
+    "NotInComplexError",
+    "NotPureError",
+    "ParseError",
+    "Report",
+    "ShapeError",
+    "Simplices",
+    "TooLargeError",
+    "UnsupportedFormatError",
+    "Verdict",
+    "__version__",
+    "as_chain_complex",
+    "as_complex",
+    "as_model",
+    "cohomology",
+    "from_gudhi",
+    "from_meshio",
+    "from_networkx",
+    "from_open3d",
+    "from_pyvista",
+    "from_shapely",
+    "from_trimesh",
+    "generate",
+    "homology",
+    "page",
+    "plot",
+    "read",
+    "to_gudhi",
+    "to_meshio",
+    "to_networkx",
+    "to_open3d",
+    "to_pyvista",
+    "to_shapely",
+    "to_trimesh",
+    "view",
+]
+
+# What notebooks and plots need stands here, so that the compiled part knows neither.
+for _class in (Complex, Model):
+    setattr(_class, "_repr_html_", _repr_html)
+for _class in (ChainComplex, Complex, Model):
+    setattr(_class, "plot", plot)
+del _class

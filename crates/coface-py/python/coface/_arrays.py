@@ -1,0 +1,167 @@
+"""Models as plain arrays: what the doors to other libraries are built on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from coface._coface import Model
+
+Ids = NDArray[np.int64]
+Points = NDArray[np.float64]
+
+#: The corners of a cell of each kind, in the words of meshio; the order of the corners is that of VTK.
+CORNERS = {
+    "vertex": 1,
+    "line": 2,
+    "triangle": 3,
+    "quad": 4,
+    "tetra": 4,
+    "pyramid": 5,
+    "wedge": 6,
+    "hexahedron": 8,
+}
+#: The kinds of 3-cells.
+SOLID = ("tetra", "pyramid", "wedge", "hexahedron")
+
+
+def ragged(lists: Any) -> tuple[Ids, Ids]:
+    """All members one after the other, and where each list begins and the last ends.
+
+    Examples
+    --------
+    >>> ragged([[0, 1, 2], [2, 3]])
+    (array([0, 1, 2, 2, 3]), array([0, 3, 5]))
+    >>> ragged(np.array([[0, 1, 2], [2, 1, 3]]))[1]
+    array([0, 3, 6])
+    """
+    if isinstance(lists, tuple) and len(lists) == 2:
+        return np.asarray(lists[0], np.int64), np.asarray(lists[1], np.int64)
+    if isinstance(lists, np.ndarray) and lists.ndim == 2:
+        flat = np.ascontiguousarray(lists, np.int64).reshape(-1)
+        return flat, np.arange(len(lists) + 1, dtype=np.int64) * lists.shape[1]
+    each = [np.asarray(one, np.int64).reshape(-1) for one in lists]
+    offsets = np.zeros(len(each) + 1, np.int64)
+    np.cumsum([len(one) for one in each], out=offsets[1:])
+    return (np.concatenate(each) if each else np.zeros(0, np.int64)), offsets
+
+
+def blocks(flat: Ids, offsets: Ids) -> Iterable[tuple[int, Ids]]:
+    """The lists of each length as one array, the shortest first.
+
+    Examples
+    --------
+    >>> for length, block in blocks(*ragged([[0, 1, 2, 3], [0, 1, 4], [4, 1, 2]])):
+    ...     print(length, block.tolist())
+    3 [[0, 1, 4], [4, 1, 2]]
+    4 [[0, 1, 2, 3]]
+    """
+    lengths = np.diff(offsets)
+    for length in np.unique(lengths):
+        begins = offsets[:-1][lengths == length]
+        yield int(length), flat[begins[:, None] + np.arange(length)]
+
+
+def lists(flat: Ids, offsets: Ids) -> list[Ids]:
+    """Each list as an array of its own."""
+    return [flat[begin:end] for begin, end in zip(offsets[:-1], offsets[1:])]
+
+
+def padded(flat: Ids, offsets: Ids) -> Ids:
+    """The lists with their lengths before them, one after the other, as VTK has them.
+
+    Examples
+    --------
+    >>> padded(*ragged([[0, 1, 2], [2, 3]]))
+    array([3, 0, 1, 2, 2, 2, 3])
+    """
+    return np.insert(flat, offsets[:-1], np.diff(offsets))
+
+
+def unpadded(values: Any) -> tuple[Ids, Ids]:
+    """The opposite of :func:`padded`.
+
+    Examples
+    --------
+    >>> unpadded([3, 0, 1, 2, 2, 2, 3])
+    (array([0, 1, 2, 2, 3]), array([0, 3, 5]))
+    """
+    values = np.asarray(values, np.int64).reshape(-1)
+    if len(values) and len(values) % (values[0] + 1) == 0:
+        rows = values.reshape(-1, values[0] + 1)
+        if (rows[:, 0] == values[0]).all():
+            return ragged(rows[:, 1:])
+    begins = []
+    place = 0
+    while place < len(values):
+        begins.append(place)
+        place += int(values[place]) + 1
+    offsets = np.array([*begins, len(values)], np.int64) - np.arange(len(begins) + 1)
+    return np.delete(values, begins), offsets
+
+
+def polygons(model: Model) -> tuple[Ids, Ids]:
+    """The faces of a model, flat and offsets."""
+    return ragged(model.faces)
+
+
+def steps(model: Model) -> Ids:
+    """The lines of a model, each step from one vertex to the next: an array of pairs."""
+    flat, offsets = ragged(model.lines)
+    keep = np.ones(len(flat), bool)
+    keep[offsets[1:][np.diff(offsets) > 0] - 1] = False
+    begins = np.flatnonzero(keep)
+    return np.column_stack([flat[begins], flat[begins + 1]]) if len(begins) else np.zeros((0, 2), np.int64)
+
+
+def positions(model: Model, purpose: str) -> Points:
+    """Where the vertices are, in space.
+
+    Raises
+    ------
+    coface.InvalidInputError
+        If the model has no coordinates, or its space more than three dimensions.
+    """
+    found = model.vertices
+    if found is None:
+        raise_invalid(f"{purpose} needs coordinates, and this model has none", "give vertices to Model.from_arrays")
+    points = np.asarray(found, np.float64)
+    if points.shape[1] > 3:
+        raise_invalid(
+            f"{purpose} needs points of space, and these have {points.shape[1]} coordinates",
+            "choose three of them: Model.from_arrays(model.vertices[:, :3], model.faces)",
+        )
+    if points.shape[1] < 3:
+        points = np.pad(points, [(0, 0), (0, 3 - points.shape[1])])
+    return points
+
+
+def triangles(model: Model, purpose: str) -> Ids:
+    """The faces of a model, which have to be triangles.
+
+    Raises
+    ------
+    coface.InvalidInputError
+        If there is a face with more corners.
+    """
+    flat, offsets = polygons(model)
+    sizes = np.diff(offsets)
+    if (sizes != 3).any():
+        first = int(np.argmax(sizes != 3))
+        raise_invalid(
+            f"{purpose} needs triangles, and face {first} has {sizes[first]} corners",
+            "use model.triangulated()",
+            [flat[offsets[first] : offsets[first + 1]].tolist()],
+        )
+    return flat.reshape(-1, 3)
+
+
+def raise_invalid(message: str, cure: str, cells: Sequence[Sequence[int]] = ()) -> NoReturn:
+    """Raise :class:`coface.InvalidInputError` with what is wrong and what to do about it."""
+    from coface._coface import InvalidInputError
+
+    raise InvalidInputError(f"{message}; {cure}", fault=message, cure=cure, cells=cells)

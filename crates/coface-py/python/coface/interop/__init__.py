@@ -1,0 +1,64 @@
+"""Doors to other libraries, one file a library.
+
+Nothing here is imported before it is needed: an object of another library is recognized by the name of the module that its class comes
+from, and only a conversion *to* a library imports it.
+"""
+
+from __future__ import annotations
+
+import importlib
+from types import ModuleType
+from typing import Any
+
+#: The first part of a class's module, and the file here that reads it.
+DOORS = {
+    "gudhi": "gudhi",
+    "meshio": "meshio",
+    "networkx": "networkx",
+    "open3d": "open3d",
+    "pyvista": "pyvista",
+    "vtkmodules": "pyvista",
+    "shapely": "shapely",
+    "trimesh": "trimesh",
+}
+
+#: What to install, where it is not the name that is imported.
+_PACKAGES = {"skimage": "scikit-image"}
+
+
+def door_of(value: Any) -> ModuleType | None:
+    """The file that reads objects of this class, or of a class that it comes from; ``None`` if there is none."""
+    for base in type(value).__mro__:
+        root = str(getattr(base, "__module__", "")).partition(".")[0]
+        if root in DOORS:
+            return importlib.import_module(f"coface.interop.{DOORS[root]}")
+    return None
+
+
+def needed(name: str, purpose: str) -> Any:
+    """The module of this name.
+
+    Raises
+    ------
+    ImportError
+        With the command that installs it.
+
+    Examples
+    --------
+    >>> needed("json", "writing JSON").dumps([1])
+    '[1]'
+    >>> needed("no_such_module", "an example")
+    Traceback (most recent call last):
+    ...
+    ImportError: an example needs no_such_module, which is not installed: pip install no_such_module
+    """
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        root = name.partition(".")[0]
+        package = _PACKAGES.get(root, root)
+        if isinstance(error, ModuleNotFoundError) and (error.name or "").partition(".")[0] == root:
+            why = "which is not installed"
+        else:
+            why = f"which cannot be imported ({error})"
+        raise ImportError(f"{purpose} needs {root}, {why}: pip install {package}", name=root) from error

@@ -1,0 +1,52 @@
+"""gudhi: simplex trees."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coface._coface import Complex, Model
+from coface._arrays import raise_invalid
+from coface.interop import needed
+
+
+def simplices(value: Any) -> dict[int, tuple[Any, Any]]:
+    """The simplices of a tree by dimension: arrays ``(m, dimension + 1)`` of vertices, and their filtration values."""
+    if not hasattr(value, "get_simplices"):
+        raise_invalid(f"gudhi's {type(value).__name__} is no simplex tree", "call its create_simplex_tree()")
+    found: dict[int, tuple[list[Any], list[float]]] = {}
+    for simplex, level in value.get_simplices():
+        rows, levels = found.setdefault(len(simplex) - 1, ([], []))
+        rows.append(simplex)
+        levels.append(level)
+    return {
+        dimension: (np.array(rows, np.int64), np.array(levels, np.float64))
+        for dimension, (rows, levels) in sorted(found.items())
+    }
+
+
+def to_model(value: Any) -> Model:
+    """A :class:`gudhi.SimplexTree` as a model of facets: all its simplices, whatever their filtration values.
+
+    Vertices keep their numbers.
+    """
+    return Model.from_facets([simplex for rows, _ in simplices(value).values() for simplex in rows.tolist()])
+
+
+def from_complex(complex: Complex, values: Any = None) -> Any:
+    """A complex as :class:`gudhi.SimplexTree`.
+
+    Parameters
+    ----------
+    values
+        A number for each vertex: a simplex comes with the last of its vertices (the lower star filtration). Without it all come at 0.
+    """
+    library = needed("gudhi", "to_gudhi")
+    tree = library.SimplexTree()
+    levels = None if values is None else np.asarray(values, np.float64)
+    for dimension in range((-1 if complex.dimension is None else complex.dimension) + 1):
+        rows = np.asarray(complex.simplices(dimension))
+        at = np.zeros(len(rows)) if levels is None else levels[rows].max(axis=1)
+        tree.insert_batch(np.ascontiguousarray(rows.T).astype(np.int32), at)
+    return tree

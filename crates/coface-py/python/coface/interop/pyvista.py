@@ -1,0 +1,103 @@
+"""pyvista: ``PolyData`` and ``UnstructuredGrid``, whose lists of cells have lengths between them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coface._coface import Model
+from coface._arrays import SOLID, lists, padded, polygons, positions, raise_invalid, ragged, unpadded
+from coface.interop import needed
+
+#: The numbers that VTK has for kinds of cells.
+NUMBERS = {
+    1: "vertex",
+    3: "line",
+    5: "triangle",
+    9: "quad",
+    10: "tetra",
+    12: "hexahedron",
+    13: "wedge",
+    14: "pyramid",
+}
+POLYLINE, STRIP, POLYGON = 4, 6, 7
+
+
+def to_model(value: Any) -> Model:
+    """A ``PolyData``, an ``UnstructuredGrid`` or anything else of VTK that pyvista can cast to one of them.
+
+    Raises
+    ------
+    coface.InvalidInputError
+        If there is a kind of cell that is not linear.
+    """
+    if hasattr(value, "faces") and hasattr(value, "lines") and hasattr(value, "strips"):
+        if len(value.strips):
+            value = value.triangulate()
+        cells: dict[str, Any] = {}
+        if len(value.faces):
+            cells["polygon"] = unpadded(value.faces)
+        if len(value.lines):
+            cells["line"] = _steps(*unpadded(value.lines))
+        return Model.from_arrays(np.asarray(value.points, np.float64), cells=cells)
+    if not hasattr(value, "celltypes"):
+        library = needed("pyvista", "as_model")
+        grid = library.wrap(value) if not hasattr(value, "cast_to_unstructured_grid") else value
+        if hasattr(grid, "faces") and hasattr(grid, "strips"):
+            return to_model(grid)
+        value = grid.cast_to_unstructured_grid()
+    flat = np.asarray(value.cell_connectivity, np.int64)
+    offsets = np.asarray(value.offset, np.int64)
+    kinds = np.asarray(value.celltypes)
+    cells = {}
+    polygons_found: list[Any] = []
+    for number in np.unique(kinds):
+        where = np.flatnonzero(kinds == number)
+        chosen = [flat[offsets[cell] : offsets[cell + 1]] for cell in where]
+        kind = NUMBERS.get(int(number))
+        if number == POLYGON:
+            polygons_found.extend(chosen)
+        elif number == POLYLINE:
+            pairs = _steps(*ragged(chosen))
+            cells["line"] = np.concatenate([cells["line"], pairs]) if "line" in cells else pairs
+        elif kind is not None:
+            rows = np.array(chosen, np.int64)
+            cells[kind] = np.concatenate([cells[kind], rows]) if kind in cells else rows
+        else:
+            raise_invalid(
+                f"cells of the kind {number} of VTK have no counterpart",
+                "make them linear: grid.linear_copy(), or grid.triangulate()",
+            )
+    if polygons_found:
+        cells["polygon"] = polygons_found
+    return Model.from_arrays(np.asarray(value.points, np.float64), cells=cells)
+
+
+def _steps(flat: Any, offsets: Any) -> Any:
+    walks = [np.column_stack([walk[:-1], walk[1:]]) for walk in lists(flat, offsets)]
+    return np.concatenate(walks) if walks else np.zeros((0, 2), np.int64)
+
+
+def from_model(model: Model, **options: Any) -> Any:
+    """A model as ``pyvista.PolyData``, or as ``pyvista.UnstructuredGrid`` where it has 3-cells.
+
+    Polygons keep their corners.
+    """
+    library = needed("pyvista", "to_pyvista")
+    points = positions(model, "to_pyvista")
+    solids = {kind: np.asarray(cells) for kind, cells in model.cells.items() if kind in SOLID and len(cells)}
+    if solids:
+        numbers = {name: number for number, name in NUMBERS.items()}
+        parts = [padded(*ragged(cells)) for cells in solids.values()]
+        kinds = [np.full(len(cells), numbers[kind], np.uint8) for kind, cells in solids.items()]
+        return library.UnstructuredGrid(np.concatenate(parts), np.concatenate(kinds), points, **options)
+    mesh = library.PolyData(points, **options)
+    faces, walks = polygons(model), ragged(model.lines)
+    if len(faces[0]):
+        mesh.faces = padded(*faces)
+    if len(walks[0]):
+        mesh.lines = padded(*walks)
+    if len(faces[0]) or len(walks[0]):
+        mesh.verts = np.zeros(0, np.int64)
+    return mesh

@@ -1,0 +1,59 @@
+"""trimesh: triangle meshes, scenes, drawings and point clouds.
+
+Vertices and faces of a :class:`trimesh.Trimesh` are plain arrays, ``(n, 3)`` of floats and ``(m, 3)`` of integers.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from coface._coface import Model
+from coface._arrays import positions, raise_invalid, steps, triangles
+from coface.interop import needed
+
+
+def to_model(value: Any) -> Model:
+    """A mesh, a scene (its meshes side by side, where they stand in it), a drawing or a point cloud as a model.
+
+    Parameters
+    ----------
+    value
+        ``trimesh.Trimesh``, ``trimesh.Scene``, ``trimesh.path.Path`` or ``trimesh.PointCloud``.
+
+    Returns
+    -------
+    Model
+        Vertices and faces keep their numbers.
+    """
+    if hasattr(value, "geometry") and hasattr(value, "graph"):
+        return to_model(value.to_geometry() if hasattr(value, "to_geometry") else value.dump(concatenate=True))
+    if hasattr(value, "faces"):
+        return Model.from_arrays(np.asarray(value.vertices), np.asarray(value.faces))
+    if hasattr(value, "entities"):
+        walks = [np.asarray(entity.nodes).reshape(-1, 2) for entity in value.entities]
+        pairs = np.concatenate(walks) if walks else np.zeros((0, 2), np.int64)
+        return Model.from_arrays(np.asarray(value.vertices), cells={"line": pairs})
+    if hasattr(value, "vertices"):
+        return Model.from_arrays(np.asarray(value.vertices))
+    raise_invalid(f"trimesh's {type(value).__name__} is no mesh, scene, drawing or point cloud", "give one of those")
+
+
+def from_model(model: Model, **options: Any) -> Any:
+    """A model as :class:`trimesh.Trimesh`; one of lines as :class:`trimesh.path.Path3D`.
+
+    Parameters
+    ----------
+    model
+        Its faces have to be triangles.
+    **options
+        Go to the class of trimesh. ``process=False`` stands unless said otherwise, so that vertices keep their numbers.
+    """
+    library = needed("trimesh", "to_trimesh")
+    if len(model.faces) == 0 and len(model.lines):
+        path = needed("trimesh.path", "to_trimesh")
+        entities = [path.entities.Line(pair) for pair in steps(model)]
+        return path.Path3D(entities=entities, vertices=positions(model, "to_trimesh"), **{"process": False, **options})
+    points = positions(model, "to_trimesh")
+    return library.Trimesh(points, triangles(model, "to_trimesh"), **{"process": False, **options})

@@ -1,0 +1,53 @@
+//! The page of `coface view`.
+
+use crate::errors::OrRaise;
+use crate::model::source_of;
+use crate::work::run;
+use coface::report::{Report, Scene};
+use coface::{Error, ErrorKind};
+use pyo3::prelude::*;
+use serde_json::Value;
+use std::sync::Arc;
+
+/// The page without a scene; the program holds the same.
+const PAGE: &str = include_str!("../../coface-cli/page/viewer.html");
+
+/// What stands in the page where the scene belongs.
+const PLACE: &str = r#"<script type="application/json" id="scene">null</script>"#;
+
+/// So many places of a problem are told in the report.
+const PLACES: usize = 100;
+
+/// The page that shows a model and answers about it, which are texts of JSON.
+#[pyfunction]
+#[pyo3(signature = (model, title, results, report, progress=None))]
+pub(crate) fn _page(
+    py: Python<'_>,
+    model: &Bound<'_, PyAny>,
+    title: &str,
+    results: Vec<String>,
+    report: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let source = source_of(model)?;
+    let parse = |text: &String| -> Result<Value, Error> {
+        serde_json::from_str(text).map_err(|error| {
+            Error::new(ErrorKind::Parse, error.to_string()).with_cure("give what to_dict() gave")
+        })
+    };
+    let results: Vec<Value> = results.iter().map(parse).collect::<Result<_, _>>().or_raise(py)?;
+    run(py, progress, || {
+        let model = &Arc::clone(&source).model;
+        let mut scene = Scene::of(title, model)?;
+        for result in &results {
+            scene.add_result("the answer", result)?;
+        }
+        if report {
+            let report = Report::of(model.clone())?;
+            scene = scene.with_boundary().with_report(report.to_json(PLACES));
+        }
+        // No text in the scene can end the element that it stands in, nor begin a comment there. Outside of strings JSON has no such sign.
+        let text = scene.to_json().to_string().replace('<', "\\u003c");
+        Ok(PAGE.replacen(PLACE, &format!(r#"<script type="application/json" id="scene">{text}</script>"#), 1))
+    })
+}

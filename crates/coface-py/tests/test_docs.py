@@ -1,0 +1,77 @@
+"""Docstrings: everything public has one, and every example in them runs."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import inspect
+import pkgutil
+
+import pytest
+
+import coface
+
+OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+
+
+def documented():
+    """Names and docstrings of what is public, members of classes too, and of the modules behind."""
+    yield "coface", coface.__doc__
+    for name in coface.__all__:
+        thing = getattr(coface, name)
+        if not (inspect.isclass(thing) or callable(thing)):
+            continue
+        yield name, thing.__doc__
+        if inspect.isclass(thing):
+            for member, value in vars(thing).items():
+                if not member.startswith("_") and (callable(value) or inspect.isdatadescriptor(value) or hasattr(value, "__func__")):
+                    yield f"{name}.{member}", value.__doc__
+
+
+def private():
+    for package in ["coface", "coface.interop"]:
+        for module in pkgutil.iter_modules(importlib.import_module(package).__path__, package + "."):
+            if module.name == "coface._coface":
+                continue
+            found = importlib.import_module(module.name)
+            for name, value in vars(found).items():
+                if getattr(value, "__module__", None) == module.name and getattr(value, "__doc__", None):
+                    if name not in coface.__all__:
+                        yield f"{module.name}.{name}", value.__doc__, vars(found)
+
+
+PUBLIC = dict(documented())
+EXAMPLES = [(name, text, {}) for name, text in PUBLIC.items() if text and ">>>" in text]
+EXAMPLES += [(name, text, names) for name, text, names in private() if ">>>" in text]
+
+
+@pytest.mark.parametrize(("name", "text", "names"), EXAMPLES, ids=[name for name, _, _ in EXAMPLES])
+def test_examples_run(name, text, names) -> None:
+    parsed = doctest.DocTestParser().get_doctest(text, {**names, "coface": coface}, name, None, 0)
+    said: list[str] = []
+    runner = doctest.DocTestRunner(optionflags=OPTIONS, verbose=False)
+    try:
+        runner.run(parsed, out=said.append, clear_globs=True)
+    except doctest.UnexpectedException as error:
+        raise error.exc_info[1] from None
+    assert runner.failures == 0, "".join(said)
+
+
+def test_everything_public_is_documented() -> None:
+    missing = [name for name, text in PUBLIC.items() if not (text or "").strip()]
+    assert missing == []
+
+
+def test_signatures_are_told() -> None:
+    missing = []
+    for name in coface.__all__:
+        thing = getattr(coface, name)
+        members = [(name, thing)] if inspect.isroutine(thing) else []
+        if inspect.isclass(thing) and not issubclass(thing, Exception):
+            members = [(f"{name}.{m}", v) for m, v in vars(thing).items() if not m.startswith("_") and inspect.isroutine(v)]
+        for where, value in members:
+            try:
+                inspect.signature(value.__func__ if isinstance(value, (staticmethod, classmethod)) else value)
+            except (TypeError, ValueError):
+                missing.append(where)
+    assert missing == []

@@ -1,0 +1,127 @@
+"""Faults are exceptions that say the place, the fault and the cure, and carry the cells as data."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import coface
+
+
+def test_classes_are_faults_of_python_too() -> None:
+    assert issubclass(coface.FileError, OSError)
+    assert issubclass(coface.ParseError, ValueError)
+    assert issubclass(coface.NotInComplexError, LookupError)
+    assert issubclass(coface.TooLargeError, OverflowError)
+    for name in dir(coface):
+        found = getattr(coface, name)
+        if isinstance(found, type) and issubclass(found, Exception):
+            assert issubclass(found, coface.Error), name
+            assert name in coface.__all__
+
+
+def test_a_missing_file_is_named(tmp_path) -> None:
+    with pytest.raises(coface.FileError) as caught:
+        coface.read(tmp_path / "nothing.off")
+    assert caught.value.file is not None and caught.value.file.endswith("nothing.off")
+    assert caught.value.kind == "File"
+    with pytest.raises(OSError):
+        coface.read(tmp_path / "nothing.off")
+
+
+def test_a_fault_in_a_file_has_a_line(tmp_path) -> None:
+    path = tmp_path / "broken.off"
+    path.write_text("OFF\n3 1 0\n0 0 0\n1 0 abc\n0 1 0\n3 0 1 2\n")
+    with pytest.raises(coface.ParseError) as caught:
+        coface.read(path)
+    error = caught.value
+    assert error.line == 4
+    assert "abc" in error.message
+    assert str(error).startswith(f"{path}:4: ")
+    assert error.cells == []
+
+
+def test_cells_are_data() -> None:
+    with pytest.raises(coface.NotInComplexError) as caught:
+        coface.Complex([[0, 1, 2]]).link([[0, 7]])
+    assert caught.value.cells == [[0, 7]]
+    # Three triangles at one edge are no surface.
+    with pytest.raises(coface.NonManifoldError) as caught:
+        coface.as_surface([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    assert [0, 1] in [sorted(cell) for cell in caught.value.cells]
+
+
+def test_errors_can_be_pickled() -> None:
+    with pytest.raises(coface.NotInComplexError) as caught:
+        coface.Complex([[0, 1, 2]]).link([[0, 7]])
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert type(again) is coface.NotInComplexError
+    assert (str(again), again.cells, again.cure) == (str(caught.value), caught.value.cells, caught.value.cure)
+
+
+SQUARE = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces"),
+    [
+        (SQUARE, [[0, 1, 4]]),
+        (SQUARE, [[0, 1, -1]]),
+        (SQUARE, [[0, 1, 1]]),
+        (SQUARE, [[0.0, 1.0, 2.0]]),
+        (SQUARE, np.array([[0.0, 1.0, 2.0]])),
+        (SQUARE, [["a", "b", "c"]]),
+        (SQUARE, "faces"),
+        (SQUARE, 7),
+        (SQUARE, np.zeros((2, 2, 3), int)),
+        (SQUARE, [[0, 1]]),
+        (SQUARE, np.array([[0, 1, 2**40]])),
+        ([[0.0, np.nan, 0.0], *SQUARE[1:]], [[0, 1, 2]]),
+        ([[0.0, np.inf, 0.0], *SQUARE[1:]], [[0, 1, 2]]),
+        ([[0.0, 0.0], [1.0]], [[0, 1, 0]]),
+        (np.zeros(4), [[0, 1, 2]]),
+        ([["x", "y", "z"]] * 4, [[0, 1, 2]]),
+        (np.zeros((4, 3), complex), [[0, 1, 2]]),
+    ],
+)
+def test_wrong_arrays_are_refused(vertices, faces) -> None:
+    with pytest.raises(coface.InvalidInputError) as caught:
+        coface.Model.from_arrays(vertices, faces)
+    assert caught.value.message
+    assert caught.value.cure, str(caught.value)
+
+
+@pytest.mark.parametrize("x", [None, 3, 2.5, object(), (1, 2, "x"), {"nothing": 1}, b"\x00\x01", lambda: 0])
+def test_what_is_no_space_is_refused(x) -> None:
+    with pytest.raises(coface.Error):
+        coface.as_model(x)
+
+
+def test_wrong_words_are_refused() -> None:
+    circle = [[0, 1], [1, 2], [0, 2]]
+    with pytest.raises(coface.Error):
+        coface.homology(circle, "f4")
+    with pytest.raises(coface.Error):
+        coface.homology(circle, relative="rim")
+    with pytest.raises(coface.Error):
+        coface.generate("no such family")
+    with pytest.raises(coface.Error):
+        coface.homology(circle, progress=3)
+    with pytest.raises(coface.Error):
+        coface.boolean("both", circle)
+    with pytest.raises(coface.Error):
+        coface.incidence(circle, "XY")
+
+
+def test_boundaries_that_are_none_are_refused() -> None:
+    from scipy.sparse import csc_array
+
+    edges = csc_array(np.array([[-1], [1]]))
+    with pytest.raises(coface.BoundaryOfBoundaryError):
+        coface.ChainComplex.from_boundaries([edges, csc_array(np.array([[1]]))])
+    with pytest.raises(coface.Error):
+        coface.ChainComplex.from_boundaries([csc_array(np.array([[0.5]]))])
+    with pytest.raises(coface.Error):
+        coface.ChainComplex.from_boundaries([edges, csc_array(np.zeros((3, 1), int))])

@@ -1,0 +1,173 @@
+"""Objects of other libraries go in and come out with the same vertices and cells."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import coface
+
+SQUARE = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]])
+SURFACE = coface.Model.from_arrays(SQUARE, [[0, 1, 2], [0, 2, 3]])
+TETRAHEDRON = coface.Model.from_arrays(np.eye(4)[:, :3], cells={"tetra": [[3, 0, 1, 2]]})
+MIXED = coface.Model.from_arrays(
+    np.concatenate([SQUARE, SQUARE + [0.0, 0.0, 1.0], [[0.5, 0.5, 2.0]]]),
+    cells={"hexahedron": [list(range(8))], "pyramid": [[4, 5, 6, 7, 8]]},
+)
+POLYGONS = coface.Model.from_arrays(np.concatenate([SQUARE, [[0.5, 2.0, 0.0]]]), [[0, 1, 2, 3], [3, 2, 4]])
+LINES = coface.Model.from_arrays(SQUARE, cells={"line": [[0, 1], [1, 2], [2, 3]]})
+
+
+def same(first: coface.Model, second: coface.Model) -> None:
+    assert np.array_equal(first.vertices, second.vertices)
+    assert [face.tolist() for face in rows(first.faces)] == [face.tolist() for face in rows(second.faces)]
+    assert set(first.cells) == set(second.cells)
+    for kind in first.cells:
+        assert np.array_equal(first.cells[kind], second.cells[kind])
+    assert coface.homology(first) == coface.homology(second)
+
+
+def rows(lists):
+    if isinstance(lists, tuple):
+        return np.split(np.asarray(lists[0]), lists[1][1:-1])
+    return np.asarray(lists)
+
+
+def test_nothing_is_imported_before_it_is_needed() -> None:
+    words = "import sys, coface; print([n for n in %r if n in sys.modules])" % (
+        ["trimesh", "meshio", "pyvista", "vtk", "open3d", "networkx", "gudhi", "shapely", "matplotlib", "tqdm"],
+    )
+    done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_a_library_that_is_not_there_is_named() -> None:
+    words = "import sys; sys.modules['trimesh'] = None\nimport coface\ncoface.to_trimesh(coface.generate('csaszar'))"
+    done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "ImportError: to_trimesh needs trimesh" in done.stderr
+    assert "pip install trimesh" in done.stderr
+
+
+def test_trimesh_goes_both_ways() -> None:
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.creation.icosphere(subdivisions=2)
+    model = coface.as_model(mesh)
+    assert np.array_equal(model.vertices, mesh.vertices)
+    assert np.array_equal(model.faces, mesh.faces)
+    again = coface.to_trimesh(model)
+    assert np.array_equal(again.faces, mesh.faces) and np.array_equal(again.vertices, mesh.vertices)
+    scene = trimesh.Scene([mesh, trimesh.creation.box(transform=trimesh.transformations.translation_matrix([9, 0, 0]))])
+    assert coface.homology(scene).betti_numbers == (2, 0, 2)
+    assert coface.as_model(trimesh.PointCloud(SQUARE)).vertex_count == 4
+    path = coface.to_trimesh(LINES)
+    assert coface.homology(path).betti_numbers[0] == 1
+    # Arrays go over without being copied on the way out: the class of trimesh may keep its own.
+    with pytest.raises(coface.InvalidInputError) as caught:
+        coface.to_trimesh(POLYGONS)
+    assert caught.value.cells == [[0, 1, 2, 3]]
+
+
+@pytest.mark.parametrize("model", [SURFACE, POLYGONS, TETRAHEDRON, MIXED, LINES])
+def test_meshio_goes_both_ways(model) -> None:
+    meshio = pytest.importorskip("meshio")
+    mesh = coface.to_meshio(model)
+    assert isinstance(mesh, meshio.Mesh)
+    same(coface.as_model(mesh), model)
+
+
+def test_cells_of_second_order_are_refused() -> None:
+    meshio = pytest.importorskip("meshio")
+    mesh = meshio.Mesh(np.zeros((6, 3)), [("triangle6", [[0, 1, 2, 3, 4, 5]])])
+    with pytest.raises(coface.InvalidInputError, match="triangle6"):
+        coface.as_model(mesh)
+
+
+@pytest.mark.parametrize("model", [SURFACE, POLYGONS, TETRAHEDRON, MIXED, LINES])
+def test_pyvista_goes_both_ways(model) -> None:
+    pytest.importorskip("pyvista")
+    same(coface.as_model(coface.to_pyvista(model)), model)
+
+
+def test_grids_of_pyvista_are_taken() -> None:
+    pyvista = pytest.importorskip("pyvista")
+    grid = pyvista.ImageData(dimensions=(3, 3, 3))
+    assert coface.homology(grid).betti_numbers[:2] == (1, 0)
+    assert coface.as_model(pyvista.Sphere()).report().name == "sphere"
+
+
+@pytest.mark.parametrize("model", [SURFACE, TETRAHEDRON, LINES])
+def test_open3d_goes_both_ways(model) -> None:
+    pytest.importorskip("open3d")
+    same(coface.as_model(coface.to_open3d(model)), model)
+
+
+def test_graphs_go_both_ways() -> None:
+    networkx = pytest.importorskip("networkx")
+    graph = networkx.petersen_graph()
+    found = coface.homology(graph)
+    assert found.betti_numbers == (1, 15 - 10 + 1)
+    assert networkx.is_isomorphic(coface.to_networkx(graph), graph)
+    torus = coface.to_networkx(coface.generate("csaszar"))
+    assert networkx.is_isomorphic(torus, networkx.complete_graph(7))
+    assert len(torus.nodes[0]["pos"]) == 3
+    # Isolated nodes are vertices.
+    lonely = networkx.empty_graph(3)
+    lonely.add_edge(0, 1)
+    assert coface.homology(lonely).betti_numbers[0] == 2
+    names = networkx.Graph([("a", "b"), ("b", "c"), ("c", "a")])
+    assert coface.homology(names).betti_numbers == (1, 1)
+
+
+def test_multigraphs_are_chain_complexes() -> None:
+    networkx = pytest.importorskip("networkx")
+    graph = networkx.MultiGraph([(0, 1), (0, 1), (1, 1)])
+    assert coface.homology(graph).betti_numbers == (1, 2)
+    with pytest.raises(coface.InvalidInputError) as caught:
+        coface.as_model(graph)
+    assert caught.value.cells
+
+
+def test_simplex_trees_go_both_ways(torus) -> None:
+    gudhi = pytest.importorskip("gudhi")
+    tree = coface.to_gudhi(torus)
+    assert isinstance(tree, gudhi.SimplexTree)
+    assert tree.num_simplices() == 7 + 21 + 14
+    assert coface.from_gudhi(tree) == coface.as_complex(torus)
+    rising = coface.to_gudhi(torus, values=np.arange(7.0))
+    assert rising.filtration([0, 1, 3]) == 3.0
+
+
+def test_geometries_go_both_ways() -> None:
+    shapely = pytest.importorskip("shapely")
+    random = np.random.default_rng(5)
+    ring = shapely.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)], [[(1, 1), (1, 2), (2, 2), (2, 1)]])
+    back = coface.to_shapely(coface.as_model(ring))
+    assert back.equals(ring)
+    for scale in [1e-12, 1.0, 1e12]:
+        points = random.normal(size=(50, 2)) * scale
+        line = shapely.LineString(points)
+        model = coface.from_shapely(line)
+        found = shapely.get_coordinates(coface.to_shapely(model))
+        assert np.array_equal(found, points), scale
+    several = [ring, shapely.Point(9, 9), shapely.LineString([(5, 5), (6, 6)])]
+    assert coface.as_model(several).vertex_count == 8 + 1 + 2
+    assert len(coface.to_shapely(coface.as_model(several)).geoms) == 3
+
+
+def test_paths_files_and_words_are_models(spot) -> None:
+    expected = coface.read(spot)
+    assert coface.as_model(spot) == expected
+    assert coface.as_model(str(spot)) == expected
+    with open(spot, "rb") as file:
+        assert coface.as_model(file) == expected
+    with open(spot, encoding="utf-8") as file:
+        assert coface.as_model(file) == expected
+    assert coface.as_model((expected.vertices, expected.faces)).report().name == "sphere"
+    assert coface.as_model({"facets": np.array([[0, 1, 2]])}).f_vector == (3, 3, 1)
+    assert coface.as_model(np.array([[0, 1], [1, 2]])).f_vector == (3, 2)
+    assert coface.as_model(np.zeros((3, 3))).vertex_count == 3
+    assert coface.as_model(((0, 1, 2), (1, 2, 3))).f_vector == (4, 5, 2)

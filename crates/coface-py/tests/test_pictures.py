@@ -1,0 +1,117 @@
+"""Pictures and pages: that they show something, and what they are asked to show."""
+
+from __future__ import annotations
+
+import html
+import io
+import json
+import re
+
+import numpy as np
+import pytest
+
+import coface
+
+
+@pytest.fixture
+def pyplot():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    yield pyplot
+    pyplot.close("all")
+
+
+def ink(axes) -> int:
+    """Pixels that are not white."""
+    figure = axes.figure
+    figure.canvas.draw()
+    pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3]
+    return int((pixels < 250).any(axis=2).sum())
+
+
+def test_surfaces_are_drawn(pyplot, spot) -> None:
+    model = coface.read(spot)
+    assert ink(coface.plot(model)) > 5000
+    assert ink(model.plot(values=np.asarray(model.vertices)[:, 1], edges=False)) > 5000
+    assert ink(coface.plot(coface.generate("ring"))) > 5000
+    assert ink(coface.plot(coface.Model.from_arrays(np.random.default_rng(0).random((50, 3))))) > 100
+    assert ink(coface.plot(coface.generate("ball"))) > 1000
+
+
+def test_generators_are_drawn_in_their_colors(pyplot) -> None:
+    model = coface.generate("torus", columns=12, rows=8)
+    found = coface.homology(model, generators=True)
+    axes = coface.plot(model, generators=found[1])
+    from matplotlib.colors import to_rgba
+
+    shown = [tuple(collection.get_edgecolor()[0]) for collection in axes.collections]
+    for number in range(2):
+        assert to_rgba(coface._plot.color(number)) in shown
+    with_all = coface.plot(model, generators=found)
+    assert len(with_all.collections) > len(axes.collections)
+
+
+def test_matrices_are_drawn(pyplot, torus) -> None:
+    complex = coface.as_chain_complex(torus)
+    panels = complex.plot()
+    assert len(panels) == 2
+    assert all(ink(axes) > 100 for axes in panels)
+    assert ink(coface.plot(complex.boundary(1))) > 100
+
+
+def test_diagrams_are_drawn(pyplot) -> None:
+    axes = coface.plot(np.array([[0.0, 1.0], [0.5, np.inf]]))
+    assert "never dies" in "".join(text.get_text() for text in axes.texts)
+    assert ink(axes) > 100
+
+
+def test_what_cannot_be_drawn_is_refused(pyplot, torus) -> None:
+    with pytest.raises(coface.InvalidInputError, match="coordinates"):
+        coface.plot(torus)
+    with pytest.raises(coface.InvalidInputError, match="values"):
+        coface.plot(coface.generate("csaszar"), values=[1.0, 2.0])
+    with pytest.raises(coface.InvalidInputError, match="4 coordinates"):
+        coface.plot(coface.Model.from_arrays(np.zeros((3, 4)), [[0, 1, 2]]))
+
+
+def scene(page: str) -> dict:
+    found = re.search(r'<script type="application/json" id="scene">(.*?)</script>', page, re.S)
+    assert found is not None
+    return json.loads(found.group(1))
+
+
+def test_a_page_holds_the_model(tmp_path, spot) -> None:
+    path = coface.view(spot, tmp_path / "cow.html")
+    found = scene(path.read_text(encoding="utf-8"))
+    assert found["title"] == "cow"
+    assert "sphere" in json.dumps(found)
+    without = scene(coface.page(spot, report=False))
+    assert len(json.dumps(without)) < len(json.dumps(found))
+
+
+def test_no_title_ends_the_page() -> None:
+    page = coface.page(coface.generate("csaszar"), title="</script><b>")
+    assert scene(page)["title"] == "</script><b>"
+
+
+def test_small_models_show_themselves_in_notebooks(spot) -> None:
+    shown = coface.generate("csaszar")._repr_html_()
+    source = html.unescape(re.search(r'srcdoc="(.*?)" ', shown, re.S).group(1))
+    assert scene(source)["title"] == "model"
+    large = coface.generate("torus", columns=400, rows=200)._repr_html_()
+    assert "iframe" not in large and "coface.view" in large
+    assert "iframe" not in coface.as_complex([[0, 1, 2]])._repr_html_()
+
+
+def test_a_notebook_runs(tmp_path) -> None:
+    nbformat = pytest.importorskip("nbformat")
+    nbclient = pytest.importorskip("nbclient")
+    pytest.importorskip("ipykernel")
+    notebook = nbformat.v4.new_notebook()
+    notebook.cells = [nbformat.v4.new_code_cell("import coface\ncoface.generate('csaszar')")]
+    nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+    data = notebook.cells[0].outputs[0].data
+    assert "<iframe" in data["text/html"]
+    assert io.StringIO(data["text/plain"]).read().startswith("Model(")

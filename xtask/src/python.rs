@@ -1,0 +1,120 @@
+//! The Python package: built and installed as its users do, then types, stubs, tests, examples.
+
+use crate::root;
+use crate::tally::Tally;
+use crate::test::{check, install_package, run_counted};
+use std::path::PathBuf;
+use std::process::{Command, ExitCode, Stdio};
+
+/// The package in the repository.
+const PACKAGE: &str = "crates/coface-py";
+/// What the checks need beside the package: names for pip.
+const REQUIREMENTS: &str = "tests/requirements.txt";
+
+/// Runs the checks of the Python package alone, and closes with the counts.
+pub(crate) fn run() -> ExitCode {
+    let mut tally = Tally::default();
+    python(&mut tally);
+    println!("{}", tally.to_line());
+    if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Builds the package and asks it everything. What is not installed, and cannot be, is skipped.
+pub(crate) fn python(tally: &mut Tally) {
+    if let Err(why) = prepare() {
+        println!("== skipped: the Python package ({why})");
+        tally.skipped += 1;
+        return;
+    }
+    let words =
+        ["-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--force-reinstall", "."];
+    let mut install = interpreter(&words);
+    // As the tests of the library are built, so that it need not be built again.
+    install.env("MATURIN_PEP517_ARGS", "--profile dev").env("CARGO_TARGET_DIR", target());
+    let failures = tally.failed;
+    check(tally, "the Python package", &mut install);
+    if tally.failed > failures {
+        return;
+    }
+    let cache = target().join("python/mypy").display().to_string();
+    check(
+        tally,
+        "types in Python",
+        &mut interpreter(&["-m", "mypy", "--cache-dir", &cache, "--package", "coface"]),
+    );
+    check(tally, "stubs in Python", &mut interpreter(&["-m", "mypy.stubtest", "coface._coface"]));
+    let tests = ["-m", "pytest", "--quiet", "-p", "no:cacheprovider", "--durations=8", "tests"];
+    run_counted(tally, "tests in Python", interpreter(&tests));
+    examples(tally);
+}
+
+/// The gallery: each script asserts what it shows.
+fn examples(tally: &mut Tally) {
+    let folder = root().join(PACKAGE).join("examples");
+    let mut scripts: Vec<PathBuf> = std::fs::read_dir(&folder)
+        .into_iter()
+        .flatten()
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "py"))
+        .collect();
+    scripts.sort();
+    let pictures = target().join("python/pictures").display().to_string();
+    for script in scripts {
+        let name = script.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        check(tally, &name, &mut interpreter(&[&script.display().to_string(), &pictures]));
+    }
+}
+
+/// Sees to it that there is an environment with what the checks need.
+fn prepare() -> Result<(), String> {
+    let version = "import sys; sys.exit(sys.version_info < (3, 10))";
+    if !is_done(Command::new("python3").args(["-c", version])) {
+        return Err("python3 is not installed, or older than 3.10".to_owned());
+    }
+    let environment = environment();
+    let make = || is_done(Command::new("python3").args(["-m", "venv"]).arg(&environment));
+    if !program().is_file() && !make() {
+        install_package("python3-venv");
+        if !make() {
+            return Err("python3 -m venv makes no environment".to_owned());
+        }
+    }
+    let requirements = root().join(PACKAGE).join(REQUIREMENTS);
+    let installed = environment.join("requirements.txt");
+    let wanted = std::fs::read(&requirements).map_err(|error| format!("{REQUIREMENTS}: {error}"))?;
+    if std::fs::read(&installed).is_ok_and(|found| found == wanted) {
+        return Ok(());
+    }
+    println!("== python: pip install -r {REQUIREMENTS}");
+    let words =
+        ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--retries=1", "-r", REQUIREMENTS];
+    if !is_done(&mut interpreter(&words)) {
+        return Err("pip cannot install what its tests need".to_owned());
+    }
+    // Says what is installed; without it the next run asks pip again.
+    std::fs::write(&installed, wanted).map_err(|error| error.to_string())
+}
+
+/// Python of the environment, in the folder of the package.
+fn interpreter(words: &[&str]) -> Command {
+    let mut command = Command::new(program());
+    command.args(words).current_dir(root().join(PACKAGE));
+    command.env("PYTHONDONTWRITEBYTECODE", "1").env("MPLBACKEND", "Agg").env("NO_COLOR", "1");
+    command
+}
+
+fn program() -> PathBuf {
+    environment().join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" })
+}
+
+fn environment() -> PathBuf {
+    target().join("python/environment")
+}
+
+fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
+fn is_done(command: &mut Command) -> bool {
+    command.stdin(Stdio::null()).status().is_ok_and(|status| status.success())
+}
