@@ -63,12 +63,19 @@ struct Inner {
     message: String,
     place: Place,
     cure: Option<String>,
+    cells: Vec<Vec<u32>>,
 }
 
 impl Error {
     /// An error of this kind. The message says what is wrong, in lower case and without a full stop.
     pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
-        Self(Box::new(Inner { kind, message: message.into(), place: Place::default(), cure: None }))
+        Self(Box::new(Inner {
+            kind,
+            message: message.into(),
+            place: Place::default(),
+            cure: None,
+            cells: Vec::new(),
+        }))
     }
 
     /// A fault in the text or bytes of a file.
@@ -85,6 +92,20 @@ impl Error {
     #[must_use]
     pub fn with_cure(mut self, cure: impl Into<String>) -> Self {
         self.0.cure = Some(cure.into());
+        self
+    }
+
+    /// The same error with the cells it is about, each by the numbers of its vertices; cells without vertices by their own number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::{Error, ErrorKind};
+    /// let error = Error::new(ErrorKind::NonManifold, "the edge {v4 v9} lies in three faces").with_cells([[4, 9]]);
+    /// assert_eq!(error.cells(), [[4, 9]]);
+    /// ```
+    #[must_use]
+    pub fn with_cells<L: Into<Vec<u32>>>(mut self, cells: impl IntoIterator<Item = L>) -> Self {
+        self.0.cells = cells.into_iter().map(Into::into).collect();
         self
     }
 
@@ -122,6 +143,11 @@ impl Error {
     /// What to do about it.
     pub fn cure(&self) -> Option<&str> {
         self.0.cure.as_deref()
+    }
+
+    /// The cells it is about, each by the numbers of its vertices, so that a program can show them; none where it is about no cells.
+    pub fn cells(&self) -> &[Vec<u32>] {
+        &self.0.cells
     }
 
     /// The file it is in.

@@ -132,6 +132,39 @@ impl Model {
         Ok(model)
     }
 
+    /// A model of everything that has vertices: polygons, 3-cells of these shapes, polylines and single points. Without positions only
+    /// numbers are known.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// A triangle and a segment without positions.
+    /// ```
+    /// use coface::algebra::RaggedArray;
+    /// use coface::geometry::Positions;
+    /// use coface::io::Model;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let (triangle, segment) = (RaggedArray::from_lists([[0, 1, 2]]), RaggedArray::from_lists([[2, 3]]));
+    /// let solids = (Vec::new(), RaggedArray::new());
+    /// let model = Model::from_parts(4, Positions::default(), triangle, solids, segment, Vec::new())?;
+    /// assert_eq!((model.vertex_count(), model.lines().len()), (4, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn from_parts(
+        vertex_count: usize,
+        positions: Positions,
+        polygons: RaggedArray,
+        (shapes, cells): (Vec<CellShape>, RaggedArray),
+        lines: RaggedArray,
+        points: Vec<VertexId>,
+    ) -> Result<Self, Error> {
+        let model =
+            Self { vertex_count, positions, polygons, shapes, cells, lines, points, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
     /// A model of polylines on these positions; a closed line has its first vertex again at its end.
     ///
     /// # Errors

@@ -1,0 +1,104 @@
+//! Faults of the library as exceptions of Python.
+
+use coface::{Error, ErrorKind};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyType};
+use std::ffi::CString;
+
+/// The classes, written in Python: only there can one exception have two bases.
+const SOURCE: &str = include_str!("errors.py");
+
+/// The names of the classes, the base first.
+const NAMES: [&str; 14] = [
+    "Error",
+    "FileError",
+    "ParseError",
+    "UnsupportedFormatError",
+    "InvalidInputError",
+    "NotInComplexError",
+    "NotAComplexError",
+    "NotPureError",
+    "BoundaryOfBoundaryError",
+    "NotACycleError",
+    "ShapeError",
+    "TooLargeError",
+    "NonManifoldError",
+    "CoefficientError",
+];
+
+static CLASSES: PyOnceLock<Py<PyDict>> = PyOnceLock::new();
+
+/// Makes the classes and puts them into the module.
+pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = module.py();
+    let classes = PyDict::new(py);
+    classes.set_item("__name__", "coface")?;
+    let source = CString::new(SOURCE)?;
+    py.run(&source, Some(&classes), None)?;
+    for name in NAMES {
+        if let Some(class) = classes.get_item(name)? {
+            module.add(name, class)?;
+        }
+    }
+    // Made once, when the module is loaded first.
+    drop(CLASSES.set(py, classes.unbind()));
+    Ok(())
+}
+
+fn class_name(kind: ErrorKind) -> &'static str {
+    match kind {
+        ErrorKind::Io => "FileError",
+        ErrorKind::Parse => "ParseError",
+        ErrorKind::UnsupportedFormat => "UnsupportedFormatError",
+        ErrorKind::InvalidInput => "InvalidInputError",
+        ErrorKind::NotInComplex => "NotInComplexError",
+        ErrorKind::NotAComplex => "NotAComplexError",
+        ErrorKind::NotPure => "NotPureError",
+        ErrorKind::BoundaryOfBoundary => "BoundaryOfBoundaryError",
+        ErrorKind::NotACycle => "NotACycleError",
+        ErrorKind::Shape => "ShapeError",
+        ErrorKind::TooLarge => "TooLargeError",
+        ErrorKind::NonManifold => "NonManifoldError",
+        ErrorKind::Coefficient => "CoefficientError",
+        _ => "Error",
+    }
+}
+
+/// The exception for a fault of the library.
+pub(crate) fn raised(py: Python<'_>, error: &Error) -> PyErr {
+    let make = || -> PyResult<PyErr> {
+        let Some(classes) = CLASSES.get(py) else { return Ok(PyRuntimeError::new_err(error.to_string())) };
+        let classes = classes.bind(py);
+        let class = classes.get_item(class_name(error.kind()))?.or(classes.get_item("Error")?);
+        let Some(class) = class else { return Ok(PyRuntimeError::new_err(error.to_string())) };
+        let fields = PyDict::new(py);
+        fields.set_item("fault", error.message())?;
+        fields.set_item("cure", error.cure())?;
+        fields.set_item("cells", error.cells())?;
+        fields.set_item("file", error.file())?;
+        fields.set_item("line", error.line())?;
+        fields.set_item("byte", error.byte())?;
+        let value = class.cast::<PyType>()?.call((error.to_string(),), Some(&fields))?;
+        Ok(PyErr::from_value(value))
+    };
+    make().unwrap_or_else(|fault| fault)
+}
+
+/// Turns faults of the library into exceptions.
+pub(crate) trait OrRaise<T> {
+    /// The value, or the exception.
+    fn or_raise(self, py: Python<'_>) -> PyResult<T>;
+}
+
+impl<T> OrRaise<T> for Result<T, Error> {
+    fn or_raise(self, py: Python<'_>) -> PyResult<T> {
+        self.map_err(|error| raised(py, &error))
+    }
+}
+
+/// An exception for arguments that cannot be what is asked for.
+pub(crate) fn invalid(py: Python<'_>, message: impl Into<String>, cure: &str) -> PyErr {
+    raised(py, &Error::invalid(message).with_cure(cure))
+}

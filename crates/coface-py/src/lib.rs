@@ -1,0 +1,52 @@
+//! The Python package `coface`: the classes and primitives that its module `_coface` holds.
+//!
+//! No mathematics here: each file is a class or a question, and asks the library. Long work runs without the lock of the interpreter
+//! ([`work`]), arrays look at memory of the library where its layout allows ([`memory`]), faults become exceptions ([`errors`]).
+#![deny(unsafe_code)]
+
+mod arrays;
+mod chain_complex;
+mod complex;
+mod errors;
+mod generate;
+mod homology;
+// The pages and the words of reports are those of the program.
+#[allow(dead_code, reason = "the program uses more of it")]
+#[path = "../../coface-cli/src/html.rs"]
+mod html;
+mod json;
+mod memory;
+mod model;
+mod report;
+mod source;
+#[allow(dead_code, reason = "the program uses more of it")]
+#[path = "../../coface-cli/src/text.rs"]
+mod text;
+mod work;
+
+use pyo3::prelude::*;
+
+/// The part of the package that is written in Rust.
+#[pymodule]
+fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    work::remember_process();
+    errors::add(module)?;
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<memory::Memory>()?;
+    module.add_class::<model::Model>()?;
+    module.add_class::<report::Report>()?;
+    module.add_class::<complex::Complex>()?;
+    module.add_class::<complex::Simplices>()?;
+    module.add_class::<complex::PyVerdict>()?;
+    module.add_class::<chain_complex::ChainComplex>()?;
+    module.add_class::<homology::Homology>()?;
+    module.add_class::<homology::HomologyGroup>()?;
+    module.add_class::<homology::Generator>()?;
+    module.add_class::<homology::Chain>()?;
+    module.add_function(wrap_pyfunction!(model::read, module)?)?;
+    module.add_function(wrap_pyfunction!(model::_model, module)?)?;
+    module.add_function(wrap_pyfunction!(chain_complex::_chains, module)?)?;
+    module.add_function(wrap_pyfunction!(generate::generate, module)?)?;
+    module.add_function(wrap_pyfunction!(generate::families, module)?)?;
+    Ok(())
+}

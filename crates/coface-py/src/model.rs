@@ -1,0 +1,1166 @@
+//! Models: what files hold.
+
+use crate::arrays;
+use crate::chain_complex::ChainComplex;
+use crate::complex::Complex;
+use crate::errors::{OrRaise, invalid};
+use crate::memory::{shared, shared_ids};
+use crate::report::Report;
+use crate::source::{Names, Naming, Source};
+use crate::work::run;
+use coface::algebra::RaggedArray;
+use coface::cellular::CellShape;
+use coface::geometry::Positions;
+use coface::io::{self, CellData, Format, Group, GroupKind, ReadOptions, Structure};
+use coface::report::{Pair, RepairRequest, repaired, simplicial_complex, triangulated};
+use coface::simplicial::GluingTable;
+use coface::surface::FacesAtEdge;
+use coface::{Error, VertexId};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
+use std::any::Any;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What a file holds: vertices with or without positions, polygons, 3-cells, lines, groups, data, or an abstract structure.
+///
+/// Models do not change; methods that edit give a new one.
+///
+/// Parameters
+/// ----------
+/// vertices : array_like, shape (n, d), optional
+///     Positions.
+/// faces : array_like of int, optional
+///     Polygons: an array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+///
+/// Examples
+/// --------
+/// A square of two triangles:
+///
+/// >>> import coface
+/// >>> square = coface.Model([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2], [0, 2, 3]])
+/// >>> square
+/// Model(4 vertices, 2 faces)
+/// >>> square.report().euler_characteristic
+/// 1
+#[pyclass(frozen, module = "coface", name = "Model", subclass)]
+pub(crate) struct Model {
+    pub(crate) source: Arc<Source>,
+}
+
+impl Model {
+    pub(crate) fn of(model: io::Model) -> Self {
+        Self { source: Source::new(model) }
+    }
+
+    fn model(&self) -> &io::Model {
+        &self.source.model
+    }
+
+    fn owner(&self) -> Arc<dyn Any + Send + Sync> {
+        Arc::clone(&self.source) as _
+    }
+
+    /// Lists as an array that shares memory where all have one length, else as (flat, offsets), of which flat does.
+    fn lists<'py>(&self, py: Python<'py>, lists: &RaggedArray, empty: usize) -> PyResult<Bound<'py, PyAny>> {
+        let flat = shared_ids(py, self.owner(), lists.items())?;
+        if lists.is_empty() {
+            return Ok(flat.reshape([0, empty])?.into_any());
+        }
+        if let Some(width) = lists.uniform_width() {
+            return Ok(flat.reshape([lists.len(), width])?.into_any());
+        }
+        let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
+        Ok((flat, PyArray1::from_vec(py, offsets)).into_pyobject(py)?.into_any())
+    }
+}
+
+/// The name of a kind of things in Python's words.
+fn kind_of(py: Python<'_>, word: &str) -> PyResult<GroupKind> {
+    Ok(match word {
+        "vertices" => GroupKind::Vertices,
+        "lines" => GroupKind::Lines,
+        "faces" | "polygons" => GroupKind::Polygons,
+        "cells" => GroupKind::Cells,
+        _ => {
+            return Err(invalid(
+                py,
+                format!("{word:?} is no kind of cells"),
+                "give vertices, lines, faces or cells",
+            ));
+        }
+    })
+}
+
+fn kind_word(kind: GroupKind) -> &'static str {
+    match kind {
+        GroupKind::Vertices => "vertices",
+        GroupKind::Lines => "lines",
+        GroupKind::Polygons => "faces",
+        GroupKind::Cells => "cells",
+    }
+}
+
+/// The name of a shape as meshio has it.
+fn shape_word(shape: CellShape) -> &'static str {
+    match shape {
+        CellShape::Tetrahedron => "tetra",
+        CellShape::Hexahedron => "hexahedron",
+        CellShape::Wedge => "wedge",
+        CellShape::Pyramid => "pyramid",
+    }
+}
+
+pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option<Format>> {
+    format.map(|name| Format::from_name(name).or_raise(py)).transpose()
+}
+
+pub(crate) fn read_options(
+    py: Python<'_>,
+    format: Option<&str>,
+    flatten: Option<f64>,
+) -> PyResult<ReadOptions> {
+    let mut options = ReadOptions::default();
+    options.format = format_of(py, format)?;
+    options.flatten = flatten;
+    Ok(options)
+}
+
+/// Reads a model from a file; its format is told by its content and its name.
+///
+/// Parameters
+/// ----------
+/// path : str or os.PathLike
+///     The file. One entry of a JSON file of many is ``file.json:name``.
+/// format : str, optional
+///     The format, such as ``"off"``, if it is not to be found out.
+/// flatten : float, optional
+///     How far the polylines of curved SVG paths may be from the curves.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// Model
+///     What the file holds.
+///
+/// Raises
+/// ------
+/// FileError
+///     If the file cannot be read.
+/// ParseError
+///     If it breaks the rules of its format, with the line or byte.
+///
+/// Examples
+/// --------
+/// >>> import coface, pathlib, tempfile
+/// >>> path = pathlib.Path(tempfile.mkdtemp()) / "triangle.off"
+/// >>> _ = path.write_text("OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2")
+/// >>> coface._coface.read(path)
+/// Model(3 vertices, 1 face)
+#[pyfunction]
+#[pyo3(signature = (path, format=None, *, flatten=None, progress=None))]
+pub(crate) fn read(
+    py: Python<'_>,
+    path: PathBuf,
+    format: Option<&str>,
+    flatten: Option<f64>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Model> {
+    let options = read_options(py, format, flatten)?;
+    run(py, progress, || io::read_path_with(&path, &options)).map(Model::of)
+}
+
+/// What users give as cells by kind.
+#[derive(Default)]
+struct Parts {
+    polygons: Vec<RaggedArray>,
+    shapes: Vec<CellShape>,
+    cells: Vec<RaggedArray>,
+    lines: Vec<RaggedArray>,
+    points: Vec<VertexId>,
+}
+
+impl Parts {
+    fn add(&mut self, kind: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+        let py = value.py();
+        let lists = arrays::lists(value, kind)?;
+        let shape = match kind {
+            "vertex" => {
+                self.points.extend(lists.items().iter().map(|&vertex| VertexId::new(vertex as usize)));
+                return Ok(());
+            }
+            "line" | "polyline" => {
+                self.lines.push(lists);
+                return Ok(());
+            }
+            "triangle" | "quad" | "polygon" => {
+                let sides = match kind {
+                    "triangle" => Some(3),
+                    "quad" => Some(4),
+                    _ => None,
+                };
+                if let Some(list) = lists.iter().find(|list| sides.is_some_and(|sides| list.len() != sides)) {
+                    let message = format!("the {kind} {list:?} has {} corners", list.len());
+                    return Err(invalid(py, message, "call it a polygon"));
+                }
+                self.polygons.push(lists);
+                return Ok(());
+            }
+            "tetra" | "tetrahedron" => CellShape::Tetrahedron,
+            "hexahedron" => CellShape::Hexahedron,
+            "wedge" => CellShape::Wedge,
+            "pyramid" => CellShape::Pyramid,
+            _ => {
+                return Err(invalid(
+                    py,
+                    format!("{kind:?} is no kind of cells known here"),
+                    "give vertex, line, triangle, quad, polygon, tetra, hexahedron, wedge or pyramid",
+                ));
+            }
+        };
+        self.shapes.extend(std::iter::repeat_n(shape, lists.len()));
+        self.cells.push(lists);
+        Ok(())
+    }
+}
+
+/// Lists one after the other.
+fn joined(mut lists: Vec<RaggedArray>) -> RaggedArray {
+    match lists.len() {
+        0 => RaggedArray::new(),
+        1 => lists.remove(0),
+        _ => RaggedArray::from_lists(lists.iter().flat_map(RaggedArray::iter)),
+    }
+}
+
+fn model_of_parts(positions: Option<Positions>, parts: Parts, least: usize) -> Result<io::Model, Error> {
+    let (polygons, cells, lines) = (joined(parts.polygons), joined(parts.cells), joined(parts.lines));
+    let highest = [&polygons, &cells, &lines].into_iter().flat_map(|lists| lists.items().iter().max()).max();
+    let of_points = parts.points.iter().map(|vertex| vertex.index() + 1).max().unwrap_or(0);
+    let count = match &positions {
+        Some(positions) => positions.len(),
+        None => highest.map_or(0, |&vertex| vertex as usize + 1).max(of_points).max(least),
+    };
+    io::Model::from_parts(
+        count,
+        positions.unwrap_or_default(),
+        polygons,
+        (parts.shapes, cells),
+        lines,
+        parts.points,
+    )
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    #[pyo3(signature = (vertices=None, faces=None))]
+    fn new(
+        py: Python<'_>,
+        vertices: Option<&Bound<'_, PyAny>>,
+        faces: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        Self::from_arrays(py, vertices, faces, None, None)
+    }
+
+    /// A model from arrays.
+    ///
+    /// Parameters
+    /// ----------
+    /// vertices : array_like, shape (n, d), optional
+    ///     Positions. Without them the vertices are numbers only.
+    /// faces : array_like of int, optional
+    ///     Polygons: an array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+    /// cells : dict of str to array_like, optional
+    ///     Cells by kind, in the words of meshio: ``vertex``, ``line``, ``triangle``, ``quad``, ``polygon``, ``tetra``, ``hexahedron``,
+    ///     ``wedge``, ``pyramid``.
+    /// vertex_count : int, optional
+    ///     How many vertices there are, where there are no positions and the last ones are in no cell.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     Vertices and cells keep their numbers and order.
+    ///
+    /// Raises
+    /// ------
+    /// InvalidInputError
+    ///     For ids that are no integers, negative or beyond the vertices, repeated vertices, coordinates that are not finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_arrays(cells={"tetra": [[0, 1, 2, 3]], "line": [[3, 4]]})
+    /// Model(5 vertices, 1 line, 1 cell)
+    #[staticmethod]
+    #[pyo3(signature = (vertices=None, faces=None, cells=None, *, vertex_count=None))]
+    fn from_arrays(
+        py: Python<'_>,
+        vertices: Option<&Bound<'_, PyAny>>,
+        faces: Option<&Bound<'_, PyAny>>,
+        cells: Option<&Bound<'_, PyDict>>,
+        vertex_count: Option<usize>,
+    ) -> PyResult<Self> {
+        let positions = vertices.map(|vertices| arrays::positions(vertices, "vertices")).transpose()?;
+        if let (Some(positions), Some(count)) = (&positions, vertex_count)
+            && positions.len() != count
+        {
+            let message = format!("{} positions for {count} vertices", positions.len());
+            return Err(invalid(py, message, "leave vertex_count out"));
+        }
+        let mut parts = Parts::default();
+        if let Some(faces) = faces {
+            parts.polygons.push(arrays::lists(faces, "faces")?);
+        }
+        for (kind, value) in cells.into_iter().flatten() {
+            parts.add(kind.cast::<PyString>()?.to_str()?, &value)?;
+        }
+        run(py, None, || model_of_parts(positions, parts, vertex_count.unwrap_or(0))).map(Self::of)
+    }
+
+    /// A simplicial complex by its facets, of any dimensions; vertices are any ids.
+    ///
+    /// Parameters
+    /// ----------
+    /// facets : array_like of int
+    ///     An array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     All faces of the facets are meant to be there too.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_facets([[0, 1, 2], [2, 9]]).f_vector
+    /// (4, 4, 1)
+    #[staticmethod]
+    fn from_facets(facets: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Ok(Self::of(io::Model::from_structure(Structure::Facets(arrays::lists(facets, "facets")?))))
+    }
+
+    /// A surface as permutations of its halfedges.
+    ///
+    /// Parameters
+    /// ----------
+    /// next : array_like of int
+    ///     The next halfedge around the face.
+    /// twin : array_like of int, optional
+    ///     The other halfedge of the edge; ``h ^ 1`` if left out.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The surface.
+    ///
+    /// Examples
+    /// --------
+    /// A square with opposite sides glued is a torus:
+    ///
+    /// >>> import coface
+    /// >>> coface.Model.from_halfedges([2, 3, 1, 0]).report().name
+    /// 'torus'
+    #[staticmethod]
+    #[pyo3(signature = (next, twin=None))]
+    fn from_halfedges(
+        py: Python<'_>,
+        next: &Bound<'_, PyAny>,
+        twin: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let next = arrays::ids(next, "next")?;
+        let twin = match twin {
+            Some(twin) => arrays::ids(twin, "twin")?,
+            None => (0..next.len() as u32).map(|halfedge| halfedge ^ 1).collect(),
+        };
+        let model = io::Model::from_structure(Structure::Halfedges { next, twin });
+        let source = Source::new(model);
+        source.producer().or_raise(py)?;
+        Ok(Self { source })
+    }
+
+    /// Simplices with their facets glued in pairs.
+    ///
+    /// Parameters
+    /// ----------
+    /// rows : list
+    ///     For each simplex and each of its facets ``None`` or ``(neighbor, permutation)``, where the permutation sends vertex i of the
+    ///     simplex to a vertex of the neighbor.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The gluing table.
+    ///
+    /// Examples
+    /// --------
+    /// A triangle with two sides glued to a cone:
+    ///
+    /// >>> import coface
+    /// >>> cone = coface.Model.from_gluings([[(0, [1, 0, 2]), (0, [1, 0, 2]), None]])
+    /// >>> cone.f_vector
+    /// (2, 2, 1)
+    #[staticmethod]
+    fn from_gluings(py: Python<'_>, rows: Vec<Vec<Option<(u32, Vec<u32>)>>>) -> PyResult<Self> {
+        let table = GluingTable::from_rows(&rows).or_raise(py)?;
+        Ok(Self::of(io::Model::from_structure(Structure::Gluings(table))))
+    }
+
+    /// A gluing table by its isomorphism signature.
+    ///
+    /// Parameters
+    /// ----------
+    /// signature : str
+    ///     The signature.
+    /// dimension : int
+    ///     The dimension of the simplices.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The gluing table.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_signature("cMcabbgqw", 3).f_vector
+    /// (1, 3, 4, 2)
+    #[staticmethod]
+    #[pyo3(signature = (signature, dimension=3))]
+    fn from_signature(py: Python<'_>, signature: &str, dimension: usize) -> PyResult<Self> {
+        let table = GluingTable::from_isomorphism_signature(signature, dimension).or_raise(py)?;
+        Ok(Self::of(io::Model::from_structure(Structure::Gluings(table))))
+    }
+
+    /// Reads a model from bytes or text.
+    ///
+    /// Parameters
+    /// ----------
+    /// data : bytes or str
+    ///     What a file would hold.
+    /// format : str, optional
+    ///     The format, if it is not to be found out.
+    /// flatten : float, optional
+    ///     How far the polylines of curved SVG paths may be from the curves.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     What the bytes hold.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_bytes("OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2")
+    /// Model(3 vertices, 1 face)
+    #[staticmethod]
+    #[pyo3(signature = (data, format=None, *, flatten=None, progress=None))]
+    fn from_bytes(
+        py: Python<'_>,
+        data: &Bound<'_, PyAny>,
+        format: Option<&str>,
+        flatten: Option<f64>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let options = read_options(py, format, flatten)?;
+        let bytes = match data.cast::<PyString>() {
+            Ok(text) => text.to_str()?.as_bytes().to_vec(),
+            Err(_) => data.extract::<Vec<u8>>()?,
+        };
+        run(py, progress, || io::read_with(&bytes[..], &options)).map(Self::of)
+    }
+
+    /// The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none.
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let positions = self.model().positions();
+        if positions.dimension() == 0 {
+            return Ok(None);
+        }
+        let flat = shared(py, self.owner(), positions.as_flat())?;
+        Ok(Some(flat.reshape([positions.len(), positions.dimension()])?.into_any()))
+    }
+
+    /// The number of vertices of the file; those that nothing uses count.
+    #[getter]
+    fn vertex_count(&self) -> usize {
+        self.model().vertex_count()
+    }
+
+    /// The polygons: ``int32`` of shape (m, k) on the memory of the model where all have k corners, else ``(flat, offsets)``.
+    #[getter]
+    fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.lists(py, self.model().polygons(), 3)
+    }
+
+    /// The polylines, as :attr:`faces` has the polygons. A closed line has its first vertex again at its end.
+    #[getter]
+    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.lists(py, self.model().lines(), 2)
+    }
+
+    /// The 3-cells by kind: ``tetra``, ``hexahedron``, ``wedge``, ``pyramid``, each an array of shape (m, k).
+    #[getter]
+    fn cells<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        let (shapes, cells) = (self.model().shapes(), self.model().cells());
+        for shape in CellShape::ALL {
+            if !shapes.contains(&shape) {
+                continue;
+            }
+            let value = if cells.uniform_width().is_some() {
+                self.lists(py, cells, shape.vertex_count())?
+            } else {
+                let of_shape = cells.iter().zip(shapes).filter(|&(_, &other)| other == shape);
+                let width = Some(shape.vertex_count());
+                arrays::from_lists(py, of_shape.map(|(cell, _)| cell), width)?
+            };
+            dict.set_item(shape_word(shape), value)?;
+        }
+        Ok(dict)
+    }
+
+    /// The vertices that the file names as points.
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        arrays::id_array(py, self.model().points().iter().map(|vertex| vertex.to_u32()))
+    }
+
+    /// The edges of all cells: ``int64``, shape (m, 2), in the order of the chain complex.
+    #[getter]
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.simplices(py, 1)
+    }
+
+    /// The vertices of all cells of a degree, in the order of the chain complex.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The dimension of the cells.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray or tuple of numpy.ndarray
+    ///     ``int64`` of shape (m, k), or ``(flat, offsets)`` where cells have different numbers of vertices.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_facets([[0, 1, 2]]).simplices(1)
+    /// array([[0, 1],
+    ///        [0, 2],
+    ///        [1, 2]])
+    fn simplices<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+        let source = &self.source;
+        let cells = run(py, None, || {
+            let (producer, chains) = (source.producer()?, source.chains()?);
+            Ok((0..chains.cell_count(degree))
+                .map(|cell| producer.cell_vertices(degree, cell))
+                .collect::<Vec<_>>())
+        })?;
+        let width = cells.is_empty().then_some(degree + 1);
+        arrays::from_lists(py, cells, width)
+    }
+
+    /// The numbers of cells of the dimensions 0, 1, ..., faces shared by cells counted once.
+    #[getter]
+    fn f_vector<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let source = &self.source;
+        let counts = run(py, None, || Ok(source.chains()?.f_vector().to_vec()))?;
+        PyTuple::new(py, counts)
+    }
+
+    /// The highest dimension of a cell; ``None`` of the empty model.
+    #[getter]
+    fn dimension(&self, py: Python<'_>) -> PyResult<Option<usize>> {
+        let source = &self.source;
+        run(py, None, || Ok(source.chains()?.dimension()))
+    }
+
+    /// The alternating sum of the numbers of cells.
+    #[getter]
+    fn euler_characteristic(&self, py: Python<'_>) -> PyResult<i64> {
+        let source = &self.source;
+        run(py, None, || Ok(source.chains()?.euler_characteristic()))
+    }
+
+    /// The name of the format that the model came from.
+    #[getter]
+    fn format(&self) -> Option<&'static str> {
+        self.model().format().map(Format::name)
+    }
+
+    /// What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings`` or ``None``.
+    #[getter]
+    fn structure(&self) -> Option<&'static str> {
+        self.model().structure().map(|structure| match structure {
+            Structure::Facets(_) => "facets",
+            Structure::Halfedges { .. } => "halfedges",
+            Structure::Chains(_) => "chains",
+            Structure::Gluings(_) => "gluings",
+            _ => "other",
+        })
+    }
+
+    /// The facets of a model of facets: an array of shape (m, k) or ``(flat, offsets)``; ``None`` of other models.
+    #[getter]
+    fn facets<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        match self.model().structure() {
+            Some(Structure::Facets(facets)) => self.lists(py, facets, 1).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// The permutations ``(next, twin)`` of a model of halfedges; ``None`` of other models.
+    #[getter]
+    #[expect(clippy::type_complexity, reason = "two arrays")]
+    fn halfedges<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<Option<(Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i32>>)>> {
+        match self.model().structure() {
+            Some(Structure::Halfedges { next, twin }) => {
+                Ok(Some((shared_ids(py, self.owner(), next)?, shared_ids(py, self.owner(), twin)?)))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The rows of a gluing table; ``None`` of other models.
+    #[getter]
+    fn gluings(&self) -> Option<Vec<Vec<Option<(u32, Vec<u32>)>>>> {
+        match self.model().structure() {
+            Some(Structure::Gluings(table)) => Some(table.rows().collect()),
+            _ => None,
+        }
+    }
+
+    /// The isomorphism signature of a gluing table; the same for tables that differ by names only.
+    fn signature(&self, py: Python<'_>) -> PyResult<String> {
+        match self.model().structure() {
+            Some(Structure::Gluings(table)) => run(py, None, || table.isomorphism_signature()),
+            _ => Err(invalid(
+                py,
+                "only gluing tables have signatures",
+                "give a model of structure \"gluings\"",
+            )),
+        }
+    }
+
+    /// The named groups of the file: a list of (name, kind, members), kinds being ``vertices``, ``lines``, ``faces``, ``cells``.
+    #[getter]
+    #[expect(clippy::type_complexity, reason = "a list of triples")]
+    fn groups<'py>(&self, py: Python<'py>) -> Vec<(String, &'static str, Bound<'py, PyArray1<i64>>)> {
+        let groups = self.model().groups().iter();
+        groups
+            .map(|group| {
+                let members = arrays::id_array(py, group.members().iter().copied());
+                (group.name().to_owned(), kind_word(group.kind()), members)
+            })
+            .collect()
+    }
+
+    /// The named data of the file: a list of (name, kind, array), the array of shape (m,) or (m, components).
+    #[getter]
+    fn data<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, &'static str, Bound<'py, PyAny>)>> {
+        let mut list = Vec::new();
+        for data in self.model().data() {
+            let (width, count) = (data.components(), data.len());
+            let array = if data.is_integral() {
+                let rows = (0..count).flat_map(|i| data.integer_row(i).unwrap_or_default()).collect();
+                PyArray1::from_vec(py, rows).into_any()
+            } else {
+                let rows: Vec<f64> = (0..count).flat_map(|i| data.real_row(i)).collect();
+                PyArray1::from_vec(py, rows).into_any()
+            };
+            let array = if width == 1 { array } else { array.call_method1("reshape", ((count, width),))? };
+            list.push((data.name().to_owned(), kind_word(data.kind()), array));
+        }
+        Ok(list)
+    }
+
+    /// What was odd about the file.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.model().warnings().to_vec()
+    }
+
+    /// The model with one more array of numbers on its cells.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     The name of the array.
+    /// values : array_like
+    ///     Integers or reals, one row for each cell.
+    /// on : {"vertices", "lines", "faces", "cells"}
+    ///     What the rows belong to.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The model with the data; :meth:`write` keeps them where the format does.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> triangle = coface.Model([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])
+    /// >>> triangle.with_data("height", [1.5, 2.0, 0.0]).data
+    /// [('height', 'vertices', array([1.5, 2. , 0. ]))]
+    #[pyo3(signature = (name, values, on="vertices"))]
+    fn with_data(&self, py: Python<'_>, name: &str, values: &Bound<'_, PyAny>, on: &str) -> PyResult<Self> {
+        let kind = kind_of(py, on)?;
+        let array = py.import("numpy")?.getattr("asarray")?.call1((values,))?;
+        let shape: Vec<usize> = array.getattr("shape")?.extract()?;
+        let components = shape.get(1..).map_or(1, |rest| rest.iter().product());
+        let sort: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+        let data = if sort == "f" {
+            CellData::reals(name, kind, components, arrays::reals(&array, name)?.1)
+        } else {
+            CellData::integers(name, kind, components, arrays::numbers(&array, name)?)
+        };
+        self.model().clone().with_data(data.or_raise(py)?).or_raise(py).map(Self::of)
+    }
+
+    /// The model with one more named group.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     The name.
+    /// members : array_like of int
+    ///     Numbers of vertices, lines, faces or cells.
+    /// kind : {"vertices", "lines", "faces", "cells"}
+    ///     What the members are.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The model with the group.
+    #[pyo3(signature = (name, members, kind="faces"))]
+    fn with_group(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        members: &Bound<'_, PyAny>,
+        kind: &str,
+    ) -> PyResult<Self> {
+        let group = Group::new(name, kind_of(py, kind)?, arrays::ids(members, "members")?);
+        self.model().clone().with_group(group).or_raise(py).map(Self::of)
+    }
+
+    /// The model with these polylines instead of its own.
+    ///
+    /// Parameters
+    /// ----------
+    /// lines : array_like of int
+    ///     Each a list of vertices; a closed line has its first vertex again at its end.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The model with the lines.
+    fn with_lines(&self, py: Python<'_>, lines: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let lines = arrays::lists(lines, "lines")?;
+        self.model().clone().with_lines(lines).or_raise(py).map(Self::of)
+    }
+
+    /// Writes the model to a file, which appears whole or not at all.
+    ///
+    /// Parameters
+    /// ----------
+    /// path : str or os.PathLike
+    ///     The file; its extension tells the format.
+    /// format : str, optional
+    ///     The format, if the extension is not to tell.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Raises
+    /// ------
+    /// UnsupportedFormatError
+    ///     If the format cannot hold the model.
+    #[pyo3(signature = (path, format=None, *, progress=None))]
+    fn write(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        format: Option<&str>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let format = format_of(py, format)?;
+        run(py, progress, || io::write_path(self.model(), &path, format))
+    }
+
+    /// The model as a file of this format would hold it.
+    ///
+    /// Parameters
+    /// ----------
+    /// format : str
+    ///     The format, such as ``"off"``.
+    ///
+    /// Returns
+    /// -------
+    /// bytes
+    ///     The content of the file.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> print(coface.Model([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).to_bytes("off").decode().split())
+    /// ['OFF', '3', '1', '0', '0', '0', '0', '1', '0', '0', '0', '1', '0', '3', '0', '1', '2']
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let format = Format::from_name(format).or_raise(py)?;
+        let bytes = run(py, None, || {
+            let mut bytes = Vec::new();
+            io::write(self.model(), &mut bytes, format)?;
+            Ok(bytes)
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Everything that ``coface info`` says: what it is, whether it is sound, what is wrong and where.
+    ///
+    /// Parameters
+    /// ----------
+    /// moments : sequence of (int, int, int), optional
+    ///     Exponents of further moments, each x^a y^b z^c over the volume and the surface.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// Report
+    ///     The report.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_facets([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]).report().name
+    /// 'sphere'
+    #[pyo3(signature = (moments=Vec::new(), *, progress=None))]
+    fn report(
+        &self,
+        py: Python<'_>,
+        moments: Vec<[u32; 3]>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Report> {
+        let model = self.model();
+        let report = run(py, progress, || coface::report::Report::with_moments(model.clone(), &moments))?;
+        Ok(Report::of(report, Arc::clone(&self.source)))
+    }
+
+    /// The simplicial complex of a model of simplices.
+    ///
+    /// Returns
+    /// -------
+    /// Complex
+    ///     The facets, triangles, tetrahedra, segments and vertices with all their faces.
+    ///
+    /// Raises
+    /// ------
+    /// InvalidInputError
+    ///     If a cell is no simplex.
+    #[pyo3(signature = (*, progress=None))]
+    fn complex(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Complex> {
+        run(py, progress, || simplicial_complex(self.model())).map(Complex::of)
+    }
+
+    /// The chain complex of the cells, or of a pair.
+    ///
+    /// Parameters
+    /// ----------
+    /// relative : "boundary" or Model, optional
+    ///     A part that is divided out: the boundary, or the cells of a model with the same vertex numbers.
+    /// reduced : bool
+    ///     Whether a cell of degree -1 below all vertices is added, so that a point has no homology. Degrees then count from it.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// ChainComplex
+    ///     Its cells are told by the vertices of the model.
+    ///
+    /// Examples
+    /// --------
+    /// A disk modulo its rim is a sphere but for one point:
+    ///
+    /// >>> import coface
+    /// >>> disk = coface.Model.from_facets([[0, 1, 2], [0, 2, 3]])
+    /// >>> disk.chain_complex(relative="boundary").homology().betti_numbers
+    /// (0, 0, 1)
+    #[pyo3(signature = (relative=None, *, reduced=false, progress=None))]
+    fn chain_complex(
+        &self,
+        py: Python<'_>,
+        relative: Option<&Bound<'_, PyAny>>,
+        reduced: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<ChainComplex> {
+        enum Part {
+            Nothing,
+            Boundary,
+            Model(Arc<Source>),
+        }
+        let part = match relative {
+            None => Part::Nothing,
+            Some(part) => match part.cast::<PyString>() {
+                Ok(word) if word.to_str()? == "boundary" => Part::Boundary,
+                Ok(word) => {
+                    return Err(invalid(py, format!("relative is {word}"), "give \"boundary\" or a Model"));
+                }
+                Err(_) => Part::Model(source_of(part)?),
+            },
+        };
+        if reduced && relative.is_some() {
+            return Err(invalid(py, "a pair is not reduced", "leave reduced out"));
+        }
+        let source = Arc::clone(&self.source);
+        run(py, progress, || {
+            let (producer, whole) = (source.producer()?, source.chains()?);
+            let names = Names::Source(Arc::clone(&source));
+            let pair = match &part {
+                Part::Nothing => None,
+                Part::Boundary => Some(Pair::with_boundary(producer, whole)?),
+                Part::Model(part) => Some(Pair::with_model(producer, whole, &part.model)?),
+            };
+            let (complex, shift) = match &pair {
+                Some(pair) => (Arc::new(pair.chains().clone()), 0),
+                None if reduced => (Arc::new(whole.augmented()?), 1),
+                None => (Arc::clone(whole), 0),
+            };
+            Ok(ChainComplex::new(complex, Naming { names, pair: pair.map(Arc::new), shift }))
+        })
+    }
+
+    /// The model as a mesh that is a surface: edges with more than two faces and vertices with several fans are split.
+    ///
+    /// Parameters
+    /// ----------
+    /// split_edges : {"apart", "pairs"}, optional
+    ///     What becomes of edges in three and more faces: each face gets the edge for itself, or coherent pairs stay together.
+    /// split_vertices : bool
+    ///     Whether a vertex with several fans is duplicated, one copy for each fan.
+    /// orient : bool
+    ///     Whether faces are turned so that neighbors agree.
+    ///
+    /// Returns
+    /// -------
+    /// model : Model
+    ///     The repaired model; the same repair again does nothing.
+    /// vertex_sources : numpy.ndarray
+    ///     For each vertex the one that it was.
+    #[pyo3(signature = (*, split_edges=None, split_vertices=false, orient=false, progress=None))]
+    fn repaired<'py>(
+        &self,
+        py: Python<'py>,
+        split_edges: Option<&str>,
+        split_vertices: bool,
+        orient: bool,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Self, Bound<'py, PyArray1<i64>>)> {
+        let split_edges = match split_edges {
+            None => None,
+            Some(word) => Some(faces_at_edge(py, word)?),
+        };
+        let mut request = RepairRequest::default();
+        (request.split_edges, request.split_vertices, request.orient) = (split_edges, split_vertices, orient);
+        let (model, repair) = run(py, progress, || repaired(self.model(), request))?;
+        let sources = arrays::id_array(py, repair.vertex_sources().iter().map(|vertex| vertex.to_u32()));
+        Ok((Self::of(model), sources))
+    }
+
+    /// A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to tell simplices apart.
+    ///
+    /// Returns
+    /// -------
+    /// model : Model
+    ///     The facet list.
+    /// carriers : numpy.ndarray of shape (n, 2)
+    ///     For each vertex the dimension and the number of the cell that it lies in the interior of.
+    #[pyo3(signature = (*, progress=None))]
+    fn subdivided<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Self, Bound<'py, PyAny>)> {
+        let (model, carriers) = run(py, progress, || triangulated(self.model()))?;
+        let flat = carriers.iter().flat_map(|&(degree, cell)| [degree as i64, cell.index() as i64]).collect();
+        Ok((Self::of(model), arrays::grid(py, flat, 2)?.into_any()))
+    }
+
+    fn __len__(&self) -> usize {
+        let model = self.model();
+        match model.structure() {
+            Some(Structure::Facets(facets)) => facets.len(),
+            _ if !model.cells().is_empty() => model.cells().len(),
+            _ => model.polygons().len(),
+        }
+    }
+
+    fn __bool__(&self) -> bool {
+        true
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            Arc::ptr_eq(&self.source, &other.get().source) || *self.model() == *other.get().model()
+        })
+    }
+
+    fn __hash__(&self) -> isize {
+        let model = self.model();
+        let counts = [model.vertex_count(), model.polygons().len(), model.cells().len(), model.lines().len()];
+        counts.iter().fold(17_isize, |sum, &count| sum.wrapping_mul(1_000_003).wrapping_add(count as isize))
+    }
+
+    fn __repr__(&self) -> String {
+        let model = self.model();
+        let counted = |count: usize, one: &str, many: &str| {
+            (count > 0).then(|| format!("{count} {}", if count == 1 { one } else { many }))
+        };
+        let mut parts: Vec<String> = match model.structure() {
+            Some(Structure::Facets(facets)) => vec![format!("{} facets", facets.len())],
+            Some(Structure::Halfedges { next, .. }) => vec![format!("{} halfedges", next.len())],
+            Some(Structure::Chains(complex)) => vec![format!("cells {:?}", complex.f_vector())],
+            Some(Structure::Gluings(table)) => {
+                vec![format!("{} simplices of dimension {} glued", table.simplex_count(), table.dimension())]
+            }
+            _ => vec![format!(
+                "{} {}",
+                model.vertex_count(),
+                if model.vertex_count() == 1 { "vertex" } else { "vertices" }
+            )],
+        };
+        parts.extend(counted(model.lines().len(), "line", "lines"));
+        parts.extend(counted(model.polygons().len(), "face", "faces"));
+        parts.extend(counted(model.cells().len(), "cell", "cells"));
+        format!("Model({})", parts.join(", "))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let model = self.model();
+        let parts = PyDict::new(py);
+        match model.structure() {
+            Some(Structure::Facets(facets)) => {
+                parts.set_item("facets", pair(py, facets)?)?;
+            }
+            Some(Structure::Halfedges { .. }) => parts.set_item("halfedges", self.halfedges(py)?)?,
+            Some(Structure::Gluings(_)) => parts.set_item("gluings", self.gluings())?,
+            Some(Structure::Chains(complex)) => {
+                let complex = ChainComplex::new(Arc::new(complex.clone()), Naming::of(Names::Own));
+                parts.set_item("chains", complex)?;
+            }
+            _ => {
+                parts.set_item("vertex_count", model.vertex_count())?;
+                parts.set_item("faces", pair(py, model.polygons())?)?;
+                parts.set_item(
+                    "shapes",
+                    model.shapes().iter().map(|&shape| shape_word(shape)).collect::<Vec<_>>(),
+                )?;
+                parts.set_item("cells", pair(py, model.cells())?)?;
+                parts.set_item("lines", pair(py, model.lines())?)?;
+                parts.set_item("points", self.points(py))?;
+            }
+        }
+        parts.set_item("vertices", self.vertices(py)?)?;
+        parts.set_item("groups", self.groups(py))?;
+        parts.set_item("data", self.data(py)?)?;
+        let rebuild = py.import("coface._coface")?.getattr("_model")?;
+        Ok((rebuild, PyTuple::new(py, [parts])?))
+    }
+}
+
+/// Lists as (flat, offsets), on memory of their own.
+fn pair<'py>(py: Python<'py>, lists: &RaggedArray) -> PyResult<Bound<'py, PyTuple>> {
+    let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
+    let flat = PyArray1::from_slice(py, lists.items());
+    PyTuple::new(py, [flat.into_any(), PyArray1::from_vec(py, offsets).into_any()])
+}
+
+fn faces_at_edge(py: Python<'_>, word: &str) -> PyResult<FacesAtEdge> {
+    match word {
+        "apart" => Ok(FacesAtEdge::Apart),
+        "pairs" => Ok(FacesAtEdge::CoherentPairs),
+        _ => Err(invalid(py, format!("split_edges is {word:?}"), "give \"apart\" or \"pairs\"")),
+    }
+}
+
+/// The model behind what users give as one: a model, a simplicial complex or a chain complex.
+pub(crate) fn source_of(value: &Bound<'_, PyAny>) -> PyResult<Arc<Source>> {
+    let py = value.py();
+    if let Ok(model) = value.cast::<Model>() {
+        return Ok(Arc::clone(&model.get().source));
+    }
+    if let Ok(complex) = value.cast::<Complex>() {
+        return Ok(Source::new(complex.get().to_model()));
+    }
+    if let Ok(complex) = value.cast::<ChainComplex>() {
+        let complex = complex.get().complex.as_ref().clone();
+        return Ok(Source::new(io::Model::from_structure(Structure::Chains(complex))));
+    }
+    let name = value.get_type().name()?;
+    Err(invalid(py, format!("a {name} is no model"), "give a Model, a Complex or a ChainComplex"))
+}
+
+/// Makes a model again from what :meth:`Model.__reduce__` gave.
+#[pyfunction]
+pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Model> {
+    let field = |name: &str| -> PyResult<Bound<'_, PyAny>> {
+        parts
+            .get_item(name)?
+            .ok_or_else(|| invalid(py, format!("there is no {name}"), "pickle the model again"))
+    };
+    let vertices = field("vertices")?;
+    let positions =
+        if vertices.is_none() { Positions::default() } else { arrays::positions(&vertices, "vertices")? };
+    let mut model = if let Some(facets) = parts.get_item("facets")? {
+        io::Model::from_structure(Structure::Facets(arrays::lists(&facets, "facets")?))
+    } else if let Some(pair) = parts.get_item("halfedges")? {
+        let next = arrays::ids(&pair.get_item(0)?, "next")?;
+        let twin = arrays::ids(&pair.get_item(1)?, "twin")?;
+        io::Model::from_structure(Structure::Halfedges { next, twin })
+    } else if let Some(rows) = parts.get_item("gluings")? {
+        let rows: Vec<Vec<Option<(u32, Vec<u32>)>>> = rows.extract()?;
+        io::Model::from_structure(Structure::Gluings(GluingTable::from_rows(&rows).or_raise(py)?))
+    } else if let Some(complex) = parts.get_item("chains")? {
+        let complex = complex.cast::<ChainComplex>()?.get().complex.as_ref().clone();
+        if positions.is_empty() {
+            io::Model::from_structure(Structure::Chains(complex))
+        } else {
+            io::Model::from_chains(complex, positions).or_raise(py)?
+        }
+    } else {
+        let words: Vec<String> = field("shapes")?.extract()?;
+        let shape = |word: &String| CellShape::ALL.into_iter().find(|&shape| shape_word(shape) == word);
+        let shapes: Option<Vec<CellShape>> = words.iter().map(shape).collect();
+        let shapes = shapes.ok_or_else(|| invalid(py, "a shape is unknown", "pickle the model again"))?;
+        let points = arrays::ids(&field("points")?, "points")?;
+        io::Model::from_parts(
+            field("vertex_count")?.extract()?,
+            positions,
+            arrays::lists(&field("faces")?, "faces")?,
+            (shapes, arrays::lists(&field("cells")?, "cells")?),
+            arrays::lists(&field("lines")?, "lines")?,
+            points.into_iter().map(|vertex| VertexId::new(vertex as usize)).collect(),
+        )
+        .or_raise(py)?
+    };
+    for group in field("groups")?.try_iter()? {
+        let (name, kind, members): (String, String, Bound<'_, PyAny>) = group?.extract()?;
+        let group = Group::new(name, kind_of(py, &kind)?, arrays::ids(&members, "members")?);
+        model = model.with_group(group).or_raise(py)?;
+    }
+    let mut model = Model::of(model);
+    for data in field("data")?.try_iter()? {
+        let (name, kind, values): (String, String, Bound<'_, PyAny>) = data?.extract()?;
+        model = model.with_data(py, &name, &values, &kind)?;
+    }
+    Ok(model)
+}

@@ -1,0 +1,293 @@
+//! Reports: everything that `coface info` says.
+
+use crate::arrays;
+use crate::json::to_python;
+use crate::source::Source;
+use crate::text;
+use coface::report;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use std::sync::Arc;
+
+/// How many places of a problem are listed.
+const PLACES: usize = 100;
+
+/// Everything that ``coface info`` says about a model.
+///
+/// Made by :meth:`Model.report`. A notion that does not apply is ``None``.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> report = coface.Model.from_facets([[0, 1], [1, 2], [0, 2], [2, 3]]).report()
+/// >>> report.manifold, report.witness["cells"]
+/// ('no', [[2]])
+/// >>> report.homology
+/// Homology(Z, Z)
+#[pyclass(frozen, module = "coface", name = "Report")]
+pub(crate) struct Report {
+    report: report::Report,
+    source: Arc<Source>,
+}
+
+impl Report {
+    pub(crate) fn of(report: report::Report, source: Arc<Source>) -> Self {
+        Self { report, source }
+    }
+
+    fn field<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.report.to_json(PLACES)[name])
+    }
+
+    fn format(&self) -> &'static str {
+        self.source.model.format().map_or("made in Python", coface::io::Format::title)
+    }
+}
+
+#[pymethods]
+impl Report {
+    /// ``complex``, ``surface``, ``volume`` or ``planar``.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        self.report.kind().word()
+    }
+
+    /// The highest dimension of a cell.
+    #[getter]
+    fn dimension(&self) -> Option<usize> {
+        self.report.dimension()
+    }
+
+    /// The numbers of cells of the dimensions 0, 1, ...
+    #[getter]
+    fn f_vector<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.report.f_vector())
+    }
+
+    /// Whether every cell lies in one of the highest dimension.
+    #[getter]
+    fn pure(&self) -> Option<bool> {
+        self.report.is_pure()
+    }
+
+    /// The number of connected components.
+    #[getter]
+    fn components(&self) -> usize {
+        self.report.components()
+    }
+
+    /// The alternating sum of the numbers of cells.
+    #[getter]
+    fn euler_characteristic(&self) -> i64 {
+        self.report.euler_characteristic()
+    }
+
+    /// Whether it is a manifold: ``yes``, ``no`` or ``unknown``.
+    #[getter]
+    fn manifold(&self) -> &'static str {
+        self.report.manifold().word()
+    }
+
+    /// Whether it is a manifold without boundary.
+    #[getter]
+    fn closed(&self) -> Option<bool> {
+        self.report.is_closed()
+    }
+
+    /// Why it is no manifold: a dictionary with ``kind``, ``cells`` (lists of vertices) and ``message``.
+    #[getter]
+    fn witness<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(witness) = self.report.witness() else { return Ok(None) };
+        let dict = PyDict::new(py);
+        dict.set_item("kind", witness.kind())?;
+        dict.set_item("cells", witness.cells())?;
+        dict.set_item("message", witness.message())?;
+        Ok(Some(dict))
+    }
+
+    /// The boundary loops of a surface, each an array of its vertices in order.
+    #[getter]
+    fn boundary_loops<'py>(&self, py: Python<'py>) -> Option<Vec<Bound<'py, PyAny>>> {
+        let loops = self.report.boundary_loops()?;
+        Some(
+            loops
+                .iter()
+                .map(|part| arrays::id_array(py, part.vertices().iter().copied()).into_any())
+                .collect(),
+        )
+    }
+
+    /// The boundary surface of a volume: a dictionary with ``faces``, ``components``, ``euler_characteristic``, ``manifold``, ``name``.
+    #[getter]
+    fn boundary_surface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.field(py, "boundary_surface")
+    }
+
+    /// Whether it can be oriented.
+    #[getter]
+    fn orientable(&self) -> Option<bool> {
+        self.report.is_orientable()
+    }
+
+    /// Whether its cells are oriented coherently as they stand.
+    #[getter]
+    fn coherently_oriented(&self) -> Option<bool> {
+        self.report.is_coherently_oriented()
+    }
+
+    /// The genus of a connected surface; of one that cannot be oriented the number of cross-caps.
+    #[getter]
+    fn genus(&self) -> Option<usize> {
+        self.report.surface_type().map(|surface| surface.genus())
+    }
+
+    /// What a connected surface is called, such as ``torus``.
+    #[getter]
+    fn name(&self) -> Option<&str> {
+        self.report.name()
+    }
+
+    /// The components of a surface: dictionaries with ``f_vector``, ``euler_characteristic``, ``boundary_loops``, ``orientable``, ``genus``, ``name``.
+    #[getter]
+    fn surfaces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.field(py, "surfaces")
+    }
+
+    /// The integral homology.
+    #[getter]
+    fn homology(&self) -> crate::homology::Homology {
+        crate::homology::Homology::of_groups(self.report.homology(), false)
+    }
+
+    /// The area, in the unit of the file squared.
+    #[getter]
+    fn area(&self) -> Option<f64> {
+        self.report.area()
+    }
+
+    /// The volume, positive where normals point outward.
+    #[getter]
+    fn signed_volume(&self) -> Option<f64> {
+        self.report.signed_volume()
+    }
+
+    /// The center of the surface.
+    #[getter]
+    fn surface_centroid(&self) -> Option<[f64; 3]> {
+        self.report.surface_centroid()
+    }
+
+    /// What it encloses, at density 1: ``volume``, ``centroid`` and ``inertia`` about the centroid.
+    #[getter]
+    fn mass<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.field(py, "mass")
+    }
+
+    /// The moments that were asked for: dictionaries with ``exponents``, ``volume`` and ``surface``.
+    #[getter]
+    fn moments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.field(py, "moments")
+    }
+
+    /// What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices).
+    #[getter]
+    fn problems<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let mut list = Vec::new();
+        for problem in self.report.problems() {
+            let dict = PyDict::new(py);
+            dict.set_item("kind", problem.kind().word())?;
+            dict.set_item("count", problem.count())?;
+            dict.set_item("message", problem.message())?;
+            dict.set_item("cells", arrays::nested(problem.cells().iter()))?;
+            dict.set_item("top_cells", arrays::nested(problem.tops().iter()))?;
+            list.push(dict);
+        }
+        Ok(list)
+    }
+
+    /// What was odd about the file.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.report.warnings().to_vec()
+    }
+
+    /// The report as ``coface info --json`` prints it, but for ``file``.
+    ///
+    /// Parameters
+    /// ----------
+    /// limit : int
+    ///     How many places of each problem are listed.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     ``kind``, ``dimension``, ``f_vector``, ..., with ``format`` if the model came from a file.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.Model.from_facets([[0, 1]]).report().to_dict()["homology"][0]
+    /// {'betti': 1, 'degree': 0, 'torsion': []}
+    #[pyo3(signature = (limit=PLACES))]
+    fn to_dict<'py>(&self, py: Python<'py>, limit: usize) -> PyResult<Bound<'py, PyAny>> {
+        let dict = to_python(py, &self.report.to_json(limit))?;
+        if let Some(format) = self.source.model.format() {
+            dict.set_item("format", format.name())?;
+        }
+        Ok(dict)
+    }
+
+    /// The report for people, at 80 columns.
+    ///
+    /// Parameters
+    /// ----------
+    /// title : str
+    ///     What it is about.
+    /// limit : int
+    ///     How many places of each problem are listed.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     The text that ``coface info`` prints.
+    #[pyo3(signature = (title="model", limit=text::FEW))]
+    fn to_text(&self, title: &str, limit: usize) -> String {
+        let styled = text::report(title, self.format(), &self.report, limit);
+        anstream::adapter::strip_str(&styled).to_string()
+    }
+
+    /// The report as a page for browsers: tables of facts, and pictures given as SVG.
+    ///
+    /// Parameters
+    /// ----------
+    /// title : str
+    ///     What it is about.
+    /// figures : sequence of (str, str)
+    ///     Pictures as SVG, each with its caption.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     One page that needs no network.
+    #[pyo3(signature = (title="model", figures=Vec::new()))]
+    fn to_html(&self, title: &str, figures: Vec<(String, String)>) -> String {
+        let items = text::items(title, self.format(), &self.report, text::FEW);
+        let figures =
+            figures.into_iter().map(|(svg, caption)| (crate::html::Figure::Svg(svg), caption)).collect();
+        let object = format!("{:#}", self.report.to_json(PLACES));
+        crate::html::page(title, &[crate::html::Section { items, figures, object }])
+    }
+
+    fn __str__(&self) -> String {
+        self.to_text("model", text::FEW)
+    }
+
+    fn __repr__(&self) -> String {
+        let name = self.report.name().map_or_else(|| self.report.kind().word().to_owned(), str::to_owned);
+        format!(
+            "Report({name}, f-vector {:?}, Euler characteristic {})",
+            self.report.f_vector(),
+            self.report.euler_characteristic()
+        )
+    }
+}
