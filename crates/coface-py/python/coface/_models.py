@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from coface._arrays import raise_invalid
-from coface._coface import ChainComplex, Complex, Model, Surface, read
+from coface._coface import ChainComplex, Complex, Model, read
 from coface.interop import door_of
 
 
@@ -52,10 +52,9 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     """
     if isinstance(x, Model):
         return x
-    if isinstance(x, (Complex, Surface)):
-        return x.model()
-    if isinstance(x, ChainComplex):
-        return Model.from_chains(x)
+    if type(x).__module__ == "coface" and hasattr(x, "model"):
+        own = x.model
+        return own() if callable(own) else own
     if isinstance(x, (str, os.PathLike)):
         return read(x, progress=progress)
     if isinstance(x, (bytes, bytearray, memoryview)):
@@ -150,30 +149,3 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     if isinstance(x, Complex):
         return x.chain_complex(progress=progress)
     return as_model(x, progress=progress).chain_complex(progress=progress)
-
-
-def as_surface(x: Any, *, progress: Any = None) -> Surface:
-    """Whatever describes a surface, as halfedges.
-
-    Parameters
-    ----------
-    x
-        As in :func:`as_model`; each edge in one or two faces, the faces around each vertex one fan.
-
-    Returns
-    -------
-    Surface
-        The surface.
-
-    Raises
-    ------
-    NonManifoldError
-        If it is no surface, with the cells where it is none.
-
-    Examples
-    --------
-    >>> import coface
-    >>> coface.as_surface([[0, 1, 2], [0, 2, 3]])
-    Surface(...)
-    """
-    return x if isinstance(x, Surface) else as_model(x, progress=progress).surface(progress=progress)

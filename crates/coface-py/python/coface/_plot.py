@@ -79,18 +79,15 @@ def plot(
     import coface
 
     pyplot = needed("matplotlib.pyplot", "plot")
-    if isinstance(x, coface.ChainComplex):
+    kind = type(x).__name__ if type(x).__module__ == "coface" else ""
+    if kind == "ChainComplex":
         return _chain_complex(pyplot, x, ax, title)
-    if hasattr(x, "tocoo") or (hasattr(x, "format") and hasattr(x, "nnz")):
+    if hasattr(x, "tocoo"):
         return _titled(_matrix(_flat_axes(pyplot, ax), x), title)
-    if isinstance(x, coface.Persistence):
-        return _titled(_diagram(_flat_axes(pyplot, ax), x), title)
     if isinstance(x, np.ndarray) and x.ndim == 2 and x.shape[1] == 2 and x.dtype.kind == "f":
         return _titled(_diagram(_flat_axes(pyplot, ax), {0: x}), title)
-    if isinstance(x, coface.YinSet):
-        return _titled(_yin_set(_flat_axes(pyplot, ax), x), title)
-    if isinstance(x, coface.PlanarArrangement):
-        return _titled(_arrangement(_flat_axes(pyplot, ax), x), title)
+    if kind in FLAT:
+        return _titled(FLAT[kind](_flat_axes(pyplot, ax), x), title)
     model = coface.as_model(x)
     found = _generators(generators)
     places = model.vertices
@@ -367,3 +364,7 @@ def _yin_set(axes: Any, region: Any) -> Any:
             axes.plot(*kinks.T, "o", markersize=5, color=INK, linestyle="none")
     _frame(axes, every, True, (0.0, 0.0))
     return axes
+
+
+#: How classes are drawn that are no models.
+FLAT = {"Persistence": _diagram, "PlanarArrangement": _arrangement, "YinSet": _yin_set}
