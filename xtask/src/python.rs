@@ -1,10 +1,11 @@
-//! The Python package: built and installed as its users do, then types, stubs, tests, examples.
+//! The Python package: built, then types, stubs, tests, examples.
 
-use crate::root;
 use crate::tally::Tally;
 use crate::test::{check, install_package, run_counted};
-use std::path::PathBuf;
+use crate::{cargo, root};
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::{env, fs, io};
 
 /// The package in the repository.
 const PACKAGE: &str = "crates/coface-py";
@@ -26,32 +27,57 @@ pub(crate) fn python(tally: &mut Tally) {
         tally.skipped += 1;
         return;
     }
-    let words =
-        ["-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps", "--force-reinstall", "."];
-    let mut install = interpreter(&words);
-    // As the tests of the library are built, so that it need not be built again.
-    install.env("MATURIN_PEP517_ARGS", "--profile dev").env("CARGO_TARGET_DIR", target());
+    // All libraries at once: by itself the package would have other features of what it depends on, and build everything again.
     let failures = tally.failed;
-    check(tally, "the Python package", &mut install);
+    check(tally, "the Python package", &mut cargo(&["build", "--quiet", "--workspace", "--lib"]));
     if tally.failed > failures {
         return;
     }
+    if let Err(error) = assemble() {
+        println!("== the Python package: failed, its parts cannot be put together: {error}");
+        tally.count(false);
+        return;
+    }
     let cache = target().join("python/mypy").display().to_string();
-    check(
-        tally,
-        "types in Python",
-        &mut interpreter(&["-m", "mypy", "--cache-dir", &cache, "--package", "coface"]),
-    );
+    let types = ["-m", "mypy", "--cache-dir", &cache, "--package", "coface"];
+    check(tally, "types in Python", &mut interpreter(&types));
     check(tally, "stubs in Python", &mut interpreter(&["-m", "mypy.stubtest", "coface._coface"]));
     let tests = ["-m", "pytest", "--quiet", "-p", "no:cacheprovider", "--durations=8", "tests"];
     run_counted(tally, "tests in Python", interpreter(&tests));
     examples(tally);
 }
 
+/// Puts the compiled part beside the rest in a folder that Python looks into, as a wheel has them.
+fn assemble() -> io::Result<()> {
+    let site = site();
+    if site.exists() {
+        fs::remove_dir_all(&site)?;
+    }
+    copy_folder(&root().join(PACKAGE).join("python"), &site)?;
+    let name = format!("{}_coface{}", env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX);
+    let compiled = if cfg!(windows) { "_coface.pyd" } else { "_coface.abi3.so" };
+    fs::copy(target().join("debug").join(name), site.join("coface").join(compiled)).map(drop)
+}
+
+/// Copies what is in a folder, but what a build by hand left there.
+fn copy_folder(from: &Path, to: &Path) -> io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let (path, copy) = (entry.path(), to.join(entry.file_name()));
+        if entry.file_type()?.is_dir() {
+            copy_folder(&path, &copy)?;
+        } else if path.extension().is_none_or(|extension| extension != "so" && extension != "pyd") {
+            fs::copy(path, copy)?;
+        }
+    }
+    Ok(())
+}
+
 /// The gallery: each script asserts what it shows.
 fn examples(tally: &mut Tally) {
     let folder = root().join(PACKAGE).join("examples");
-    let mut scripts: Vec<PathBuf> = std::fs::read_dir(&folder)
+    let mut scripts: Vec<PathBuf> = fs::read_dir(&folder)
         .into_iter()
         .flatten()
         .filter_map(|entry| Some(entry.ok()?.path()))
@@ -81,24 +107,24 @@ fn prepare() -> Result<(), String> {
     }
     let requirements = root().join(PACKAGE).join(REQUIREMENTS);
     let installed = environment.join("requirements.txt");
-    let wanted = std::fs::read(&requirements).map_err(|error| format!("{REQUIREMENTS}: {error}"))?;
-    if std::fs::read(&installed).is_ok_and(|found| found == wanted) {
+    let wanted = fs::read(&requirements).map_err(|error| format!("{REQUIREMENTS}: {error}"))?;
+    if fs::read(&installed).is_ok_and(|found| found == wanted) {
         return Ok(());
     }
     println!("== python: pip install -r {REQUIREMENTS}");
-    let words =
-        ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--retries=1", "-r", REQUIREMENTS];
-    if !is_done(&mut interpreter(&words)) {
+    let quietly = ["--quiet", "--disable-pip-version-check", "--retries=1"];
+    let install = [&["-m", "pip", "install"], &quietly[..], &["-r", REQUIREMENTS]].concat();
+    if !is_done(&mut interpreter(&install)) {
         return Err("pip cannot install what its tests need".to_owned());
     }
     // Says what is installed; without it the next run asks pip again.
-    std::fs::write(&installed, wanted).map_err(|error| error.to_string())
+    fs::write(&installed, wanted).map_err(|error| error.to_string())
 }
 
 /// Python of the environment, in the folder of the package.
 fn interpreter(words: &[&str]) -> Command {
     let mut command = Command::new(program());
-    command.args(words).current_dir(root().join(PACKAGE));
+    command.args(words).current_dir(root().join(PACKAGE)).env("PYTHONPATH", site());
     command.env("PYTHONDONTWRITEBYTECODE", "1").env("MPLBACKEND", "Agg").env("NO_COLOR", "1");
     command
 }
@@ -111,8 +137,13 @@ fn environment() -> PathBuf {
     target().join("python/environment")
 }
 
+/// Where Python finds the package.
+fn site() -> PathBuf {
+    target().join("python/site")
+}
+
 fn target() -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 
 fn is_done(command: &mut Command) -> bool {

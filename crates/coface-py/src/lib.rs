@@ -22,6 +22,7 @@ mod source;
 #[allow(dead_code, reason = "the program uses more of it")]
 #[path = "../../coface-cli/src/text.rs"]
 mod text;
+mod view;
 mod work;
 
 use pyo3::prelude::*;
@@ -48,5 +49,6 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(chain_complex::_chains, module)?)?;
     module.add_function(wrap_pyfunction!(generate::generate, module)?)?;
     module.add_function(wrap_pyfunction!(generate::families, module)?)?;
+    module.add_function(wrap_pyfunction!(view::_page, module)?)?;
     Ok(())
 }

@@ -68,12 +68,18 @@ impl Model {
         if lists.is_empty() {
             return Ok(flat.reshape([0, empty])?.into_any());
         }
-        if let Some(width) = lists.uniform_width() {
+        if let Some(width) = lists.uniform_width().or_else(|| common_length(lists)) {
             return Ok(flat.reshape([lists.len(), width])?.into_any());
         }
         let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
         Ok((flat, PyArray1::from_vec(py, offsets)).into_pyobject(py)?.into_any())
     }
+}
+
+/// The length of all lists, if they have one.
+fn common_length(lists: &RaggedArray) -> Option<usize> {
+    let length = lists.iter().next()?.len();
+    lists.iter().all(|list| list.len() == length).then_some(length)
 }
 
 /// The name of a kind of things in Python's words.

@@ -64,7 +64,7 @@ def test_calls_on_shared_arrays_do_not_need_their_size(spot) -> None:
 
 def test_any_layout_goes_in() -> None:
     vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
-    faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
     expected = coface.Model.from_arrays(vertices, faces)
     for kind in ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"]:
         assert coface.Model.from_arrays(vertices, faces.astype(kind)) == expected, kind

@@ -31,8 +31,8 @@ def to_trimesh(x: Any, **options: Any) -> Any:
     --------
     >>> import coface, pytest
     >>> _ = pytest.importorskip("trimesh")
-    >>> coface.to_trimesh(coface.generate("csaszar")).euler_number
-    np.int64(0)
+    >>> coface.to_trimesh(coface.generate("csaszar")).is_watertight
+    True
     """
     return trimesh.from_model(as_model(x), **options)
 

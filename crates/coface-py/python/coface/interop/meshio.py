@@ -7,8 +7,12 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import CORNERS, blocks, polygons, positions, raise_invalid, steps
+from coface._arrays import CORNERS, blocks, polygons, positions, ragged, raise_invalid, steps
 from coface.interop import needed
+
+FACES = ("triangle", "quad", "polygon")
+#: More blocks of faces than these are sorted by the number of corners.
+MANY = 256
 
 
 def to_model(value: Any) -> Model:
@@ -27,16 +31,22 @@ def to_model(value: Any) -> Model:
                 f"meshio's cells of the kind {kind} have no counterpart",
                 "keep the corners of each cell and name the kind by them: " + ", ".join([*CORNERS, "polygon"]),
             )
-        if kind == "polygon":
-            found.setdefault("polygon", []).extend(np.asarray(cell) for cell in block.data)
-        else:
-            found.setdefault(kind, []).append(np.asarray(block.data).reshape(-1, CORNERS[kind]))
-    cells = {kind: (data if kind == "polygon" else np.concatenate(data)) for kind, data in found.items()}
+        data = block.data if kind == "polygon" else np.asarray(block.data).reshape(-1, CORNERS[kind])
+        found.setdefault("polygon" if kind in FACES else kind, []).append(data)
+    cells = {kind: _joined(data) if kind == "polygon" else np.concatenate(data) for kind, data in found.items()}
     return Model.from_arrays(np.asarray(value.points), cells=cells)
 
 
+def _joined(blocks_of_faces: list[Any]) -> tuple[Any, Any]:
+    """Faces of several blocks in their order."""
+    parts = [ragged(block) for block in blocks_of_faces]
+    flat = np.concatenate([part[0] for part in parts])
+    sizes = np.concatenate([np.diff(part[1]) for part in parts])
+    return flat, np.concatenate([[0], np.cumsum(sizes)])
+
+
 def from_model(model: Model, **options: Any) -> Any:
-    """A model as :class:`meshio.Mesh`: a block for each kind of cell.
+    """A model as :class:`meshio.Mesh`: blocks of cells of one kind. Faces keep their order unless that would take very many blocks.
 
     Parameters
     ----------
@@ -48,7 +58,14 @@ def from_model(model: Model, **options: Any) -> Any:
     pairs = steps(model)
     if len(pairs):
         found.append(("line", pairs))
-    for length, block in blocks(*polygons(model)):
-        found.append(({3: "triangle", 4: "quad"}.get(length, "polygon"), block))
+    flat, offsets = polygons(model)
+    sizes = np.diff(offsets)
+    begins = np.flatnonzero(np.diff(sizes, prepend=-1)) if len(sizes) else np.zeros(0, np.int64)
+    if len(begins) > MANY:
+        faces = list(blocks(flat, offsets))
+    else:
+        ends = [*begins[1:], len(sizes)]
+        faces = [(int(sizes[b]), flat[offsets[b] : offsets[e]].reshape(-1, sizes[b])) for b, e in zip(begins, ends)]
+    found.extend(({3: "triangle", 4: "quad"}.get(length, "polygon"), block) for length, block in faces)
     found.extend((kind, np.asarray(cells)) for kind, cells in model.cells.items())
     return library.Mesh(positions(model, "to_meshio"), found, **options)

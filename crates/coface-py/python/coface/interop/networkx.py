@@ -80,7 +80,7 @@ def from_model(model: Model) -> Any:
     graph = library.Graph()
     places = model.vertices
     if places is None:
-        graph.add_nodes_from(range(model.vertex_count))
+        graph.add_nodes_from(np.asarray(model.simplices(0)).reshape(-1).tolist())
     else:
         graph.add_nodes_from((vertex, {"pos": tuple(place)}) for vertex, place in enumerate(places.tolist()))
     graph.add_edges_from(np.asarray(model.edges).tolist())

@@ -7,21 +7,20 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import SOLID, lists, padded, polygons, positions, raise_invalid, ragged, unpadded
+from coface._arrays import SOLID, lists, padded, polygons, positions, ragged, raise_invalid, unpadded
 from coface.interop import needed
 
 #: The numbers that VTK has for kinds of cells.
 NUMBERS = {
     1: "vertex",
-    3: "line",
-    5: "triangle",
-    9: "quad",
     10: "tetra",
     12: "hexahedron",
     13: "wedge",
     14: "pyramid",
 }
-POLYLINE, STRIP, POLYGON = 4, 6, 7
+LINE, POLYLINE, PIXEL, VOXEL = 3, 4, 8, 11
+#: Triangles, polygons, pixels and quadrilaterals.
+FACES = (5, 7, PIXEL, 9)
 
 
 def to_model(value: Any) -> Model:
@@ -51,26 +50,29 @@ def to_model(value: Any) -> Model:
     offsets = np.asarray(value.offset, np.int64)
     kinds = np.asarray(value.celltypes)
     cells = {}
-    polygons_found: list[Any] = []
-    for number in np.unique(kinds):
-        where = np.flatnonzero(kinds == number)
-        chosen = [flat[offsets[cell] : offsets[cell + 1]] for cell in where]
-        kind = NUMBERS.get(int(number))
-        if number == POLYGON:
-            polygons_found.extend(chosen)
-        elif number == POLYLINE:
+    is_face = np.isin(kinds, FACES)
+    if is_face.any():
+        cells["polygon"] = ragged([
+            flat[offsets[cell] : offsets[cell + 1]][[0, 1, 3, 2] if kinds[cell] == PIXEL else slice(None)]
+            for cell in np.flatnonzero(is_face)
+        ])
+    for number in np.unique(kinds[~is_face]):
+        chosen = [flat[offsets[cell] : offsets[cell + 1]] for cell in np.flatnonzero(kinds == number)]
+        if number in (LINE, POLYLINE):
             pairs = _steps(*ragged(chosen))
             cells["line"] = np.concatenate([cells["line"], pairs]) if "line" in cells else pairs
-        elif kind is not None:
+        elif number == VOXEL:
+            rows = np.array(chosen, np.int64)[:, [0, 1, 3, 2, 4, 5, 7, 6]]
+            cells["hexahedron"] = np.concatenate([rows, cells["hexahedron"]]) if "hexahedron" in cells else rows
+        elif int(number) in NUMBERS:
             rows = np.array(chosen, np.int64)
+            kind = NUMBERS[int(number)]
             cells[kind] = np.concatenate([cells[kind], rows]) if kind in cells else rows
         else:
             raise_invalid(
                 f"cells of the kind {number} of VTK have no counterpart",
                 "make them linear: grid.linear_copy(), or grid.triangulate()",
             )
-    if polygons_found:
-        cells["polygon"] = polygons_found
     return Model.from_arrays(np.asarray(value.points, np.float64), cells=cells)
 
 

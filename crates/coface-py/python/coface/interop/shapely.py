@@ -22,4 +22,5 @@ def to_model(value: Any) -> Model:
 def from_model(model: Model) -> Any:
     """A planar model as a geometry of shapely: polygons with holes, lines and points, in one collection if there are several kinds."""
     library = needed("shapely", "to_shapely")
-    return library.from_wkt(model.to_bytes("wkt").decode())
+    found = [library.from_wkt(line) for line in model.to_bytes("wkt").decode().splitlines() if line]
+    return found[0] if len(found) == 1 else library.GeometryCollection(found)
