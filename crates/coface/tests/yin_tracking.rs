@@ -1,7 +1,10 @@
 //! Yin sets that move, and interfaces of Yin sets.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface::yin::{Curve, EndCondition, Flow, InterfaceGraph, KnotIndex, Order, TrackingOptions, YinSet};
+use coface::yin::{
+    Curve, EndCondition, Flow, InterfaceGraph, KnotIndex, Order, RungeKutta, TrackingOptions, Verification,
+    YinSet,
+};
 use std::f64::consts::{PI, TAU};
 
 fn circle(center: [f64; 2], radius: f64, count: usize, order: Order) -> Curve<'static> {
@@ -122,4 +125,73 @@ fn sets_that_share_boundary_become_phases() {
     assert!(said.contains("sets 0 and 1 overlap at (0, 0), in an area of 1"), "{said}");
     let shared = InterfaceGraph::of_sets(&[set(&square), set(&shifted)], Order::LINEAR, -1.0).unwrap();
     assert_eq!((shared.edge_count(), shared.junctions().count()), (3, 2));
+}
+
+/// How far the curve of a disk is from its circle after a mild vortex there and back, with markers that come apart unevenly on the way.
+fn mild_vortex(order: Order, scheme: RungeKutta, h: f64) -> f64 {
+    let (center, radius) = ([0.5, 0.75], 0.15);
+    let count = (TAU * radius / h).ceil() as usize + 1;
+    let disk = YinSet::new(&[Curve::circle(center, radius, count, order).unwrap()]).unwrap();
+    let flow = Flow::Vortex { period: 1.0 };
+    let options = TrackingOptions {
+        scheme: Some(scheme),
+        verification: Verification::End,
+        ..TrackingOptions::new(1.0, h, h)
+    };
+    let moved = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
+    assert!(moved.counts().added > 0);
+    let curve = moved.set().curve(0);
+    let places = curve
+        .knots()
+        .windows(2)
+        .flat_map(|pair| (0..8).map(|i| pair[0] + (pair[1] - pair[0]) * f64::from(i) / 8.0));
+    let miss = |[x, y]: [f64; 2]| ((x - center[0]).hypot(y - center[1]) - radius).abs();
+    places.map(|t| miss(curve.point(t))).fold(0.0, f64::max)
+}
+
+/// Splines with chords as parameters would be of order four only, whatever their degree.
+#[test]
+fn boundaries_of_high_order_converge_at_their_order() {
+    for (order, scheme, least, most) in [
+        (4, RungeKutta::Classical, 3.3, 1e-6),
+        (6, RungeKutta::Verner, 5.6, 1e-8),
+        (8, RungeKutta::CooperVerner, 7.6, 1e-9),
+    ] {
+        let misses = [0.04, 0.02, 0.01].map(|h| mild_vortex(Order::new(order).unwrap(), scheme, h));
+        let found = (misses[0] / misses[2]).log2() / 2.0;
+        assert!(found > least && misses[2] < most, "{order}: {found} {misses:?}");
+    }
+}
+
+/// Markers by turning are nearer together where the boundary bends, as far as the least distance leaves room.
+#[test]
+fn markers_by_turning_follow_curvature() {
+    // Half a period of a strong vortex: a thread with sharp ends.
+    let flow = Flow::Vortex { period: 4.0 };
+    let disk = YinSet::new(&[Curve::circle([0.5, 0.75], 0.15, 48, Order::CUBIC).unwrap()]).unwrap();
+    let moved = |most_turn: Option<f64>| {
+        let options = TrackingOptions { most_turn, ..TrackingOptions::new(2.0, 0.02, 0.04) };
+        disk.advected(|p, t| flow.velocity(p, t), &options).unwrap().into_set()
+    };
+    // The longest gap beside a marker at which the polygon turns by more.
+    let widest = |set: &YinSet| {
+        let curve = set.curve(0);
+        let count = curve.piece_count();
+        let corner = |i: usize| curve.knot_point(i % count);
+        let way = |i: usize| [0, 1].map(|k| corner(i + 1)[k] - corner(i)[k]);
+        (0..count)
+            .map(|i| (way(i), way(i + 1)))
+            .filter(|([a, b], [c, d])| (a * d - b * c).atan2(a * c + b * d).abs() > 0.2)
+            .map(|([a, b], [c, d])| a.hypot(b).max(c.hypot(d)))
+            .fold(0.0, f64::max)
+    };
+    let [knots, more] = [&plain, &turned].map(|set| set.curve(0).piece_count());
+    assert!(knots < more && more < 2 * knots, "{knots} {more}");
+    // Markers are added until two and a half of the least distances leave no room.
+    let [before, after] = [widest(&plain), widest(&turned)];
+    assert!(before > 0.02 && after <= 2.5 * 0.1 * 0.04 + 0.1 * 0.04, "{before} {after}");
+    // An angle that is none is refused.
+    let options = TrackingOptions { most_turn: Some(0.0), ..TrackingOptions::new(1.0, 0.1, 0.1) };
+    let error = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap_err();
+    assert!(error.to_string().contains("turn by at most 0") && error.cure().is_some(), "{error}");
 }

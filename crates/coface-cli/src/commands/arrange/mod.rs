@@ -148,7 +148,12 @@ pub(crate) fn dimension_of(models: &[(String, Model)], asked: Option<u8>) -> u8 
 /// The file of -o with its format.
 pub(crate) fn output_format(common: &Common) -> Result<Option<(&Path, Format)>, Failure> {
     let Some(path) = common.output.as_deref() else { return Ok(None) };
-    let unknown = || Failure::new(format!("{}: the extension is no format known here", path.display()));
+    let unknown = || {
+        Failure::new(format!(
+            "{}: the extension is no format known here; name the file .json, .svg, .geojson, .wkt, .lines or as another format",
+            path.display()
+        ))
+    };
     Ok(Some((path, Format::from_path(path).ok_or_else(unknown)?)))
 }
 

@@ -5,7 +5,7 @@ use crate::arguments::Common;
 use crate::commands::arrange::Rule;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::remark;
+use crate::output::{remark, write_file};
 use crate::progress::Progress;
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -38,22 +38,22 @@ pub(super) struct Advect {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     time: Option<f64>,
     /// The longest step of time [default: a hundredth of the time]
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     step: Option<f64>,
     /// The greatest distance of neighboring knots [default: a hundredth of the box around the set]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     spacing: Option<f64>,
     /// The least distance of neighboring knots as a part of --spacing, up to 1/3; orders 6 and 8 want it large
-    #[arg(long, value_name = "RATIO", default_value = "0.1")]
+    #[arg(long, value_name = "RATIO", default_value = "0.1", allow_hyphen_values = true)]
     least_ratio: f64,
     /// Add knots where the polygon through them turns by more degrees, as far as the least distance allows
-    #[arg(long, value_name = "DEGREES")]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     turn: Option<f64>,
     /// The period of a vortex or deformation
-    #[arg(long, value_name = "TIME", default_value = "4")]
+    #[arg(long, value_name = "TIME", default_value = "4", allow_hyphen_values = true)]
     period: f64,
     /// The number of vortices of a deformation in each direction of the unit square
-    #[arg(long, value_name = "N", default_value = "4")]
+    #[arg(long, value_name = "N", default_value = "4", value_parser = clap::value_parser!(u32).range(1..=1000))]
     vortices: u32,
     /// The velocity of a translation: X,Y
     #[arg(long, value_name = "VECTOR", default_value = "1,0", value_parser = pair, allow_hyphen_values = true)]
@@ -115,6 +115,7 @@ enum When {
 impl Advect {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
         let output = self.options.output(common)?;
+        let flow = self.flow()?;
         let progress = Progress::start(common.quiet);
         let mut planar = self.options.read(&self.input, common, false, &progress)?;
         let before = planar.set().area();
@@ -124,8 +125,11 @@ impl Advect {
             Field::Vortex | Field::Deformation => self.period,
             Field::Rotation | Field::Translation => 1.0,
         });
-        let step = self.step.unwrap_or(end.abs() / 100.0).max(f64::MIN_POSITIVE);
-        let flow = self.flow();
+        if !end.is_finite() {
+            return Err(Failure::new(format!("--time {end}: there is no such time; give a finite one")));
+        }
+        // Without time nothing moves, in steps of any length.
+        let step = self.step.unwrap_or(if end == 0.0 { 1.0 } else { end.abs() / 100.0 });
         let count = usize::from(self.frames);
         if self.repair.is_some() && self.verify == When::Never {
             return Err(Failure::new("--repair needs to know when: leave out --verify never"));
@@ -136,6 +140,8 @@ impl Advect {
         let (mut vanished, mut repairs, mut frames) = (Vec::new(), Vec::new(), Vec::new());
         // Nothing is written before all is done.
         let mut sets: Vec<PlanarSet> = Vec::new();
+        // The number that each curve had at the beginning.
+        let mut origins: Vec<u32> = (0..planar.set().curve_count() as u32).collect();
         for frame in 1..=count {
             progress.stage(format!("moving, part {frame} of {count}"));
             let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
@@ -151,7 +157,7 @@ impl Advect {
             tracking.repair = self.repair.map(Rule::inside);
             let set: &YinSet = planar.set();
             let moved = set.advected(|point, time| flow.velocity(point, time), &tracking);
-            let moved = moved.map_err(|error| error.in_file(input::name(&self.input)))?;
+            let moved = moved.map_err(|error| named_rules(error).in_file(input::name(&self.input)))?;
             let counts = moved.counts();
             repairs.extend(moved.repairs().iter().map(|repair| {
                 json!({"step": steps + repair.step, "time": repair.time, "fault": repair.fault.to_string()})
@@ -159,21 +165,47 @@ impl Advect {
             steps += counts.steps;
             added += counts.added;
             removed += counts.removed;
+            let origin = |curve: u32| origins[curve as usize];
             vanished.extend(
-                moved.vanished().iter().map(|curve| json!({"time": curve.time, "curve": curve.curve})),
+                moved
+                    .vanished()
+                    .iter()
+                    .map(|curve| json!({"time": curve.time, "curve": origin(curve.curve)})),
             );
-            let next = PlanarSet::from_set(moved.into_set());
+            let curves = moved.curves().to_vec();
+            origins = curves.iter().map(|&curve| origin(curve)).collect();
+            let next = planar.followed_by(moved.into_set(), &curves);
             if output.is_some() && frame > 1 {
                 sets.push(planar);
             }
             planar = next;
         }
         if let Some((path, format)) = output.filter(|_| count > 1) {
+            progress.stage("writing");
+            let mut texts = Vec::with_capacity(count);
             for (number, set) in (1..).zip(sets.iter().chain([&planar])) {
                 let path = numbered(path, number);
-                self.options.write(set, Some((&path, format)), common)?;
+                let mut text = Vec::new();
+                let written = self.options.write_to(set, &mut text, format, common);
+                written.map_err(|error| error.in_file(path.display().to_string()))?;
+                texts.push((path, text));
+            }
+            // One that the format cannot hold leaves no others behind.
+            for (path, text) in texts {
+                write_file(&path, &text)?;
                 frames.push(Value::from(path.display().to_string()));
             }
+        }
+        if self.verify == When::Never
+            && let Err(error) = planar.to_json()
+        {
+            // What is no boundary any more has no components to be counted.
+            let fault = planar.set().validate().ok().flatten();
+            let fault = fault.map_or_else(|| error.to_string(), |fault| fault.to_string());
+            return Err(Failure::new(format!(
+                "{}: at time {end} the curves bound no set any more: {fault}; leave out --verify never, and repair the set by a fill rule: --repair nonzero, evenodd or positive",
+                input::name(&self.input)
+            )));
         }
         if !repairs.is_empty() && !common.quiet {
             remark(&format!("the boundary was cut and pasted in {}", text::count(repairs.len(), "step")));
@@ -202,12 +234,36 @@ impl Advect {
         })
     }
 
-    fn flow(&self) -> Flow {
-        match self.flow {
+    fn flow(&self) -> Result<Flow, Failure> {
+        let is_periodic = matches!(self.flow, Field::Vortex | Field::Deformation);
+        if is_periodic && !(self.period.is_finite() && self.period != 0.0) {
+            return Err(Failure::new(format!(
+                "--period {}: a flow cannot come back after that; give a finite time other than 0",
+                self.period
+            )));
+        }
+        if !self.speed.is_finite() {
+            let speed = self.speed;
+            return Err(Failure::new(format!(
+                "--speed {speed}: nothing turns so; give a finite number of radians per time"
+            )));
+        }
+        Ok(match self.flow {
             Field::Vortex => Flow::Vortex { period: self.period },
             Field::Deformation => Flow::Deformation { period: self.period, vortices: self.vortices },
             Field::Rotation => Flow::Rotation { center: self.center, speed: self.speed },
             Field::Translation => Flow::Translation { velocity: self.velocity },
+        })
+    }
+}
+
+/// The same error; where a fill rule cures it, with the option that names one.
+fn named_rules(error: coface::Error) -> coface::Error {
+    match error.cure().and_then(|cure| cure.strip_suffix("by a fill rule")) {
+        None => error,
+        Some(cure) => {
+            let cure = format!("{cure}by a fill rule: --repair nonzero, evenodd or positive");
+            coface::Error::new(error.kind(), error.message()).with_cure(cure)
         }
     }
 }

@@ -1,15 +1,16 @@
 //! Boolean combinations of sets.
 
-use super::{SetOptions, Several, give};
+use super::{SetOptions, Several, say, told};
 use crate::arguments::Common;
 use crate::commands::arrange::check_json;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{remark, write_json};
+use crate::output::remark;
 use crate::progress::Progress;
 use crate::text;
 use clap::Args;
 use coface::arrangement::boolean::BooleanFormula;
+use coface::io::replace_file;
 use coface::report::PlanarSet;
 use coface::yin::YinSet;
 use serde_json::{Value, json};
@@ -50,36 +51,53 @@ impl Several {
     }
 
     fn combine(&self, title: &str, formula: &BooleanFormula, common: &Common) -> Result<(), Failure> {
-        let options: &SetOptions = &self.options;
-        let output = options.output(common)?;
-        if let Some(path) = &self.provenance {
-            check_json(path)?;
-        }
-        let progress = Progress::start(common.quiet);
-        let sets: Vec<PlanarSet> = self
-            .inputs
-            .iter()
-            .map(|path: &PathBuf| options.read(path, common, false, &progress))
-            .collect::<Result<_, _>>()?;
-        progress.stage("combining");
-        let operands: Vec<&YinSet> = sets.iter().map(PlanarSet::set).collect();
-        let combination = YinSet::combine(&operands, formula)?;
-        let decisions: Vec<Value> = combination.report().iter().map(PlanarSet::decision_to_json).collect();
-        if let Some(path) = &self.provenance {
-            write_json(path, &PlanarSet::provenance_to_json(&combination))?;
-        }
-        if !decisions.is_empty() && !common.quiet {
-            remark(&format!(
-                "{} could not be certified at the resolution of the arithmetic; --json lists them",
-                text::count(decisions.len(), "decision")
-            ));
-        }
-        let files: Vec<String> =
-            self.inputs.iter().map(|path: &PathBuf| input::name(Path::new(path))).collect();
-        let more = vec![("files", json!(files)), ("uncertified", Value::from(decisions))];
-        let result = PlanarSet::from_set(combination.into_set());
-        give(&result, title, more, options, output, common, progress)
+        combined(title, &self.inputs, formula, &self.options, self.provenance.as_deref(), common)
     }
+}
+
+/// Combines sets by a formula, and gives the result.
+pub(super) fn combined(
+    title: &str,
+    inputs: &[PathBuf],
+    formula: &BooleanFormula,
+    options: &SetOptions,
+    provenance: Option<&Path>,
+    common: &Common,
+) -> Result<(), Failure> {
+    let output = options.output(common)?;
+    if let Some(path) = provenance {
+        check_json(path)?;
+    }
+    let progress = Progress::start(common.quiet);
+    let sets: Vec<PlanarSet> =
+        inputs.iter().map(|path| options.read(path, common, false, &progress)).collect::<Result<_, _>>()?;
+    progress.stage("combining");
+    let operands: Vec<&YinSet> = sets.iter().map(PlanarSet::set).collect();
+    let combination = YinSet::combine(&operands, formula)?;
+    let decisions: Vec<Value> = combination.report().iter().map(PlanarSet::decision_to_json).collect();
+    if !decisions.is_empty() && !common.quiet {
+        remark(&format!(
+            "{} could not be certified at the resolution of the arithmetic; --json lists them",
+            text::count(decisions.len(), "decision")
+        ));
+    }
+    let files: Vec<String> = inputs.iter().map(|path| input::name(path)).collect();
+    let more = vec![("files", json!(files)), ("uncertified", Value::from(decisions))];
+    let sources = provenance.map(|path| (path, PlanarSet::provenance_to_json(&combination)));
+    let result = PlanarSet::of_combination(combination, &sets);
+    progress.stage("measuring");
+    let object = told(&result, more)?;
+    progress.stage("writing");
+    match sources {
+        None => options.write(&result, output, common)?,
+        // Of two files none comes to be if the other cannot.
+        Some((path, sources)) => replace_file(path, |out| {
+            writeln!(out, "{sources}")?;
+            options.write(&result, output, common)
+        })?,
+    }
+    drop(progress);
+    say(title, &object, output.is_some(), common)
 }
 
 impl Formula {
@@ -89,7 +107,7 @@ impl Formula {
         let count = self.sets.inputs.len();
         if formula.input_count() > count {
             return Err(Failure::new(format!(
-                "the formula names input {}, but there are {count}, numbered from 0",
+                "the formula names input {}, but there are {count}, numbered from 0; give a file for each input that it names",
                 formula.input_count() - 1
             )));
         }

@@ -1,6 +1,6 @@
 //! `coface yin cut-cells`: a set on a Cartesian grid.
 
-use super::{SetOptions, pair};
+use super::{SetOptions, Shown, pair};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -35,7 +35,7 @@ pub(super) struct Cells {
     #[arg(long, value_name = "POINT", value_parser = pair, allow_hyphen_values = true)]
     origin: Option<[f64; 2]>,
     /// The size of the cells: H, or X,Y [default: so that the grid covers the box around the set]
-    #[arg(long, value_name = "SIZE", value_parser = size)]
+    #[arg(long, value_name = "SIZE", value_parser = size, allow_hyphen_values = true)]
     spacing: Option<[f64; 2]>,
 }
 
@@ -56,10 +56,18 @@ fn size(text: &str) -> Result<[f64; 2], String> {
 
 impl Cells {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if self.options.picture != Shown::Set {
+            return Err(Failure::new(
+                "--picture draws a set, not its cells: ask for it with `coface yin info`",
+            ));
+        }
         let is_table =
             |path: &Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
         if let Some(path) = common.output.as_deref().filter(|path| !is_table(path) && !is_json(path)) {
-            return Err(Failure::new(format!("{}: cells are written as .csv or .json", path.display())));
+            return Err(Failure::new(format!(
+                "{}: cells are written as .csv or .json; name the file so",
+                path.display()
+            )));
         }
         let progress = Progress::start(common.quiet);
         let planar = self.options.read(&self.input, common, false, &progress)?;

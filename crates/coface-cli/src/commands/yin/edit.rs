@@ -30,11 +30,18 @@ pub(super) struct Kinks {
     #[arg(long, value_name = "KINKS", num_args = 0..=1, default_missing_value = "none", value_parser = kinks)]
     reset: Option<KinkRequest>,
     /// Make a knot a kink: CURVE:KNOT; may be given several times
-    #[arg(long, value_name = "KNOT", value_parser = knot, value_delimiter = ',')]
+    #[arg(long, value_name = "KNOT", value_parser = knot, value_delimiter = ',', allow_hyphen_values = true)]
     insert: Vec<KnotIndex>,
     /// Make the kink of this name smooth again; may be given several times
-    #[arg(long, value_name = "VERTEX", value_delimiter = ',')]
+    #[arg(long, value_name = "VERTEX", value_delimiter = ',', value_parser = vertex, allow_hyphen_values = true)]
     erase: Vec<u32>,
+}
+
+/// The name of a kink, with the v that it is printed with or without.
+fn vertex(text: &str) -> Result<u32, String> {
+    text.strip_prefix('v').unwrap_or(text).parse().map_err(|_| {
+        format!("\"{text}\" is no name of a kink: write its number, such as 3 for v3; `coface yin kinks` lists them")
+    })
 }
 
 impl Kinks {

@@ -13,10 +13,12 @@ use crate::input;
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use clap::{Args, Subcommand, ValueEnum};
+use coface::arrangement::boolean::BooleanFormula;
 use coface::io::{self, Format, replace_file};
 use coface::report::{KinkRequest, PlanarSet, SetPicture, SetRequest};
 use coface::yin::{EndCondition, KnotIndex, Order};
 use serde_json::Value;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Yin sets: regions of the plane with curved boundaries, unbounded ones too, and their Boolean algebra.
@@ -230,20 +232,54 @@ impl SetOptions {
         set: &PlanarSet,
         output: Option<(&Path, Format)>,
         common: &Common,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), coface::Error> {
         let Some((path, format)) = output else { return Ok(()) };
-        replace_file(path, |out| match self.picture {
+        replace_file(path, |out| self.write_to(set, out, format, common))?;
+        self.remark_on_kinks(set, format, common);
+        Ok(())
+    }
+
+    fn write_to(
+        &self,
+        set: &PlanarSet,
+        out: &mut dyn Write,
+        format: Format,
+        common: &Common,
+    ) -> Result<(), coface::Error> {
+        match self.picture {
             Shown::Set => set.write(out, format, common.flatten),
             Shown::Kinks => set.draw(out, SetPicture::Kinks),
             Shown::Forest => set.draw(out, SetPicture::Forest),
-        })?;
+        }
+    }
+
+    fn remark_on_kinks(&self, set: &PlanarSet, format: Format, common: &Common) {
         let is_lost =
             !matches!(format, Format::Json) && self.picture == Shown::Set && !set.set().kinks().is_empty();
         if is_lost && !common.quiet {
             remark(&format!("kinks are not kept by {}", format.title()));
         }
-        Ok(())
     }
+}
+
+/// A set as JSON, with more keys.
+fn told(set: &PlanarSet, more: Vec<(&str, Value)>) -> Result<Value, coface::Error> {
+    let mut object = set.to_json()?;
+    for (key, value) in more {
+        object[key] = value;
+    }
+    Ok(object)
+}
+
+/// Says on standard output what the command line asks for, once all files are written.
+fn say(title: &str, object: &Value, is_written: bool, common: &Common) -> Result<(), Failure> {
+    if common.json {
+        return print_json(object);
+    }
+    if is_written {
+        return Ok(());
+    }
+    print_text(&page::of(title, object))
 }
 
 /// Gives a set as the command line asks.
@@ -257,20 +293,11 @@ fn give(
     progress: Progress,
 ) -> Result<(), Failure> {
     progress.stage("measuring");
-    let mut object = set.to_json()?;
-    for (key, value) in more {
-        object[key] = value;
-    }
+    let object = told(set, more)?;
     progress.stage("writing");
     options.write(set, output, common)?;
     drop(progress);
-    if common.json {
-        return print_json(&object);
-    }
-    if output.is_some() {
-        return Ok(());
-    }
-    print_text(&page::of(title, &object))
+    say(title, &object, output.is_some(), common)
 }
 
 impl Yin {
@@ -302,12 +329,9 @@ impl One {
     }
 
     fn complement(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
-        let progress = Progress::start(common.quiet);
-        let set = self.options.read(&self.input, common, false, &progress)?;
-        progress.stage("turning inside out");
-        let result = PlanarSet::from_set(set.set().complement()?);
-        give(&result, "Complement", Vec::new(), &self.options, output, common, progress)
+        let formula = BooleanFormula::parse("!a", &[])?;
+        let inputs = std::slice::from_ref(&self.input);
+        combine::combined("Complement", inputs, &formula, &self.options, None, common)
     }
 
     fn fit(&self, common: &Common) -> Result<(), Failure> {

@@ -29,6 +29,9 @@ pub(super) fn of(title: &str, object: &Value) -> String {
     fact("order", object["order"].to_string(), &gloss);
     match object["area"].as_f64() {
         Some(area) => fact("area", text::number(area), ""),
+        None if object["bounded"] == true => {
+            fact("area", "too large".to_owned(), "beyond the range of numbers: scale the set down");
+        }
         None => fact("area", "infinite".to_owned(), ""),
     }
     fact("perimeter", text::number(object["perimeter"].as_f64().unwrap_or(0.0)), "");
@@ -54,7 +57,8 @@ pub(super) fn of(title: &str, object: &Value) -> String {
     for (number, curve) in curves.iter().enumerate().take(LISTED) {
         let label = if number == 0 { "curve by curve" } else { "" };
         let name = curve["name"].as_str().map_or(String::new(), |name| format!(" \"{name}\""));
-        let value = format!("{number}{name}: area {}", text::number(curve["area"].as_f64().unwrap_or(0.0)));
+        let area = curve["area"].as_f64().map_or("too large".to_owned(), text::number);
+        let value = format!("{number}{name}: area {area}");
         let place = match curve["parent"].as_u64() {
             Some(parent) => format!("in curve {parent}"),
             None => "in no other".to_owned(),

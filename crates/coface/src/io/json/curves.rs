@@ -2,6 +2,7 @@
 
 use super::document::Faults;
 use crate::Error;
+use crate::io::scanner::quoted;
 use crate::io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
 use crate::yin::{Curve, Order};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -15,7 +16,14 @@ pub(super) struct CurveKeys {
     pub(super) plane: Option<Value>,
     pub(super) curves: Option<Vec<RawCurve>>,
     pub(super) next_vertex: Option<Value>,
+    /// Keys beside these that say nothing about curves.
+    pub(super) others: Vec<String>,
 }
+
+/// The keys of a curve.
+const CURVE_KEYS: &str = "points, kinks, vertices, name, knots, controls";
+/// So many keys without a meaning are named.
+const LISTED_KEYS: usize = 4;
 
 /// A curve with all that stands in its object.
 #[derive(Default)]
@@ -26,6 +34,8 @@ pub(super) struct RawCurve {
     name: Option<Value>,
     knots: Option<Vec<f64>>,
     controls: Option<Vec<[f64; 2]>>,
+    /// A key that says nothing.
+    other: Option<String>,
 }
 
 impl CurveKeys {
@@ -62,9 +72,23 @@ impl CurveKeys {
                 let message = format!("\"plane\" is true, but there are {} curves", curves.len());
                 return Err(Error::invalid(message).with_cure("keep to one of them"));
             }
-            return Ok(BoundaryDrawing::plane(order));
+            let mut drawing = BoundaryDrawing::plane(order);
+            warn_of_keys(&mut drawing, &self.others);
+            return Ok(drawing);
         }
         let mut drawing = BoundaryDrawing::new(order);
+        warn_of_keys(&mut drawing, &self.others);
+        let mut unknown = curves.iter().enumerate().filter_map(|(n, curve)| Some((n, curve.other.as_ref()?)));
+        if let Some((number, key)) = unknown.next() {
+            let more = match unknown.count() {
+                0 => String::new(),
+                count => format!(" (and other curves too: {count})"),
+            };
+            drawing.warn(format!(
+                "the key {} of curve {number} says nothing{more}: known are {CURVE_KEYS}",
+                quoted(key.as_bytes())
+            ));
+        }
         if let Some(next) = self.next_vertex {
             let next = next.as_u64().and_then(|next| u32::try_from(next).ok());
             let next = next.ok_or_else(|| {
@@ -107,7 +131,7 @@ impl RawCurve {
         let count = points.len();
         if count < 2 {
             return Err(Error::invalid(format!("curve {number} has {count} points, and bounds nothing"))
-                .with_cure("give a closed curve at least three points, or two that cubics join"));
+                .with_cure("give a closed curve at least three points"));
         }
         if count > 2 && points[0] == points[count - 1] {
             return Err(Error::invalid(format!("curve {number} has its first point again at its end"))
@@ -118,10 +142,14 @@ impl RawCurve {
         if let Some(names) = self.vertices {
             curve.set_kink_names(names);
         }
-        curve.set_name(self.name.and_then(|name| match name {
-            Value::String(name) => Some(name),
-            _ => None,
-        }));
+        curve.set_name(match self.name {
+            None | Some(Value::Null) => None,
+            Some(Value::String(name)) => Some(name),
+            Some(_) => {
+                return Err(Error::invalid(format!("the \"name\" of curve {number} is no text"))
+                    .with_cure("write names in quotation marks, or leave them out"));
+            }
+        });
         if let Some(mut controls) = self.controls {
             if controls.len() != count * degree {
                 return Err(Error::invalid(format!(
@@ -163,6 +191,20 @@ impl RawCurve {
         }
         Ok(curve)
     }
+}
+
+/// Says which keys beside the curves have no meaning: a word that is spelt wrong would else be passed over unseen.
+fn warn_of_keys(drawing: &mut BoundaryDrawing, keys: &[String]) {
+    if keys.is_empty() {
+        return;
+    }
+    let named: Vec<String> = keys.iter().take(LISTED_KEYS).map(|key| quoted(key.as_bytes())).collect();
+    let (noun, verb) = if keys.len() == 1 { ("key", "says") } else { ("keys", "say") };
+    let dots = if keys.len() > LISTED_KEYS { ", .." } else { "" };
+    drawing.warn(format!(
+        "the {noun} {}{dots} beside the curves {verb} nothing: known are order, plane, curves, next_vertex, name",
+        named.join(", ")
+    ));
 }
 
 /// The list of curves.
@@ -224,7 +266,10 @@ impl<'de> Visitor<'de> for OneCurve<'_> {
                 "vertices" => curve.vertices = Some(map.next_value_seed(Indices(list("vertex")))?),
                 "knots" => curve.knots = Some(map.next_value_seed(Numbers(list("knot")))?),
                 "name" => curve.name = Some(map.next_value()?),
-                _ => drop(map.next_value::<IgnoredAny>()?),
+                _ => {
+                    map.next_value::<IgnoredAny>()?;
+                    curve.other.get_or_insert(key);
+                }
             }
         }
         Ok(curve)
@@ -249,6 +294,7 @@ impl List<'_> {
 struct Points<'a>(List<'a>);
 
 /// One point.
+#[derive(Clone, Copy)]
 struct Point<'a> {
     list: List<'a>,
     number: usize,
@@ -308,7 +354,7 @@ impl<'de> Visitor<'de> for Point<'_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<[f64; 2], A::Error> {
         let mut point = [0.0; 2];
         let mut count = 0;
-        while let Some(coordinate) = list.next_element::<f64>()? {
+        while let Some(coordinate) = list.next_element_seed(Coordinate(self))? {
             if let Some(place) = point.get_mut(count) {
                 *place = coordinate;
             }
@@ -325,6 +371,58 @@ impl<'de> Visitor<'de> for Point<'_> {
             ))
             .with_cure("give two coordinates for each point"),
         ))
+    }
+}
+
+/// A coordinate of a point.
+struct Coordinate<'a>(Point<'a>);
+
+impl Coordinate<'_> {
+    fn fault<E: serde::de::Error>(&self, value: &dyn fmt::Display) -> E {
+        let Point { list: List { what, curve, faults }, number } = self.0;
+        faults.raise(
+            Error::invalid(format!(
+                "a coordinate of {what} {number} of curve {curve} is {value}, not a finite number"
+            ))
+            .with_cure("remove the point, or give it finite coordinates"),
+        )
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Coordinate<'_> {
+    type Value = f64;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<f64, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl Visitor<'_> for Coordinate<'_> {
+    type Value = f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Point { list, number } = self.0;
+        write!(f, "a coordinate of {} {number} of curve {}", list.what, list.curve)
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<f64, E> {
+        if value.is_finite() { Ok(value) } else { Err(self.fault(&value)) }
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<f64, E> {
+        Ok(value as f64)
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<f64, E> {
+        Ok(value as f64)
+    }
+
+    fn visit_unit<E: serde::de::Error>(self) -> Result<f64, E> {
+        Err(self.fault(&"null"))
+    }
+
+    fn visit_str<E: serde::de::Error>(self, value: &str) -> Result<f64, E> {
+        Err(self.fault(&quoted(value.as_bytes())))
     }
 }
 

@@ -186,6 +186,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     }
     let is_other = facets.is_some() || next.is_some() || boundaries.is_some() || gluings.is_some();
     if curves.is_some() && !is_other && coboundaries.is_empty() {
+        curves.others = others;
         let drawing = curves.into_drawing().map_err(|fault| faults.raise(fault))?;
         return Ok((name, Content::Boundary(drawing)));
     }

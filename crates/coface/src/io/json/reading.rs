@@ -148,6 +148,7 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
         Category::Data => {
             "give facets, halfedges, boundary or coboundary matrices, gluings or curves as the documentation of the format says"
         }
+        _ if text.starts_with("expected value") => "the file must be JSON, which has no NaN and no Infinity",
         _ => "the file must be JSON",
     })
 }

@@ -90,11 +90,21 @@ pub(in crate::io) fn read_with(input: impl Read, tolerance: Option<f64>) -> Resu
     model.with_data(CellData::integers("fill_rule", GroupKind::Lines, 1, fill_rules)?)
 }
 
-/// The filled shapes of a drawing with their curves, and how many elements are passed over.
-pub(super) fn read_paths(input: impl Read) -> Result<(Vec<FilledPath>, usize), Error> {
+/// The shapes of a drawing with their curves.
+pub(super) struct ShapePaths {
+    pub(super) filled: Vec<FilledPath>,
+    /// Shapes that are drawn as outlines only.
+    pub(super) outlines: Vec<FilledPath>,
+    /// How many other elements are passed over.
+    pub(super) passed_over: usize,
+}
+
+/// The shapes of a drawing with their curves.
+pub(super) fn read_paths(input: impl Read) -> Result<ShapePaths, Error> {
     let mut reader = Reader::new(Curves::Kept);
     reader.read(input)?;
-    Ok((reader.paths, reader.passed_over))
+    let Reader { paths, outlines, passed_over, .. } = reader;
+    Ok(ShapePaths { filled: paths, outlines, passed_over })
 }
 
 /// The whole stream, which must be text.
@@ -137,12 +147,20 @@ fn shortened(text: &str) -> String {
     format!("{safe}{dots}")
 }
 
+/// How shapes are filled where nothing else is said.
+#[derive(Clone, Copy)]
+struct Painting {
+    rule: FillRule,
+    is_filled: bool,
+}
+
 struct Reader {
     curves: Curves,
     /// What is drawn, unless curves are kept.
     drawing: Drawing,
     /// What is drawn, if they are.
     paths: Vec<FilledPath>,
+    outlines: Vec<FilledPath>,
     /// The rule of each line that the drawing keeps.
     fill_rules: Vec<i64>,
     passed_over: usize,
@@ -154,6 +172,7 @@ impl Reader {
             curves,
             drawing: Drawing::default(),
             paths: Vec::new(),
+            outlines: Vec::new(),
             fill_rules: Vec::new(),
             passed_over: 0,
         }
@@ -171,14 +190,15 @@ impl Reader {
                 format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
             return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
         }
-        self.element(root, &Transformation::IDENTITY, FillRule::Nonzero, 0)
+        let painting = Painting { rule: FillRule::Nonzero, is_filled: true };
+        self.element(root, &Transformation::IDENTITY, painting, 0)
     }
 
     fn element(
         &mut self,
         node: Node<'_, '_>,
         map: &Transformation,
-        rule: FillRule,
+        painting: Painting,
         depth: usize,
     ) -> Result<(), Error> {
         if depth > DEEPEST {
@@ -207,7 +227,11 @@ impl Reader {
         let rule = match elements::style_of(node, "fill-rule") {
             Some("evenodd") => FillRule::EvenOdd,
             Some("nonzero") => FillRule::Nonzero,
-            _ => rule,
+            _ => painting.rule,
+        };
+        let is_filled = match elements::style_of(node, "fill") {
+            None | Some("inherit") => painting.is_filled,
+            Some(paint) => paint != "none",
         };
         let mut pen = Pen::new(map, self.curves);
         match elements::draw(node, &mut pen) {
@@ -229,16 +253,18 @@ impl Reader {
             return Err(fault("a transformed coordinate is not finite".to_owned()));
         }
         if self.curves == Curves::Kept && !pen.subpaths.is_empty() {
-            match elements::style_of(node, "fill") == Some("none") || name == "line" {
-                true => self.passed_over += 1,
-                false => self.paths.push(FilledPath {
-                    line: line_of(node),
-                    element: shortened(name),
-                    name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
-                    rule: rule.inside(),
-                    is_exterior: node.attribute("data-unbounded") == Some("true"),
-                    subpaths: pen.subpaths,
-                }),
+            let path = FilledPath {
+                line: line_of(node),
+                element: shortened(name),
+                name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
+                rule: rule.inside(),
+                is_exterior: node.attribute("data-unbounded") == Some("true"),
+                subpaths: pen.subpaths,
+            };
+            match (name == "line", is_filled) {
+                (true, _) => self.passed_over += 1,
+                (false, true) => self.paths.push(path),
+                (false, false) => self.outlines.push(path),
             }
         } else if !pen.subpaths.is_empty() {
             self.drawing.begin_feature(node.attribute("id").map(str::to_owned));
@@ -246,7 +272,7 @@ impl Reader {
             self.drawing.begin_feature(None);
         }
         for child in node.children().filter(Node::is_element) {
-            self.element(child, &map, rule, depth + 1)?;
+            self.element(child, &map, Painting { rule, is_filled }, depth + 1)?;
         }
         Ok(())
     }

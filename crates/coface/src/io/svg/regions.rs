@@ -1,7 +1,7 @@
 //! The filled shapes of a drawing as curves that bound sets.
 
 use super::curves::Subpath;
-use super::reading::read_paths;
+use super::reading::{ShapePaths, read_paths};
 use crate::arrangement::boolean::InsideRule;
 use crate::io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
 use crate::yin::{Curve, Order};
@@ -20,15 +20,33 @@ pub(super) struct FilledPath {
     pub(super) subpaths: Vec<Subpath>,
 }
 
+impl FilledPath {
+    fn is_closed(&self) -> bool {
+        self.subpaths
+            .iter()
+            .all(|subpath| subpath.is_closed || subpath.corners.first() == subpath.corners.last())
+    }
+}
+
 /// Reads the filled shapes of a drawing with their curves: order 4 if there is a curve, else 2.
 ///
 /// Arcs become cubics that are within 1e-9 of their longer half axis of them; quadratics become cubics exactly up to rounding. Shapes
-/// that are not filled (`fill="none"`) and lines are passed over.
+/// that are not filled (`fill="none"`) and lines are passed over; but where nothing is filled, closed outlines are taken for shapes, and a
+/// warning says so.
 ///
 /// # Errors
 /// As [`read_flattened`](super::read_flattened); [`ErrorKind::NotACycle`] naming a path that is not closed, with its line.
 pub(in crate::io) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
-    let (paths, passed_over) = read_paths(input)?;
+    let ShapePaths { filled, outlines, mut passed_over } = read_paths(input)?;
+    let is_outline = filled.is_empty();
+    let paths: Vec<FilledPath> = if is_outline {
+        let (closed, open): (Vec<_>, Vec<_>) = outlines.into_iter().partition(FilledPath::is_closed);
+        passed_over += open.len();
+        closed
+    } else {
+        passed_over += outlines.len();
+        filled
+    };
     let subpaths = || paths.iter().flat_map(|path| &path.subpaths);
     let has_curves = subpaths().any(|subpath| !subpath.cubics.is_empty());
     let arc_error = subpaths().map(|subpath| subpath.arc_error).fold(0.0, f64::max);
@@ -46,6 +64,13 @@ pub(in crate::io) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, E
             let filling = if path.is_exterior { Filling::Left } else { Filling::Stated(path.rule) };
             drawing.push(filling, curves);
         }
+    }
+    if is_outline && !paths.is_empty() {
+        let what = if paths.len() == 1 { "closed outline is" } else { "closed outlines are" };
+        drawing.warn(format!(
+            "nothing is filled: {} {what} taken for the boundary of filled shapes",
+            paths.len()
+        ));
     }
     if arc_error > 0.0 {
         drawing.warn(format!("arcs became cubics that are within {arc_error:.1e} of them"));

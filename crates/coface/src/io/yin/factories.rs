@@ -13,21 +13,43 @@ const MOST_PIECES: f64 = (1u32 << 24) as f64;
 
 const NAMES: [&str; 3] = ["Circle", "Rectangle", "OrientedJordanCurve"];
 
-/// Whether a file begins like curves as text: with one of the names, after a line with a number or without.
+/// Whether a file begins like curves as text: with one of the names, after a line with a number or without. A word that differs from a name in
+/// two letters at most, or in capitals, is taken for it where a number follows: what is wrong with it is then said.
 pub(in crate::io) fn is_factories(start: &[u8]) -> bool {
     let mut lines = start
         .split(|&byte| byte == b'\n')
         .map(<[u8]>::trim_ascii)
         .filter(|line| !line.is_empty() && line[0] != b'#');
     let is_named = |line: &[u8]| {
-        let word = line.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+        let word = words.next().unwrap_or_default();
         NAMES.iter().any(|name| name.as_bytes() == word)
+            || NAMES.iter().any(|name| is_nearly(word, name.as_bytes()))
+                && words.next().is_some_and(|number| parse_f64(number, "").is_ok())
     };
     match lines.next() {
         Some(first) if is_named(first) => true,
         Some(first) => parse_f64(first, "").is_ok() && lines.next().is_some_and(is_named),
         None => false,
     }
+}
+
+/// Whether two letters inserted, left out or replaced make one word of the other; capitals do not count.
+fn is_nearly(word: &[u8], name: &[u8]) -> bool {
+    if word.len().abs_diff(name.len()) > 2 {
+        return false;
+    }
+    // The distances of the beginnings of the word from one beginning of the name.
+    let mut before: Vec<usize> = (0..=word.len()).collect();
+    for (i, letter) in name.iter().enumerate() {
+        let mut row = vec![i + 1];
+        for (j, own) in word.iter().enumerate() {
+            let replaced = before[j] + usize::from(!own.eq_ignore_ascii_case(letter));
+            row.push(replaced.min(before[j + 1] + 1).min(row[j] + 1));
+        }
+        before = row;
+    }
+    before[word.len()] <= 2
 }
 
 /// Reads closed curves from text: a line with a tolerance, which is not used, and a line for each curve.
@@ -321,5 +343,17 @@ mod tests {
         assert!(
             is_factories(b"1e-10\n# a frame\nRectangle -2 -1 2 1 0 1 0.3\n") && !is_factories(b"0,0,1,1\n")
         );
+        // What is spelt wrong is found, so that it can be named; what has another meaning is not.
+        for wrong in
+            ["Cirle 0 0 1 1 0.1", "circle 0 0 1 1 0.1", "1e-9\nRectangel 0 0 1 1 0 1 0.1", "Kreis 0 0 1 1"]
+        {
+            assert_eq!(is_factories(wrong.as_bytes()), wrong != "Kreis 0 0 1 1", "{wrong}");
+        }
+        assert!(!is_factories(b"Circles\n") && !is_factories(b"POLYGON ((0 0, 1 0, 1 1, 0 0))"));
+        let error =
+            read_factories(&b"Circle 0 0 1 1 0.1\nCirle 0 0 1 1 0.1\n"[..]).expect_err("it is no curve");
+        assert_eq!(error.line(), Some(2));
+        let said = error.to_string();
+        assert!(said.contains("\"Cirle\"") && NAMES.iter().all(|name| said.contains(name)), "{said}");
     }
 }

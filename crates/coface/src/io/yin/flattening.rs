@@ -46,9 +46,9 @@ pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Err
         if count > MOST_CHORDS {
             return Err(Error::new(
                 ErrorKind::TooLarge,
-                format!("piece {piece} takes {count:.0} chords to be within {tolerance}"),
+                format!("piece {piece} takes {count:.3e} chords to be within {tolerance:e}"),
             )
-            .with_cure("allow chords to be farther from the curve"));
+            .with_cure("allow chords to be farther from the curve: a larger tolerance"));
         }
         for i in 1..count as usize {
             let t = i as f64 / count;

@@ -40,6 +40,9 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
         let walks = closed_walks(model)?;
         let points = |walk: &Vec<u32>| walk.iter().map(|&vertex| place(vertex)).collect();
         let curves: Vec<BoundaryCurve> = walks.iter().map(|walk| BoundaryCurve::new(points(walk))).collect();
+        if curves.is_empty() && model.vertex_count() > 0 {
+            drawing.warn("points alone bound nothing and are passed over".to_owned());
+        }
         if !curves.is_empty() {
             drawing.push(Filling::Stated(InsideRule::Odd), curves);
         }

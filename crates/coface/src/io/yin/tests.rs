@@ -61,6 +61,69 @@ fn faults_of_json_have_line_and_cure() {
 }
 
 #[test]
+fn keys_without_a_meaning_are_told() {
+    let drawing =
+        json(r#"{"Order": 4, "curves": [{"points": [[0, 0], [1, 0], [0, 1]], "kink": [0]}]}"#).unwrap();
+    assert!(drawing.warnings()[0].contains("\"Order\""), "{:?}", drawing.warnings());
+    assert!(drawing.warnings()[1].contains("\"kink\" of curve 0"), "{:?}", drawing.warnings());
+    assert!(json(r#"{"plane": true, "oder": 4}"#).unwrap().warnings()[0].contains("\"oder\""));
+    for (text, message) in [
+        (
+            r#"{"curves": [{"points": [[0, 0], [1, 0], [0, 1]], "name": 3}]}"#,
+            "\"name\" of curve 0 is no text",
+        ),
+        (r#"{"curves": [{"points": [[0, 0], [1, "x"], [0, 1]]}]}"#, "point 1 of curve 0 is \"x\""),
+        (r#"{"curves": [{"points": [[0, 0], [1, 0], [null, 1]]}]}"#, "point 2 of curve 0 is null"),
+        (r#"{"curves": [{"points": [[0, 0], [1, NaN], [0, 1]]}]}"#, "no NaN"),
+    ] {
+        let error = json(text).unwrap_err();
+        assert!(error.to_string().contains(message) && error.line() == Some(1), "{error}");
+    }
+}
+
+/// Files that are cut off at any byte, or have any byte changed, are read or refused with a place.
+#[test]
+fn damaged_files_are_no_panic() {
+    let circle = Curve::circle([0.25, 0.5], 0.125, 4, Order::CUBIC).unwrap();
+    let set = crate::yin::YinSet::new(&[circle]).unwrap();
+    let mut file = Vec::new();
+    write_dat(&set, &mut file).unwrap();
+    for length in 0..file.len() {
+        let error = read_dat(&file[..length]).unwrap_err();
+        assert_eq!(
+            (error.kind(), error.cure().is_some()),
+            (crate::ErrorKind::Parse, true),
+            "{length}: {error}"
+        );
+        let said = error.to_string();
+        assert!(said.contains(&format!("byte {length}")) || said.contains("are left"), "{length}: {said}");
+    }
+    assert!(read_dat(&[&file[..], b"x"].concat()[..]).unwrap_err().to_string().contains("goes on"));
+    for at in 0..file.len() {
+        for flip in [0x01, 0x80, 0xff] {
+            let mut damaged = file.clone();
+            damaged[at] ^= flip;
+            if let Err(error) = read_dat(&damaged[..]) {
+                assert!(error.cure().is_some(), "{at}: {error}");
+            }
+        }
+    }
+    let mut text = Vec::new();
+    write_json(&set, &[Some("drop".to_owned())], &mut text).unwrap();
+    let whole = text.trim_ascii_end().len();
+    for length in 0..whole {
+        let error = read_boundary(&text[..length], Format::Json, &ReadOptions::default()).unwrap_err();
+        assert!(error.cure().is_some(), "{length}: {error}");
+    }
+    let lines = b"1e-9\nCircle 0.5 0.5 0.25 1 0.3\nOrientedJordanCurve 3 0 0 1 0 0 1 0 0 2\n";
+    for length in 0..lines.len() {
+        if let Err(error) = read_factories(&lines[..length]) {
+            assert!(error.cure().is_some() && error.line().is_some(), "{length}: {error}");
+        }
+    }
+}
+
+#[test]
 fn lines_become_rings_if_they_are_closed() {
     let read = |text: &str| drawing_of_model(&lines_text::read(text.as_bytes()).unwrap());
     // Two triangles with a common corner, in any order and direction.
@@ -113,6 +176,16 @@ fn paths_keep_their_curves() {
     }
     // What is not filled is passed over.
     assert_eq!(read("<path fill='none' d='M0 0L1 1'/><line x2='1'/>").curves().len(), 0);
+    let passed_over = "<g fill='none'><path d='M0 0h1v1z'/><path fill='red' d='M5 5h1v1z'/></g>";
+    assert_eq!((read(passed_over).curves().len(), read(passed_over).curves()[0].points()[0]), (1, [5., 5.]));
+    // Where nothing is filled, closed outlines are what is drawn.
+    let outlines = read("<path fill='none' d='M0 0h1v1z'/><path fill='none' d='M0 0L1 1'/>");
+    assert_eq!(outlines.curves().len(), 1);
+    let said = outlines.warnings().join("; ");
+    assert!(
+        said.contains("nothing is filled: 1 closed outline") && said.contains("1 element is not"),
+        "{said}"
+    );
 }
 
 #[test]

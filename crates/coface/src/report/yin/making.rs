@@ -122,6 +122,7 @@ impl PlanarSet {
             check_listed(&set, request.kinks.as_ref())?;
             return Ok(Self { set, names: Vec::new(), remarks });
         }
+        check_curves_of_kinks(drawing.curves().len(), request)?;
         let mut made = Vec::with_capacity(drawing.curves().len());
         for (number, curve) in drawing.curves().iter().enumerate() {
             let of_curve = make(number, curve, drawing.order(), order, request);
@@ -161,6 +162,62 @@ impl PlanarSet {
         Self { set, names: Vec::new(), remarks: Vec::new() }
     }
 
+    /// A set whose curves are those of this one that are listed, by their numbers, moved: they keep their names.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::{self, Format, ReadOptions};
+    /// use coface::report::{PlanarSet, SetRequest};
+    /// use coface::yin::{Flow, TrackingOptions};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let text = br#"{"curves": [{"name": "drop", "points": [[0, 0], [1, 0], [1, 1], [0, 1]]}]}"#;
+    /// let drop = PlanarSet::of(&io::read_boundary(&text[..], Format::Json, &ReadOptions::default())?, &SetRequest::default())?;
+    /// let flow = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = drop.set().advected(|point, time| flow.velocity(point, time), &TrackingOptions::new(1.0, 0.1, 1.0))?;
+    /// let curves = moved.curves().to_vec();
+    /// assert_eq!(drop.followed_by(moved.into_set(), &curves).names(), [Some("drop".to_owned())]);
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn followed_by(&self, set: YinSet, curves: &[u32]) -> Self {
+        let names = curves.iter().map(|&curve| self.name_of(curve)).collect();
+        Self { set, names, remarks: Vec::new() }
+    }
+
+    /// The set of a combination of sets: a curve that has parts of one curve alone keeps its name.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::arrangement::boolean::BooleanFormula;
+    /// use coface::io::{self, Format, ReadOptions};
+    /// use coface::report::{PlanarSet, SetRequest};
+    /// use coface::yin::YinSet;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let text = br#"{"curves": [{"name": "lake", "points": [[0, 0], [1, 0], [1, 1], [0, 1]]}]}"#;
+    /// let lake = PlanarSet::of(&io::read_boundary(&text[..], Format::Json, &ReadOptions::default())?, &SetRequest::default())?;
+    /// let land = YinSet::combine(&[lake.set()], &BooleanFormula::parse("!a", &[])?)?;
+    /// assert_eq!(PlanarSet::of_combination(land, &[lake]).names(), [Some("lake".to_owned())]);
+    /// # Ok(()) }
+    /// ```
+    pub fn of_combination(combination: Combination, operands: &[Self]) -> Self {
+        let set = combination.set();
+        let mut sources = combination.sources();
+        let mut names = Vec::with_capacity(set.curve_count());
+        for curve in 0..set.curve_count() {
+            let (own, rest) = sources.split_at(set.curve(curve).piece_count());
+            sources = rest;
+            let first = [own[0].operand, own[0].curve];
+            let is_one = own.iter().all(|source| [source.operand, source.curve] == first);
+            let operand = operands.get(first[0] as usize).filter(|_| is_one);
+            names.push(operand.and_then(|operand| operand.name_of(first[1])));
+        }
+        Self { set: combination.into_set(), names, remarks: Vec::new() }
+    }
+
+    fn name_of(&self, curve: u32) -> Option<String> {
+        self.names.get(curve as usize).cloned().flatten()
+    }
+
     /// The same with the curves in canonical order; names go.
     #[must_use]
     pub fn canonical(self) -> Self {
@@ -198,7 +255,7 @@ impl PlanarSet {
 }
 
 /// An error of one curve.
-fn named(number: usize, error: &Error) -> Error {
+pub(super) fn named(number: usize, error: &Error) -> Error {
     let message = error.message();
     if message.contains(&format!("curve {number}")) {
         return error.clone();
@@ -207,6 +264,18 @@ fn named(number: usize, error: &Error) -> Error {
     match error.cure() {
         Some(cure) => renamed.with_cure(cure),
         None => renamed,
+    }
+}
+
+/// Refuses kinks of splines that are to be fitted on curves that the file does not have.
+fn check_curves_of_kinks(count: usize, request: &SetRequest) -> Result<(), Error> {
+    let Some(KinkRequest::Listed(knots)) = request.kinks.as_ref().filter(|_| request.fit) else {
+        return Ok(());
+    };
+    match knots.iter().find(|at| at.curve as usize >= count) {
+        None => Ok(()),
+        Some(at) => Err(Error::invalid(format!("there is no curve {}", at.curve))
+            .with_cure(format!("the curves are 0 to {}", count.saturating_sub(1)))),
     }
 }
 
@@ -345,9 +414,14 @@ fn in_polygon(number: usize, fault: &Error) -> Error {
 
 fn with_rule_as_cure(fault: &Error) -> Error {
     let error = Error::new(fault.kind(), fault.message());
-    let cure = "repair it by saying what is inside: --rule nonzero, evenodd or positive";
+    let cure = "repair the curves with a fill rule: --rule nonzero, evenodd or positive";
     match (fault.kind(), fault.cure()) {
-        (ErrorKind::InvalidInput, Some(own)) => error.with_cure(format!("{own}; or {cure}")),
+        (ErrorKind::InvalidInput, Some(own)) => {
+            // What the fault itself says of fill rules is said once, with their names.
+            let own = own.strip_suffix("repair the curves with a fill rule").unwrap_or(own);
+            let own = own.trim_end_matches(", or ");
+            error.with_cure(if own.is_empty() { cure.to_owned() } else { format!("{own}; or {cure}") })
+        }
         (ErrorKind::InvalidInput, None) => error.with_cure(cure),
         (_, Some(own)) => error.with_cure(own),
         _ => error,

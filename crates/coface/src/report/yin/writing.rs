@@ -89,7 +89,8 @@ impl PlanarSet {
         let mut drawing = yin::BoundaryDrawing::new(Order::LINEAR);
         let mut curves = Vec::with_capacity(self.set.curve_count());
         for curve in 0..self.set.curve_count() {
-            let corners = yin::flattened(&self.set.curve(curve), tolerance)?;
+            let corners = yin::flattened(&self.set.curve(curve), tolerance)
+                .map_err(|error| super::making::named(curve, &error))?;
             curves.push(yin::BoundaryCurve::new(corners));
         }
         if curves.is_empty() {
@@ -97,7 +98,7 @@ impl PlanarSet {
         }
         drawing.push(yin::Filling::Left, curves);
         let flat = Self::of(&drawing, &super::SetRequest::default()).map_err(|fault| {
-            let message = format!("within {tolerance}, chords bound no set: {}", fault.message());
+            let message = format!("within {tolerance:e}, chords bound no set: {}", fault.message());
             Error::new(fault.kind(), message).with_cure("allow less: chords that are nearer to the curves")
         })?;
         Ok(Self { names: self.names.clone(), ..flat })

@@ -41,7 +41,16 @@ impl Curve<'static> {
     /// # Ok::<(), coface::Error>(())
     /// ```
     pub fn fit(points: &[[f64; 2]], order: Order, ends: &EndCondition) -> Result<Self, Error> {
-        let knots = checked_chord_lengths(points)?;
+        Self::fit_at(points, checked_chord_lengths(points)?, order, ends)
+    }
+
+    /// The same with these parameters of the points, which rise.
+    pub(super) fn fit_at(
+        points: &[[f64; 2]],
+        knots: Vec<f64>,
+        order: Order,
+        ends: &EndCondition,
+    ) -> Result<Self, Error> {
         let is_periodic = *ends == EndCondition::Periodic;
         if is_periodic && points[0] != points[points.len() - 1] {
             return Err(Error::invalid("a periodic spline needs points that end where they begin")

@@ -7,6 +7,7 @@ mod evaluation;
 mod extent;
 mod factories;
 mod fit;
+mod fit_by_length;
 mod hermite;
 mod location;
 mod measures;

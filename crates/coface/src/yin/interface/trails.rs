@@ -112,7 +112,7 @@ pub(super) fn fitted_edges(
                 None => said,
             }
         };
-        let spline = Curve::fit(&way, order, &ends).map_err(named)?;
+        let spline = Curve::fit_by_length(&way, order, &ends).map_err(named)?;
         let mut from = 0;
         for edge in &trail.edges {
             let to = from + points[edge.edge as usize].len() - 1;

@@ -36,52 +36,110 @@ impl Curve<'static> {
         order: Order,
         ends: &EndCondition,
     ) -> Result<Self, Error> {
-        check_points(points)?;
-        let kinks = sorted_kinks(kinks, points.len())?;
-        let mut closed = Vec::with_capacity(points.len() + 1);
-        closed.extend_from_slice(points);
-        closed.push(points[0]);
-        let knots = chord_lengths(&closed);
-        if order == Order::LINEAR {
-            return Self::from_controls(order, closed, knots);
-        }
-        if kinks.is_empty() {
-            let controls = fitted(&closed, order, &EndCondition::Periodic)?;
-            return Self::from_controls(order, controls, knots);
-        }
-        match ends {
-            EndCondition::Periodic => {
-                return Err(Error::invalid("a curve with kinks is not periodic")
-                    .with_cure("take another condition at the ends of smooth pieces, or no kinks"));
-            }
-            EndCondition::Complete { .. } if kinks.len() > 1 => {
-                return Err(Error::invalid(format!(
-                    "one pair of derivatives is given for the ends of {} smooth pieces",
-                    kinks.len()
-                ))
-                .with_cure("give derivatives for curves with one kink only"));
-            }
-            _ => {}
-        }
-        let (count, degree) = (points.len(), order.degree());
-        let mut controls = vec![[0.0; 2]; count * degree + 1];
-        let mut own = Vec::new();
-        for (at, &first) in kinks.iter().enumerate() {
-            let first = first as usize;
-            let length = piece_length(first, kinks[(at + 1) % kinks.len()] as usize, count);
-            own.clear();
-            own.extend((first..=first + length).map(|knot| points[knot % count]));
-            let found = fitted(&own, order, ends).map_err(|error| {
-                let last = (first + length) % count;
-                renamed(&error, &format!("the smooth piece from point {first} to point {last}"))
-            })?;
-            for (step, control) in found.iter().take(length * degree).enumerate() {
-                controls[(first * degree + step) % (count * degree)] = *control;
-            }
-        }
-        controls[count * degree] = controls[0];
-        Self::from_controls(order, controls, knots)
+        closed_spline(points, kinks, order, ends, Parameters::Chords)
     }
+
+    /// The same by [`Curve::fit_by_length`]: orders 6 and 8 keep their accuracy where the distances of points are uneven.
+    ///
+    /// # Errors
+    /// As [`Self::fit_closed`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::yin::{Curve, EndCondition, Order};
+    /// let corners = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];
+    /// let fits = [Curve::fit_closed, Curve::fit_closed_by_length];
+    /// let [a, b] = fits.map(|fit| fit(&corners, &[], Order::CUBIC, &EndCondition::NotAKnot));
+    /// assert_eq!(a?, b?);
+    /// # Ok::<(), coface::Error>(())
+    /// ```
+    pub fn fit_closed_by_length(
+        points: &[[f64; 2]],
+        kinks: &[u32],
+        order: Order,
+        ends: &EndCondition,
+    ) -> Result<Self, Error> {
+        closed_spline(points, kinks, order, ends, Parameters::Lengths)
+    }
+}
+
+/// What the parameters of splines are.
+#[derive(Clone, Copy, PartialEq)]
+enum Parameters {
+    Chords,
+    Lengths,
+}
+
+/// The closed curve of the splines through the points from kink to kink.
+fn closed_spline(
+    points: &[[f64; 2]],
+    kinks: &[u32],
+    order: Order,
+    ends: &EndCondition,
+    parameters: Parameters,
+) -> Result<Curve<'static>, Error> {
+    let fit = match parameters {
+        Parameters::Chords => Curve::fit,
+        Parameters::Lengths => Curve::fit_by_length,
+    };
+    check_points(points)?;
+    let kinks = sorted_kinks(kinks, points.len())?;
+    let mut closed = Vec::with_capacity(points.len() + 1);
+    closed.extend_from_slice(points);
+    closed.push(points[0]);
+    if order == Order::LINEAR {
+        let knots = chord_lengths(&closed);
+        return Curve::from_controls(order, closed, knots);
+    }
+    if kinks.is_empty() {
+        return fit(&closed, order, &EndCondition::Periodic);
+    }
+    match ends {
+        EndCondition::Periodic => {
+            return Err(Error::invalid("a curve with kinks is not periodic")
+                .with_cure("take another condition at the ends of smooth pieces, or no kinks"));
+        }
+        EndCondition::Complete { .. } if kinks.len() > 1 => {
+            return Err(Error::invalid(format!(
+                "one pair of derivatives is given for the ends of {} smooth pieces",
+                kinks.len()
+            ))
+            .with_cure("give derivatives for curves with one kink only"));
+        }
+        _ => {}
+    }
+    let (count, degree) = (points.len(), order.degree());
+    let mut controls = vec![[0.0; 2]; count * degree + 1];
+    let mut lengths = vec![0.0; count];
+    let mut own = Vec::new();
+    for (at, &first) in kinks.iter().enumerate() {
+        let first = first as usize;
+        let length = piece_length(first, kinks[(at + 1) % kinks.len()] as usize, count);
+        own.clear();
+        own.extend((first..=first + length).map(|knot| points[knot % count]));
+        let found = fit(&own, order, ends).map_err(|error| {
+            let last = (first + length) % count;
+            renamed(&error, &format!("the smooth piece from point {first} to point {last}"))
+        })?;
+        for (step, control) in found.controls().iter().take(length * degree).enumerate() {
+            controls[(first * degree + step) % (count * degree)] = *control;
+        }
+        for (step, pair) in found.knots().windows(2).enumerate() {
+            lengths[(first + step) % count] = pair[1] - pair[0];
+        }
+    }
+    controls[count * degree] = controls[0];
+    let knots = match parameters {
+        Parameters::Chords => chord_lengths(&closed),
+        Parameters::Lengths => {
+            let sums = lengths.iter().scan(0.0, |sum, length| {
+                *sum += length;
+                Some(*sum)
+            });
+            std::iter::once(0.0).chain(sums).collect()
+        }
+    };
+    Curve::from_controls(order, controls, knots)
 }
 
 impl YinSet {

@@ -70,7 +70,8 @@ impl Fronts {
         }
         let mut vanished = Vec::new();
         let mut stays = vec![true; self.fronts.len()];
-        for (number, front) in self.fronts.iter_mut().enumerate() {
+        for number in self.from_inside() {
+            let front = &mut self.fronts[number];
             let is_kink = |knot: usize| front.kink_name(knot as u32).is_some();
             let moved = moved_markers(&front.curve, is_kink, map, range, counts)?;
             let length = polyline_length(&moved.points);
@@ -78,17 +79,48 @@ impl Fronts {
             if inner_counts[number] == 0 && (ring.len() < 3 || length < 3.0 * range.least) {
                 stays[number] = false;
                 vanished.push((front.origin, length));
+                // What lies in it has vanished before.
+                if let Some(parent) = front.parent {
+                    inner_counts[parent as usize] -= 1;
+                }
                 continue;
             }
             let name = |knot: u32| front.kink_name(moved.origins[knot as usize]?).map(|name| (knot, name));
             front.kinks = (0..ring.len() as u32).filter_map(name).collect();
             let kinks: Vec<u32> = front.kinks.iter().map(|&(knot, _)| knot).collect();
-            front.curve = Curve::fit_closed(ring, &kinks, self.order, &self.ends)?;
+            front.curve = Curve::fit_closed_by_length(ring, &kinks, self.order, &self.ends)?;
         }
+        vanished.sort_by_key(|&(origin, _)| origin);
         if !vanished.is_empty() {
             self.retain(&stays);
         }
         Ok(vanished)
+    }
+
+    /// The numbers of all curves, each behind those that lie in it.
+    fn from_inside(&self) -> Vec<usize> {
+        let mut depths: Vec<Option<u32>> = vec![None; self.fronts.len()];
+        let mut way = Vec::new();
+        for start in 0..self.fronts.len() {
+            // Up to a curve whose depth is known, and down again.
+            let mut at = Some(start);
+            let mut depth = 0;
+            while let Some(number) = at {
+                if let Some(known) = depths[number] {
+                    depth = known + 1;
+                    break;
+                }
+                way.push(number);
+                at = self.fronts[number].parent.map(|parent| parent as usize);
+            }
+            while let Some(number) = way.pop() {
+                depths[number] = Some(depth);
+                depth += 1;
+            }
+        }
+        let mut order: Vec<usize> = (0..self.fronts.len()).collect();
+        order.sort_by_key(|&number| std::cmp::Reverse(depths[number]));
+        order
     }
 
     /// Leaves curves out in which no others lie.
