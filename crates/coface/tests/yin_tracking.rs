@@ -173,6 +173,7 @@ fn markers_by_turning_follow_curvature() {
         let options = TrackingOptions { most_turn, ..TrackingOptions::new(2.0, 0.02, 0.04) };
         disk.advected(|p, t| flow.velocity(p, t), &options).unwrap().into_set()
     };
+    let (plain, turned) = (moved(None), moved(Some(0.2)));
     // The longest gap beside a marker at which the polygon turns by more.
     let widest = |set: &YinSet| {
         let curve = set.curve(0);
