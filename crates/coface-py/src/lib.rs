@@ -4,9 +4,12 @@
 //! ([`work`]), arrays look at memory of the library where its layout allows ([`memory`]), faults become exceptions ([`errors`]).
 #![deny(unsafe_code)]
 
+mod answer;
+mod arrangement;
 mod arrays;
 mod chain_complex;
 mod complex;
+mod congruence;
 mod errors;
 mod generate;
 mod homology;
@@ -14,16 +17,21 @@ mod homology;
 #[allow(dead_code, reason = "the program uses more of it")]
 #[path = "../../coface-cli/src/html.rs"]
 mod html;
+mod incidence;
 mod json;
 mod memory;
 mod model;
+mod persistence;
+mod pi1;
 mod report;
 mod source;
+mod surface;
 #[allow(dead_code, reason = "the program uses more of it")]
 #[path = "../../coface-cli/src/text.rs"]
 mod text;
 mod view;
 mod work;
+mod yin;
 
 use pyo3::prelude::*;
 
@@ -44,6 +52,30 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<homology::HomologyGroup>()?;
     module.add_class::<homology::Generator>()?;
     module.add_class::<homology::Chain>()?;
+    module.add_class::<surface::Surface>()?;
+    module.add_class::<surface::Domain>()?;
+    module.add_class::<surface::Cover>()?;
+    module.add_class::<surface::Cocycles>()?;
+    module.add_class::<pi1::FundamentalGroup>()?;
+    module.add_function(wrap_pyfunction!(surface::_surface, module)?)?;
+    module.add_function(wrap_pyfunction!(pi1::fundamental_groups, module)?)?;
+    module.add_class::<persistence::Persistence>()?;
+    module.add_class::<incidence::LarModel>()?;
+    module.add_class::<congruence::Congruence>()?;
+    module.add_class::<arrangement::PlanarArrangement>()?;
+    module.add_class::<arrangement::PlanarBoolean>()?;
+    module.add_class::<arrangement::SpatialArrangement>()?;
+    module.add_class::<arrangement::SolidBooleanResult>()?;
+    module.add_class::<yin::Curve>()?;
+    module.add_class::<yin::YinSet>()?;
+    module.add_class::<yin::Kinks>()?;
+    module.add_class::<yin::CutCells>()?;
+    module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
+    module.add_function(wrap_pyfunction!(congruence::congruence, module)?)?;
+    module.add_function(wrap_pyfunction!(arrangement::arrange, module)?)?;
+    module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;
+    module.add_function(wrap_pyfunction!(yin::_curve, module)?)?;
+    module.add_function(wrap_pyfunction!(yin::_yin_set, module)?)?;
     module.add_function(wrap_pyfunction!(model::read, module)?)?;
     module.add_function(wrap_pyfunction!(model::_model, module)?)?;
     module.add_function(wrap_pyfunction!(chain_complex::_chains, module)?)?;

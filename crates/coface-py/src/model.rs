@@ -945,6 +945,34 @@ impl Model {
         })
     }
 
+    /// The faces as a surface.
+    ///
+    /// Parameters
+    /// ----------
+    /// boundary : bool
+    ///     Of a model with 3-cells, whether its boundary is meant.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// Surface
+    ///     The surface.
+    ///
+    /// Raises
+    /// ------
+    /// NonManifoldError
+    ///     If it is none; ``.cells`` has the edge or vertex that shows it.
+    #[pyo3(signature = (*, boundary=false, progress=None))]
+    fn surface(
+        &self,
+        py: Python<'_>,
+        boundary: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<crate::surface::Surface> {
+        crate::surface::surface_of(py, &self.source, boundary, progress)
+    }
+
     /// The model as a mesh that is a surface: edges with more than two faces and vertices with several fans are split.
     ///
     /// Parameters

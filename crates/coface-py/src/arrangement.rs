@@ -1,0 +1,662 @@
+//! What drawings cut the plane into and surfaces space, and what Boolean formulas select of it.
+
+use crate::answer::answer;
+use crate::arrays;
+use crate::chain_complex::ChainComplex;
+use crate::congruence::{choice, named_models};
+use crate::errors::{OrRaise, invalid};
+use crate::json::to_python;
+use crate::model::{Model, format_of};
+use crate::source::Source;
+use crate::work::run;
+use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::arrangement::spatial::NonPlanar;
+use coface::io::{self, Format};
+use coface::report::{
+    ArrangementRequest, BooleanRequest, DrawingArrangement, OpenInputs, PlanarDrawing, RegionBoolean,
+    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
+};
+use coface::{EdgeId, Error, FaceId};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+const RULES: [(&str, InsideRule); 3] =
+    [("nonzero", InsideRule::Nonzero), ("evenodd", InsideRule::Odd), ("positive", InsideRule::Positive)];
+
+pub(crate) fn rule_of(py: Python<'_>, rule: Option<&str>) -> PyResult<Option<InsideRule>> {
+    rule.map(|rule| choice(py, "rule", rule, &RULES)).transpose()
+}
+
+type Named = Vec<(String, Arc<Source>)>;
+
+fn borrowed(models: &Named) -> impl Iterator<Item = (&str, &io::Model)> {
+    models.iter().map(|(name, source)| (name.as_str(), &source.model))
+}
+
+fn is_flat(py: Python<'_>, models: &Named, dimension: Option<u8>) -> PyResult<bool> {
+    match dimension {
+        None => Ok(models.iter().all(|(_, source)| is_planar(&source.model))),
+        Some(2) => Ok(true),
+        Some(3) => Ok(false),
+        Some(other) => Err(invalid(py, format!("dimension is {other}"), "give 2 or 3")),
+    }
+}
+
+/// Names in the words of the package: inputs, where the program says files.
+fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    write(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// What segments cut the plane into, or polygons space, exactly.
+///
+/// Parameters
+/// ----------
+/// models : Model, sequence of Model, or dict of str to Model
+///     The inputs.
+/// dimension : {2, 3}, optional
+///     The plane or space; by the models if left out.
+/// rule : {"nonzero", "evenodd", "positive"}, optional
+///     What is inside an input.
+/// features : bool
+///     In the plane, whether each polygon or closed line is an input.
+/// prune : bool
+///     In the plane, whether edges that hang on the rest by one end are left out.
+/// snap : bool
+///     Whether coordinates are rounded so that the result stays as it is.
+/// max_cells : int, optional
+///     More cells than this are refused.
+/// split : bool
+///     In space, whether polygons that are not flat are split into triangles instead of refused.
+/// merge_coplanar : bool
+///     In space, whether faces of polygons in one plane are merged.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// PlanarArrangement or SpatialArrangement
+///     The cells, what contains them, and where they come from.
+///
+/// Examples
+/// --------
+/// Two crossing squares:
+///
+/// >>> import coface
+/// >>> ring = [[0, 1, 2, 3, 0]]
+/// >>> a = coface.Model.from_arrays([[0, 0], [2, 0], [2, 2], [0, 2]], cells={"polyline": ring})
+/// >>> b = coface.Model.from_arrays([[1, 1], [3, 1], [3, 3], [1, 3]], cells={"polyline": ring})
+/// >>> arranged = coface._coface.arrange([a, b])
+/// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
+/// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
+#[pyfunction]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, prune=false, snap=false, max_cells=None, split=false, merge_coplanar=true, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn arrange<'py>(
+    py: Python<'py>,
+    models: &Bound<'py, PyAny>,
+    dimension: Option<u8>,
+    rule: Option<&str>,
+    features: bool,
+    prune: bool,
+    snap: bool,
+    max_cells: Option<usize>,
+    split: bool,
+    merge_coplanar: bool,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let models = named_models(models)?;
+    let rule = rule_of(py, rule)?;
+    if is_flat(py, &models, dimension)? {
+        let mut request = ArrangementRequest::default();
+        (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
+        let source = if features { RegionSource::Features } else { RegionSource::Models };
+        let (arranged, value) = run(py, progress, || {
+            let arranged = DrawingArrangement::new(PlanarDrawing::new(borrowed(&models), source)?, &request)?;
+            let value = arranged.to_json()?;
+            Ok((arranged, value))
+        })?;
+        return Ok(Bound::new(py, PlanarArrangement { arranged, value })?.into_any());
+    }
+    if features || prune {
+        return Err(invalid(
+            py,
+            "features and prune are for drawings in the plane",
+            "leave them out in space",
+        ));
+    }
+    let request = spatial_request(snap, max_cells, split, merge_coplanar);
+    let (arranged, value) = run(py, progress, || {
+        let arranged = SceneArrangement::of_scene(SpatialScene::of(borrowed(&models), true)?, &request)?;
+        let value = arranged.to_json(rule.unwrap_or_default())?;
+        Ok((arranged, value))
+    })?;
+    Ok(Bound::new(py, SpatialArrangement { arranged, value })?.into_any())
+}
+
+fn spatial_request(
+    snap: bool,
+    max_cells: Option<usize>,
+    split: bool,
+    merge_coplanar: bool,
+) -> SpatialRequest {
+    let mut request = SpatialRequest::default();
+    request.non_planar = if split { NonPlanar::Split } else { NonPlanar::Refuse };
+    (request.merge_coplanar, request.snap, request.max_cells) = (merge_coplanar, snap, max_cells);
+    request
+}
+
+/// Combines regions of the plane, or solids, exactly.
+///
+/// Parameters
+/// ----------
+/// operation : str
+///     ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of inputs by number, such as ``"(0 | 1) & !2"``.
+/// models : sequence of Model, or dict of str to Model
+///     The inputs.
+/// dimension : {2, 3}, optional
+///     The plane or space; by the models if left out.
+/// rule : {"nonzero", "evenodd", "positive"}, optional
+///     What is inside an input.
+/// features : bool
+///     In the plane, whether each polygon or closed line is an input.
+/// keep_walls : bool
+///     Whether what lies inside the result is kept.
+/// snap : bool
+///     Whether coordinates are rounded so that the result stays as it is.
+/// max_cells : int, optional
+///     More cells than this are refused.
+/// split : bool
+///     In space, whether polygons that are not flat are split into triangles instead of refused.
+/// merge_coplanar : bool
+///     In space, whether faces of polygons in one plane are merged.
+/// triangles : bool, optional
+///     In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
+/// open : {"refuse", "winding"}
+///     In space, what is inside an input with a rim: it is refused, or decided by generalized winding numbers in floating point.
+/// split_pinches : bool
+///     In space, whether edges and vertices where the result is no surface are duplicated.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// PlanarBoolean or SolidBoolean
+///     The result, which is input again.
+///
+/// Raises
+/// ------
+/// NotACycleError
+///     If an input is open; the message names its rim.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> cube = coface.generate("box", boundary=True)
+/// >>> moved = coface.Model(cube.vertices + 0.5, cube.faces)
+/// >>> coface._coface.boolean("intersection", [cube, moved]).measure
+/// 0.125
+#[pyfunction]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, keep_walls=false, snap=false, max_cells=None, split=false, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn boolean<'py>(
+    py: Python<'py>,
+    operation: &str,
+    models: &Bound<'py, PyAny>,
+    dimension: Option<u8>,
+    rule: Option<&str>,
+    features: bool,
+    keep_walls: bool,
+    snap: bool,
+    max_cells: Option<usize>,
+    split: bool,
+    merge_coplanar: bool,
+    triangles: Option<bool>,
+    open: &str,
+    split_pinches: bool,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let models = named_models(models)?;
+    let rule = rule_of(py, rule)?;
+    let open =
+        choice(py, "open", open, &[("refuse", OpenInputs::Refuse), ("winding", OpenInputs::Generalized)])?;
+    if is_flat(py, &models, dimension)? {
+        let mut request = BooleanRequest::default();
+        (request.rule, request.keep_walls, request.snap, request.max_cells) =
+            (rule, keep_walls, snap, max_cells);
+        let source = if features { RegionSource::Features } else { RegionSource::Models };
+        let result = run(py, progress, || {
+            let drawing = PlanarDrawing::new(borrowed(&models), source)?;
+            let count = drawing.region_names().len();
+            if count == 0 {
+                return Err(Error::invalid("there is no region in the inputs")
+                    .with_cure("give polygons or closed lines"));
+            }
+            RegionBoolean::new(drawing, &formula(operation, count)?, &request)
+        })?;
+        let value = result.to_json();
+        return Ok(Bound::new(py, PlanarBoolean { result, value })?.into_any());
+    }
+    if features {
+        return Err(invalid(py, "features are for regions in the plane", "leave features out in space"));
+    }
+    let spatial = spatial_request(snap, max_cells, split, merge_coplanar);
+    let solid = run(py, progress, || {
+        let scene = SpatialScene::of(borrowed(&models), keep_walls)?;
+        let mut request = SolidRequest::of(formula(operation, models.len())?);
+        request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
+        let arrangement = SceneArrangement::of_scene(scene, &spatial)?;
+        request.rule = rule.unwrap_or_default();
+        (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
+        let result = SolidBoolean::of(&arrangement, &request)?;
+        let (value, provenance) = (result.to_json()?, result.provenance()?);
+        Ok((value, provenance, result.to_mesh()?, result.to_chains()?))
+    })?;
+    let (value, provenance, mesh, chains) = solid;
+    let result = SolidBooleanResult {
+        value,
+        provenance,
+        model: Py::new(py, Model::of(mesh))?,
+        chains: Py::new(py, Model::of(chains))?,
+    };
+    Ok(Bound::new(py, result)?.into_any())
+}
+
+/// The formula that a word or a text stands for.
+pub(crate) fn formula(operation: &str, count: usize) -> Result<BooleanFormula, Error> {
+    Ok(match operation {
+        "union" | "join" => BooleanFormula::union(count),
+        "intersection" | "meet" => BooleanFormula::intersection(count),
+        "difference" => BooleanFormula::difference(count),
+        "xor" => BooleanFormula::xor(count),
+        text => {
+            let formula = BooleanFormula::parse(text, &[])?;
+            if formula.input_count() > count {
+                let named = formula.input_count() - 1;
+                return Err(Error::invalid(format!(
+                    "the formula names input {named}, but there are {count}"
+                ))
+                .with_cure("inputs are numbered from 0"));
+            }
+            formula
+        }
+    })
+}
+
+/// What segments cut the plane into: vertices, edges and bounded faces.
+///
+/// Made by :func:`arrange`.
+#[pyclass(frozen, module = "coface", name = "PlanarArrangement")]
+pub(crate) struct PlanarArrangement {
+    arranged: DrawingArrangement,
+    value: Value,
+}
+
+answer! { PlanarArrangement {
+    /// The numbers of vertices, edges and bounded faces.
+    f_vector,
+    /// The areas of the bounded faces.
+    measures,
+    /// For each bounded face the inputs that contain it.
+    inside,
+    /// The number of holes of bounded faces.
+    holes,
+    /// The number of connected components of vertices and edges.
+    components,
+    /// Vertices - edges + bounded faces.
+    euler_characteristic,
+    /// The number of edges with one face on both sides.
+    bridges,
+    /// The number of those of them that hang on the rest by one end.
+    dangling_edges,
+    /// What rounding of coordinates does.
+    rounding,
+    /// Whether products of boundary matrices are zero, found by multiplying.
+    products_zero,
+    /// The names of the inputs that contain faces.
+    regions,
+}
+    /// What is odd about the inputs.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.arranged.warnings()
+    }
+
+    /// The positions of the vertices: ``float64``, shape (n, 2).
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let positions = self.arranged.arrangement().positions();
+        Ok(arrays::grid(py, positions.as_flat().to_vec(), positions.dimension())?.into_any())
+    }
+
+    /// The ends of the edges: ``int64``, shape (m, 2).
+    #[getter]
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let arrangement = self.arranged.arrangement();
+        let ends = (0..arrangement.edge_count()).flat_map(|edge| arrangement.ends(EdgeId::new(edge)));
+        let flat: Vec<i64> = ends.map(|vertex| i64::from(vertex.to_u32())).collect();
+        Ok(arrays::grid(py, flat, 2)?.into_any())
+    }
+
+    /// The walks around a bounded face, each an array of vertices with the face on the left: the outer one and those of holes.
+    ///
+    /// Parameters
+    /// ----------
+    /// face : int
+    ///     The number of the face.
+    ///
+    /// Returns
+    /// -------
+    /// list of numpy.ndarray
+    ///     Walks may run along an edge twice where it has the face on both sides.
+    fn walks<'py>(&self, py: Python<'py>, face: usize) -> PyResult<Vec<Bound<'py, PyArray1<i64>>>> {
+        let arrangement = self.arranged.arrangement();
+        if face >= arrangement.face_count() {
+            let message = format!("there is no face {face}");
+            return Err(invalid(py, message, &format!("there are {}", arrangement.face_count())));
+        }
+        let source = |&halfedge: &u32| {
+            arrangement.ends(EdgeId::from_u32(halfedge >> 1))[(halfedge & 1) as usize].to_u32()
+        };
+        let walks = arrangement.walks(Some(FaceId::new(face)));
+        Ok(walks.map(|walk| arrays::id_array(py, walk.iter().map(source))).collect())
+    }
+
+    /// Where everything comes from: ``vertices``, ``edges`` (segments along each) and ``faces`` (inputs around each).
+    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.arranged.provenance_to_json())
+    }
+
+    /// The chain complex of vertices, edges and bounded faces.
+    fn chain_complex(&self, py: Python<'_>) -> PyResult<ChainComplex> {
+        run(py, None, || self.arranged.arrangement().chain_complex()).map(ChainComplex::bare)
+    }
+
+    /// The arrangement as a file of this format.
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let format = Format::from_name(format).or_raise(py)?;
+        let bytes = run(py, None, || write_bytes(|out| self.arranged.write(out, format)))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Writes the arrangement to a file.
+    #[pyo3(signature = (path, format=None))]
+    fn write(&self, py: Python<'_>, path: PathBuf, format: Option<&str>) -> PyResult<()> {
+        let format = named_format(py, &path, format)?;
+        run(py, None, || io::replace_file(&path, |out| self.arranged.write(out, format)))
+    }
+
+    /// The faces as a model: polygons with the plane's coordinates.
+    fn model(&self, py: Python<'_>) -> PyResult<Model> {
+        run(py, None, || {
+            let bytes = write_bytes(|out| self.arranged.write(out, Format::Obj))?;
+            io::read(&bytes[..], Format::Obj)
+        })
+        .map(Model::of)
+    }
+
+    fn __len__(&self) -> usize {
+        self.arranged.arrangement().face_count()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("PlanarArrangement(f-vector {})", self.value["f_vector"])
+    }
+}
+
+/// The format that a path or a name tells.
+pub(crate) fn named_format(py: Python<'_>, path: &std::path::Path, format: Option<&str>) -> PyResult<Format> {
+    match format_of(py, format)?.or_else(|| Format::from_path(path)) {
+        Some(format) => Ok(format),
+        None => Err(invalid(
+            py,
+            format!("{}: the extension is no format known here", path.display()),
+            "give format=",
+        )),
+    }
+}
+
+/// Regions of the plane combined: polygons with holes.
+///
+/// Made by :func:`boolean`.
+#[pyclass(frozen, module = "coface", name = "PlanarBoolean")]
+pub(crate) struct PlanarBoolean {
+    result: RegionBoolean,
+    value: Value,
+}
+
+answer! { PlanarBoolean {
+    /// The area.
+    measure,
+    /// The numbers of vertices, edges and polygons.
+    f_vector,
+    /// The number of parts; those that touch in points only are different ones.
+    components,
+    /// Whether every edge has the result on one side.
+    closed,
+    /// Whether the boundary is a curve everywhere; ``witness`` has pinched vertices.
+    manifold,
+    /// What rounding of coordinates does.
+    rounding,
+}
+    /// The number of holes.
+    #[getter]
+    fn holes(&self) -> usize {
+        self.result.hole_count()
+    }
+
+    /// The areas of the polygons.
+    #[getter]
+    fn areas<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.result.polygon_areas())
+    }
+
+    /// The positions of the vertices: ``float64``, shape (n, 2).
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let positions = self.result.positions();
+        Ok(arrays::grid(py, positions.as_flat().to_vec(), positions.dimension().max(2))?.into_any())
+    }
+
+    /// For each polygon its rings, each an array of vertices: the outer one and those of holes.
+    #[getter]
+    fn polygons<'py>(&self, py: Python<'py>) -> Vec<Vec<Bound<'py, PyArray1<i64>>>> {
+        let [_, _, count] = self.result.f_vector();
+        let rings = |polygon| {
+            let rings = self.result.rings_of_polygon(polygon);
+            rings.map(|ring| arrays::id_array(py, ring.iter().copied())).collect()
+        };
+        (0..count).map(rings).collect()
+    }
+
+    /// Vertices where parts of the result touch.
+    #[getter]
+    fn pinches<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        arrays::id_array(py, self.result.pinches().iter().map(|vertex| vertex.to_u32()))
+    }
+
+    /// What is odd about the inputs.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.result.warnings().to_vec()
+    }
+
+    /// Where everything comes from.
+    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.result.provenance_to_json())
+    }
+
+    /// The result as a file of this format.
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let format = Format::from_name(format).or_raise(py)?;
+        let bytes = run(py, None, || write_bytes(|out| self.result.write(out, format)))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Writes the result to a file.
+    #[pyo3(signature = (path, format=None))]
+    fn write(&self, py: Python<'_>, path: PathBuf, format: Option<&str>) -> PyResult<()> {
+        let format = named_format(py, &path, format)?;
+        run(py, None, || io::replace_file(&path, |out| self.result.write(out, format)))
+    }
+
+    /// The rings as a model of closed lines, which is input again.
+    fn model(&self, py: Python<'_>) -> PyResult<Model> {
+        run(py, None, || {
+            let bytes = write_bytes(|out| self.result.write(out, Format::GeoJson))?;
+            io::read(&bytes[..], Format::GeoJson)
+        })
+        .map(Model::of)
+    }
+
+    fn __len__(&self) -> usize {
+        self.result.f_vector()[2]
+    }
+
+    fn __repr__(&self) -> String {
+        format!("PlanarBoolean(area {}, f-vector {})", self.value["measure"], self.value["f_vector"])
+    }
+}
+
+/// What polygons cut space into: vertices, edges, faces and bounded cells.
+///
+/// Made by :func:`arrange`.
+#[pyclass(frozen, module = "coface", name = "SpatialArrangement")]
+pub(crate) struct SpatialArrangement {
+    arranged: SceneArrangement,
+    value: Value,
+}
+
+answer! { SpatialArrangement {
+    /// The numbers of vertices, edges, faces and bounded cells.
+    f_vector,
+    /// The volumes of the bounded cells.
+    measures,
+    /// For each bounded cell the inputs that contain it.
+    inside,
+    /// The number of holes of faces.
+    holes,
+    /// The number of voids of cells.
+    voids,
+    /// The number of connected components of faces.
+    components,
+    /// Vertices - edges + faces - bounded cells.
+    euler_characteristic,
+    /// The number of faces with one cell, or the exterior, on both sides.
+    dangling_faces,
+    /// What rounding of coordinates does.
+    rounding,
+    /// Whether products of boundary matrices are zero, found by multiplying.
+    products_zero,
+}
+    /// The positions of the vertices: ``float64``, shape (n, 3).
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let positions = self.arranged.positions();
+        Ok(arrays::grid(py, positions.as_flat().to_vec(), positions.dimension().max(3))?.into_any())
+    }
+
+    /// Where everything comes from.
+    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.arranged.provenance())
+    }
+
+    /// The chain complex of vertices, edges, faces and bounded cells.
+    fn chain_complex(&self) -> ChainComplex {
+        ChainComplex::bare(self.arranged.complex().clone())
+    }
+
+    /// The faces as a model.
+    ///
+    /// Parameters
+    /// ----------
+    /// triangles : bool, optional
+    ///     Whether faces are cut into triangles; if all inputs are triangles, if left out.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The faces, in groups by the input that they come from.
+    #[pyo3(signature = (*, triangles=None))]
+    fn model(&self, py: Python<'_>, triangles: Option<bool>) -> PyResult<Model> {
+        run(py, None, || {
+            let triangles = triangles.unwrap_or_else(|| self.arranged.scene().is_triangulated());
+            self.arranged.to_mesh(triangles, true)
+        })
+        .map(Model::of)
+    }
+
+    fn __len__(&self) -> usize {
+        self.arranged.volumes().len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("SpatialArrangement(f-vector {})", self.value["f_vector"])
+    }
+}
+
+/// Solids combined: a surface.
+///
+/// Made by :func:`boolean`.
+#[pyclass(frozen, module = "coface", name = "SolidBoolean")]
+pub(crate) struct SolidBooleanResult {
+    value: Value,
+    provenance: Value,
+    model: Py<Model>,
+    chains: Py<Model>,
+}
+
+answer! { SolidBooleanResult {
+    /// The volume; ``None`` if the exterior is in the result.
+    measure,
+    /// The numbers of vertices, edges and faces of the surface.
+    f_vector,
+    /// The number of components of the surface.
+    components,
+    /// Whether the surface has no rim.
+    closed,
+    /// Whether the surface is a manifold, with a witness if not.
+    manifold,
+    /// The area of the surface.
+    area,
+    /// The genus of a connected surface.
+    genus,
+    /// The number of parts that are connected through faces.
+    solids,
+    /// The number of voids.
+    voids,
+    /// Whether the exterior is in the result.
+    unbounded,
+    /// Edges and vertices where the result is no surface.
+    pinches,
+    /// What rounding of coordinates does.
+    rounding,
+    /// Vertices - edges + faces.
+    euler_characteristic,
+}
+    /// The surface.
+    #[getter]
+    fn model(&self, py: Python<'_>) -> Py<Model> {
+        self.model.clone_ref(py)
+    }
+
+    /// The cells of the result as a chain complex with positions.
+    #[getter]
+    fn cells(&self, py: Python<'_>) -> Py<Model> {
+        self.chains.clone_ref(py)
+    }
+
+    /// Where everything comes from.
+    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.provenance)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("SolidBoolean(volume {}, f-vector {})", self.value["measure"], self.value["f_vector"])
+    }
+}

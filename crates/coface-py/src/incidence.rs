@@ -1,0 +1,238 @@
+//! Cells as lists of vertices, and operators between them.
+
+use crate::arrays;
+use crate::chain_complex::ChainComplex;
+use crate::errors::{OrRaise, invalid};
+use crate::memory::owned_matrix;
+use crate::model::source_of;
+use crate::work::run;
+use coface::algebra::{RaggedArray, SparseMatrix};
+use coface::cellular::{LarModel as Lar, Operator, Shared, TopOrientation};
+use coface::chains;
+use coface::{Error, geometry::Positions};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use std::sync::Arc;
+
+/// Cells of each degree as lists of vertices, as in the linear algebraic representation.
+///
+/// The characteristic matrix of a degree has these lists as rows; operators such as ``VV`` or ``FE`` are products of two of them.
+///
+/// Parameters
+/// ----------
+/// cells : Model, Complex, ChainComplex, or sequence of lists
+///     A model, or for each degree 1, 2, .. lists of vertices.
+/// vertex_count : int, optional
+///     The number of vertices, where lists are given.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> lar = coface.LarModel(coface.Complex([[0, 1, 2], [1, 2, 3]]))
+/// >>> lar.incidence("FE", "incident").toarray()
+/// array([[1, 1, 1, 0, 0],
+///        [0, 0, 1, 1, 1]], dtype=int32)
+#[pyclass(frozen, module = "coface", name = "LarModel")]
+pub(crate) struct LarModel {
+    lar: Arc<Lar>,
+    /// The chain complex that the cells came with.
+    chains: Option<Arc<chains::ChainComplex>>,
+    positions: Option<Positions>,
+}
+
+/// A matrix of ones with these lists as rows, as its transpose.
+fn pattern(column_count: usize, lists: &RaggedArray) -> Result<SparseMatrix, Error> {
+    let starts = (0..=lists.len()).map(|row| lists.start(row) as u32).collect();
+    let ones = vec![1; lists.item_count()];
+    SparseMatrix::from_parts(column_count, starts, lists.items().to_vec(), ones)
+}
+
+#[pymethods]
+impl LarModel {
+    #[new]
+    #[pyo3(signature = (cells, vertex_count=None, *, progress=None))]
+    fn new(
+        py: Python<'_>,
+        cells: &Bound<'_, PyAny>,
+        vertex_count: Option<usize>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        if let Ok(source) = source_of(cells) {
+            return run(py, progress, || {
+                let producer = source.producer()?;
+                let positions = producer.positions();
+                Ok(Self {
+                    lar: Arc::new(producer.lar_model()?),
+                    chains: Some(Arc::clone(source.chains()?)),
+                    positions: (!positions.is_empty()).then(|| positions.clone()),
+                })
+            });
+        }
+        let mut levels = Vec::new();
+        for lists in cells.try_iter()? {
+            levels.push(arrays::lists(&lists?, "cells")?);
+        }
+        let highest = levels.iter().flat_map(|lists| lists.items().iter()).max();
+        let count = vertex_count.unwrap_or(highest.map_or(0, |&vertex| vertex as usize + 1));
+        let lar = run(py, progress, || Lar::new(count, levels))?;
+        Ok(Self { lar: Arc::new(lar), chains: None, positions: None })
+    }
+
+    /// The numbers of cells of the degrees 0, 1, ...
+    #[getter]
+    fn f_vector<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.lar.f_vector())
+    }
+
+    /// The vertices of the cells of a degree.
+    fn cells<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+        let lists = self.lar.cells(degree);
+        arrays::from_lists(py, lists.iter(), lists.is_empty().then_some(degree + 1))
+    }
+
+    /// The characteristic matrix of a degree: one row for each cell, 1 in the columns of its vertices.
+    fn characteristic<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+        let matrix = run(py, None, || self.lar.characteristic_matrix(degree))?;
+        owned_matrix(py, matrix)
+    }
+
+    /// An operator between cells of two degrees.
+    ///
+    /// Parameters
+    /// ----------
+    /// operator : str
+    ///     Rows and columns: two of ``V``, ``E``, ``F``, ``C``, as in ``"FE"``.
+    /// kind : {"counts", "incident", "signed"}
+    ///     How many vertices two cells share, 1 where one is a face of the other (adjacent, if both have one degree), or the signs of
+    ///     the boundary or coboundary operator.
+    /// at_least : int, optional
+    ///     1 where so many vertices are shared, instead of ``kind``.
+    /// exactly : int, optional
+    ///     1 where exactly so many vertices are shared, instead of ``kind``.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// scipy.sparse.csr_array
+    ///     One row for each cell of the first degree.
+    #[pyo3(signature = (operator, kind="counts", *, at_least=None, exactly=None, progress=None))]
+    fn incidence<'py>(
+        &self,
+        py: Python<'py>,
+        operator: &str,
+        kind: &str,
+        at_least: Option<u32>,
+        exactly: Option<u32>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let operator: Operator = operator.parse().or_raise(py)?;
+        let shared = match (at_least, exactly) {
+            (None, None) => None,
+            (Some(n), None) if n > 0 => Some(Shared::AtLeast(n)),
+            (None, Some(n)) if n > 0 => Some(Shared::Exactly(n)),
+            _ => return Err(invalid(py, "at_least and exactly", "give one of them, 1 or more")),
+        };
+        if !matches!(kind, "counts" | "incident" | "signed") {
+            return Err(invalid(
+                py,
+                format!("kind is {kind:?}"),
+                "give \"counts\", \"incident\" or \"signed\"",
+            ));
+        }
+        let by_rows = run(py, progress, || {
+            let columns = self.lar.cell_count(operator.columns());
+            match (shared, kind) {
+                (Some(shared), _) => pattern(columns, &self.lar.related(operator, shared)?),
+                (_, "incident") => pattern(columns, &self.lar.incident(operator)?),
+                (_, "signed") => self.signed(operator),
+                _ => self.lar.shared_vertices(operator.transposed()),
+            }
+        })?;
+        // Columns of the transpose are rows.
+        owned_matrix(py, by_rows)?.getattr("T")
+    }
+
+    /// The chain complex: with the signs that the cells came with, or found by spreading signs over facets.
+    ///
+    /// Parameters
+    /// ----------
+    /// orientation : {"given", "lowest", "coherent", "positive"}
+    ///     How cells of the highest degree are oriented: as they came, by their lowest facet, so that neighbors agree, or with a positive
+    ///     measure.
+    /// positions : array_like, optional
+    ///     Positions of the vertices, where measures decide.
+    ///
+    /// Returns
+    /// -------
+    /// ChainComplex
+    ///     The complex.
+    #[pyo3(signature = (orientation="given", positions=None, *, progress=None))]
+    fn chain_complex(
+        &self,
+        py: Python<'_>,
+        orientation: &str,
+        positions: Option<&Bound<'_, PyAny>>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<ChainComplex> {
+        let given = positions.map(|positions| arrays::positions(positions, "positions")).transpose()?;
+        let top = match (orientation, &self.chains) {
+            ("given", Some(chains)) => {
+                return Ok(ChainComplex::new(
+                    Arc::clone(chains),
+                    crate::source::Naming::of(crate::source::Names::Own),
+                ));
+            }
+            ("given" | "lowest", _) => TopOrientation::LowestFacet,
+            ("coherent", _) => TopOrientation::Coherent,
+            ("positive", _) => TopOrientation::Positive,
+            _ => {
+                let cure = "give \"given\", \"lowest\", \"coherent\" or \"positive\"";
+                return Err(invalid(py, format!("orientation is {orientation:?}"), cure));
+            }
+        };
+        let positions = given.as_ref().or(self.positions.as_ref());
+        run(py, progress, || self.lar.chain_complex(top, positions)).map(ChainComplex::bare)
+    }
+
+    /// The product: cells are pairs of cells; also ``*``.
+    fn product(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        let other = other.get();
+        let lar = run(py, None, || self.lar.product(&other.lar))?;
+        Ok(Self { lar: Arc::new(lar), chains: None, positions: None })
+    }
+
+    fn __mul__(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.product(py, other)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("LarModel(cells {:?})", self.lar.f_vector())
+    }
+}
+
+impl LarModel {
+    /// The boundary or coboundary operator by rows.
+    fn signed(&self, operator: Operator) -> Result<SparseMatrix, Error> {
+        let (rows, columns) = (operator.rows(), operator.columns());
+        if rows.abs_diff(columns) != 1 {
+            return Err(Error::invalid(format!("{operator} is no boundary or coboundary operator"))
+                .with_cure("signs are those of neighboring degrees: EV, FE, CF and VE, EF, FC"));
+        }
+        let found;
+        let complex = match &self.chains {
+            Some(chains) => chains,
+            None => {
+                found =
+                    Arc::new(self.lar.chain_complex(TopOrientation::LowestFacet, self.positions.as_ref())?);
+                &found
+            }
+        };
+        match complex.boundary_matrix(rows.max(columns)) {
+            // A coboundary matrix has the boundary of each row's cell in the row.
+            Some(boundary) if rows > columns => Ok(boundary.clone()),
+            Some(boundary) => Ok(boundary.transpose()),
+            None => SparseMatrix::zero(complex.cell_count(columns), complex.cell_count(rows)),
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! Persistent homology along a filtration.
+
+use crate::arrays;
+use crate::chain_complex::{ChainComplex, ring};
+use crate::errors::invalid;
+use crate::source::Naming;
+use crate::work::run;
+use coface::algebra::Integer;
+use coface::chains::ChainComplex as Chains;
+use coface::io::{DiagramFormat, write_diagram};
+use coface::report::{DiagramPoint, diagram_picture};
+use coface::topology::{self, Coefficients, Filtration, PersistenceDiagram, PersistencePair};
+use coface::{CellId, Error, ErrorKind};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyList, PyTuple};
+use std::sync::Arc;
+
+/// Births and deaths of homology classes along a filtration, over a prime field.
+///
+/// Made by :func:`persistence`.
+///
+/// Examples
+/// --------
+/// A path that goes up to 2 and down to 1:
+///
+/// >>> import coface
+/// >>> path = coface.Complex([[0, 1], [1, 2]]).chain_complex()
+/// >>> coface._coface.persistence(path, vertex_values=[0.0, 2.0, 1.0]).diagram(0)
+/// array([[ 0., inf],
+///        [ 1.,  2.]])
+#[pyclass(frozen, module = "coface", name = "Persistence")]
+pub(crate) struct Persistence {
+    diagram: PersistenceDiagram,
+    naming: Arc<Naming>,
+    complex: Arc<Chains>,
+}
+
+/// The filtration that values make: of vertices, or of all cells.
+fn filtration(
+    complex: &ChainComplex,
+    vertex_values: Option<Vec<f64>>,
+    cell_values: Option<Vec<Vec<f64>>>,
+    upper: bool,
+) -> Result<Filtration, Error> {
+    let chains = &complex.complex;
+    match (vertex_values, cell_values) {
+        (Some(values), None) => match upper {
+            true => Filtration::upper_star(chains, &values),
+            false => Filtration::lower_star(chains, &values),
+        },
+        (None, Some(values)) => {
+            let given: Vec<Vec<Option<f64>>> = values
+                .into_iter()
+                .map(|list| list.into_iter().map(|value| (!value.is_nan()).then_some(value)).collect())
+                .collect();
+            Filtration::from_cofaces(chains, &given)
+        }
+        _ => Err(Error::new(ErrorKind::InvalidInput, "a filtration has values of vertices or of all cells")
+            .with_cure("give vertex_values or cell_values")),
+    }
+}
+
+/// Persistent homology of a filtration by values.
+///
+/// Parameters
+/// ----------
+/// complex : ChainComplex
+///     The complex.
+/// vertex_values : array_like of float, optional
+///     A value for each vertex in the order of the complex; a cell enters with its last vertex.
+/// cell_values : sequence of array_like, optional
+///     For each degree a value for each cell; NaN where a cell enters as late as its cofaces allow.
+/// coefficients : str or int
+///     A prime field: ``"f2"``, ``"f3"``, ...
+/// upper : bool
+///     Whether a cell enters with its first vertex and values fall.
+/// least : float
+///     Classes that live no longer than this are left out.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// Persistence
+///     The diagram.
+#[pyfunction]
+#[pyo3(signature = (complex, *, vertex_values=None, cell_values=None, coefficients=None, upper=false, least=0.0, progress=None), text_signature = "(complex, *, vertex_values=None, cell_values=None, coefficients='f2', upper=False, least=0.0, progress=False)")]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn persistence(
+    py: Python<'_>,
+    complex: &Bound<'_, ChainComplex>,
+    vertex_values: Option<&Bound<'_, PyAny>>,
+    cell_values: Option<&Bound<'_, PyAny>>,
+    coefficients: Option<&Bound<'_, PyAny>>,
+    upper: bool,
+    least: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Persistence> {
+    let complex = complex.get();
+    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
+    let vertex_values = vertex_values.map(|values| arrays::finite(values, "vertex_values")).transpose()?;
+    let cell_values = match cell_values {
+        None => None,
+        Some(lists) => {
+            let lists: Vec<Vec<f64>> = lists
+                .try_iter()?
+                .map(|list| Ok(arrays::reals(&list?, "cell_values")?.1))
+                .collect::<PyResult<_>>()?;
+            Some(lists)
+        }
+    };
+    let diagram = run(py, progress, || {
+        let filtration = filtration(complex, vertex_values, cell_values, upper)?;
+        Ok(topology::persistence(&complex.complex, &filtration, field)?.longer_than(least))
+    })?;
+    Ok(Persistence { diagram, naming: Arc::clone(&complex.naming), complex: Arc::clone(&complex.complex) })
+}
+
+impl Persistence {
+    fn values(pairs: &[PersistencePair]) -> Vec<f64> {
+        pairs.iter().flat_map(|pair| [pair.birth(), pair.death().unwrap_or(f64::INFINITY)]).collect()
+    }
+
+    fn points(&self) -> Vec<DiagramPoint> {
+        let point = |pair: &PersistencePair| DiagramPoint {
+            degree: pair.degree(),
+            birth: pair.birth(),
+            death: pair.death(),
+        };
+        self.diagram.pairs().iter().map(point).collect()
+    }
+}
+
+#[pymethods]
+impl Persistence {
+    /// The prime of the field.
+    #[getter]
+    fn prime(&self) -> u32 {
+        self.diagram.prime()
+    }
+
+    /// Whether values fall along the filtration.
+    #[getter]
+    fn is_falling(&self) -> bool {
+        self.diagram.is_falling()
+    }
+
+    /// The numbers of classes that never die, by degree.
+    #[getter]
+    fn betti_numbers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.diagram.betti_numbers())
+    }
+
+    /// Births and deaths of a degree.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray
+    ///     ``float64``, shape (n, 2); a class that never dies has the death inf.
+    fn diagram<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+        let pairs = match degree < self.diagram.degree_count() {
+            true => self.diagram.pairs_of_degree(degree),
+            false => &[],
+        };
+        Ok(PyArray1::from_vec(py, Self::values(pairs)).reshape([pairs.len(), 2])?.into_any())
+    }
+
+    /// The diagrams of all degrees, as Ripser's users have them.
+    #[getter]
+    fn diagrams<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let all: Vec<Bound<'py, PyAny>> = (0..self.diagram.degree_count())
+            .map(|degree| self.diagram(py, degree))
+            .collect::<PyResult<_>>()?;
+        PyList::new(py, all)
+    }
+
+    /// All pairs as ``(degree, (birth, death))``, as GUDHI's users have them.
+    fn to_gudhi(&self) -> Vec<(usize, (f64, f64))> {
+        let pair =
+            |pair: &PersistencePair| (pair.degree(), (pair.birth(), pair.death().unwrap_or(f64::INFINITY)));
+        self.diagram.pairs().iter().map(pair).collect()
+    }
+
+    /// The cells that make and end the classes of a degree.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray
+    ///     ``int64``, shape (n, 2): the numbers of a cell of this degree and of one of the next, -1 where there is none.
+    fn pairs<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+        let pairs = match degree < self.diagram.degree_count() {
+            true => self.diagram.pairs_of_degree(degree),
+            false => &[],
+        };
+        let cells = pairs.iter().flat_map(|pair| {
+            let death = pair.death_cell().map_or(-1, |cell| cell.index() as i64);
+            [pair.birth_cell().index() as i64, death]
+        });
+        Ok(PyArray1::from_vec(py, cells.collect()).reshape([pairs.len(), 2])?.into_any())
+    }
+
+    /// The vertices of the cells that make and end the classes of a degree: a list of pairs.
+    #[expect(clippy::type_complexity, reason = "a list of pairs of lists")]
+    fn simplices(&self, degree: usize) -> Vec<(Vec<u32>, Option<Vec<u32>>)> {
+        if degree >= self.diagram.degree_count() {
+            return Vec::new();
+        }
+        let names = |pair: &PersistencePair| {
+            let death = pair.death_cell().map(|cell| self.naming.vertices(degree + 1, cell.index()));
+            (self.naming.vertices(degree, pair.birth_cell().index()), death)
+        };
+        self.diagram.pairs_of_degree(degree).iter().map(names).collect()
+    }
+
+    /// The cycle that a death cell fills: its boundary.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree of the class.
+    /// place : int
+    ///     Its row in :meth:`diagram`.
+    ///
+    /// Returns
+    /// -------
+    /// Chain or None
+    ///     The boundary of the cell that ends the class; ``None`` if it never ends.
+    fn dying_cycle(
+        &self,
+        py: Python<'_>,
+        degree: usize,
+        place: usize,
+    ) -> PyResult<Option<crate::homology::Chain>> {
+        let pair = match degree < self.diagram.degree_count() {
+            true => self.diagram.pairs_of_degree(degree).get(place),
+            false => None,
+        };
+        let Some(pair) = pair else {
+            return Err(invalid(
+                py,
+                format!("there is no class {place} of degree {degree}"),
+                "look at .diagram(degree)",
+            ));
+        };
+        let Some(cell) = pair.death_cell() else { return Ok(None) };
+        let Some(matrix) = self.complex.boundary_matrix(degree + 1) else { return Ok(None) };
+        let terms = matrix.column(cell.index()).iter();
+        let terms = terms.map(|(row, x)| (CellId::new(row), Integer::from(x))).collect();
+        let cell_count = self.complex.cell_count(degree);
+        let naming = Arc::clone(&self.naming);
+        Ok(Some(crate::homology::Chain { degree, terms, cell_count, naming, is_cochain: false }))
+    }
+
+    /// The diagram without classes that live no longer than this.
+    fn longer_than(&self, length: f64) -> Self {
+        Self {
+            diagram: self.diagram.longer_than(length),
+            naming: Arc::clone(&self.naming),
+            complex: Arc::clone(&self.complex),
+        }
+    }
+
+    /// The diagram as a file has it.
+    ///
+    /// Parameters
+    /// ----------
+    /// format : {"gudhi", "ripser", "csv"}
+    ///     The format.
+    ///
+    /// Returns
+    /// -------
+    /// bytes
+    ///     The content of the file.
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let format = match format {
+            "gudhi" | "pers" => DiagramFormat::Gudhi,
+            "ripser" | "txt" => DiagramFormat::Ripser,
+            "csv" => DiagramFormat::Csv,
+            _ => {
+                return Err(invalid(
+                    py,
+                    format!("the format is {format:?}"),
+                    "give \"gudhi\", \"ripser\" or \"csv\"",
+                ));
+            }
+        };
+        let bytes = run(py, None, || {
+            let mut bytes = Vec::new();
+            write_diagram(&self.diagram, &mut bytes, format)?;
+            Ok(bytes)
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// The diagram as a picture: SVG.
+    #[pyo3(signature = (title="persistence diagram"))]
+    fn to_svg(&self, py: Python<'_>, title: &str) -> PyResult<String> {
+        run(py, None, || diagram_picture(title, &self.points())?.svg(None))
+    }
+
+    fn __len__(&self) -> usize {
+        self.diagram.pairs().len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Persistence(field of {}, {} classes)", self.diagram.prime(), self.diagram.pairs().len())
+    }
+}

@@ -1,0 +1,1203 @@
+//! Surfaces: sides of faces and their mates, and what is asked about them.
+
+use crate::answer::answer;
+use crate::arrays;
+use crate::errors::{OrRaise, invalid};
+use crate::homology::Chain;
+use crate::memory::shared_ids;
+use crate::model::Model;
+use crate::pi1::FundamentalGroup;
+use crate::source::{Names, Naming, Source};
+use crate::work::run;
+use coface::algebra::{Integer, RaggedArray, Sign};
+use coface::chains::{Cochain, TwoSkeleton};
+use coface::geometry::Positions;
+use coface::io::{CellData, GroupKind};
+use coface::report::{Producer, SurfaceModel, integer_to_json};
+use coface::surface::{GeneralizedMap, PathKind, Slice, SurfaceType};
+use coface::topology::{
+    ClosedWalk, CocycleBasis, CoverExtent, CoverPlane, CutGraph, CutSurface, CycleKind, HarmonicForm,
+    ShortestCycle, SurfaceHomology, SurfaceHomotopy, TreeCotree, UniversalCover, cotangent_weights,
+    harmonic_forms, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
+};
+use coface::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId, io};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use serde_json::{Value, json};
+use std::any::Any;
+use std::sync::Arc;
+
+/// How many vertices searches from all roots may reach in all.
+const MOST_REACHED: usize = 2_000_000_000;
+
+/// How much work on making seams short is done unasked: seams times sides.
+const PATIENCE: usize = 200_000_000;
+
+/// A surface: faces with sides, glued along edges.
+///
+/// Made by :meth:`Model.surface`. Side s runs along edge ``edge[s]`` of face ``face[s]``, from vertex ``vertex[s]``; the arrays have one
+/// entry for each side. Vertices have numbers from 0; ``vertex_numbers`` has those of the file.
+///
+/// Parameters
+/// ----------
+/// model : Model
+///     A model whose faces are a surface.
+/// boundary : bool
+///     Of a model with 3-cells, whether its boundary is meant.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> torus = coface.generate("torus", columns=5, rows=4).surface()
+/// >>> torus
+/// Surface(torus, f-vector (20, 60, 40))
+/// >>> torus.genus, torus.is_orientable
+/// (1, True)
+#[pyclass(frozen, module = "coface", name = "Surface")]
+pub(crate) struct Surface {
+    surface: Arc<SurfaceModel>,
+    source: Arc<Source>,
+    of_boundary: bool,
+}
+
+/// Why the model is no surface, with the cure in Python.
+fn explained(error: Error, is_volume: bool) -> Error {
+    let cells = error.cells().to_vec();
+    match error.kind() {
+        ErrorKind::NonManifold => Error::new(error.kind(), format!("no surface: {}", error.message()))
+            .with_cells(cells)
+            .with_cure(if is_volume {
+                "cells must not touch along single edges or vertices"
+            } else {
+                "model.repaired(split_edges=\"pairs\", split_vertices=True) can make it one"
+            }),
+        ErrorKind::UnsupportedFormat if is_volume => {
+            error.with_cure("give boundary=True to take its boundary")
+        }
+        _ => error,
+    }
+}
+
+pub(crate) fn surface_of(
+    py: Python<'_>,
+    source: &Arc<Source>,
+    boundary: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Surface> {
+    let is_volume = !source.model.cells().is_empty();
+    let surface = run(py, progress, || {
+        let model = source.model.clone();
+        let made =
+            if boundary && is_volume { SurfaceModel::boundary_of(model) } else { SurfaceModel::of(model) };
+        made.map_err(|error| explained(error, is_volume))
+    })?;
+    Ok(Surface { surface: Arc::new(surface), source: Arc::clone(source), of_boundary: boundary && is_volume })
+}
+
+/// The lengths of the edges; `None` without positions.
+fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec<f64>> {
+    if positions.is_empty() {
+        return None;
+    }
+    let length = |ends: &[u32]| {
+        let [a, b] = [ends[0], ends[1]].map(|end| positions.point(VertexId::from_u32(end)));
+        a.iter().zip(b).map(|(x, y)| x - y).fold(0.0, f64::hypot)
+    };
+    Some(skeleton.edge_ends().chunks_exact(2).map(length).collect())
+}
+
+impl Surface {
+    fn map(&self) -> &GeneralizedMap {
+        self.surface.map()
+    }
+
+    fn lengths(&self) -> Option<Vec<f64>> {
+        edge_lengths(self.map().skeleton(), self.surface.positions())
+    }
+
+    /// An array with a number for each side.
+    fn sides<'py>(&self, py: Python<'py>, of: impl Fn(HalfedgeId) -> i64) -> Bound<'py, PyArray1<i64>> {
+        PyArray1::from_vec(py, self.map().sides().map(of).collect())
+    }
+
+    fn vertex_of(&self, number: u32) -> Result<VertexId, Error> {
+        self.surface.vertex(number).ok_or_else(|| {
+            Error::new(ErrorKind::NotInComplex, format!("there is no vertex {number}"))
+                .with_cells([[number]])
+                .with_cure("give a vertex of the surface")
+        })
+    }
+
+    /// The vertices of a path of steps, as numbers of the file.
+    fn numbers_along(&self, steps: &[u32]) -> Vec<u32> {
+        let ends = self.map().skeleton().edge_ends();
+        let number = |step: u32| self.surface.number(VertexId::from_u32(ends[step as usize]));
+        let first = steps.first().map(|&step| number(step));
+        first.into_iter().chain(steps.iter().map(|&step| number(step ^ 1))).collect()
+    }
+
+    fn walk_numbers(&self, walk: &ClosedWalk) -> Vec<u32> {
+        walk.vertices(self.map().skeleton()).into_iter().map(|vertex| self.surface.number(vertex)).collect()
+    }
+
+    /// The steps along a path of vertices of the file.
+    fn steps_of(&self, path: &[u32]) -> Result<Vec<u32>, Error> {
+        if path.len() < 2 {
+            return Err(
+                Error::invalid("a path has two vertices at least").with_cure("give its vertices in order")
+            );
+        }
+        let vertices: Vec<VertexId> =
+            path.iter().map(|&number| self.vertex_of(number)).collect::<Result<_, _>>()?;
+        let skeleton = self.map().skeleton();
+        let ends = skeleton.edge_ends();
+        let steps_at = RaggedArray::grouped(skeleton.vertex_count(), ends.iter().copied());
+        let step = |(i, pair): (usize, &[VertexId])| {
+            let mut steps = steps_at.list(pair[0].index()).iter().copied();
+            steps.find(|&step| ends[(step ^ 1) as usize] == pair[1].to_u32()).ok_or_else(|| {
+                let [a, b] = [path[i], path[i + 1]];
+                Error::new(
+                    ErrorKind::NotInComplex,
+                    format!("step {i} goes from vertex {a} to vertex {b}, but no edge joins them"),
+                )
+                .with_cells([[a, b]])
+                .with_cure("go along edges only")
+            })
+        };
+        vertices.windows(2).enumerate().map(step).collect()
+    }
+
+    fn naming(&self) -> Option<Naming> {
+        // The cells of the boundary of a volume are not those of the model.
+        (!self.of_boundary).then(|| Naming::of(Names::Source(Arc::clone(&self.source))))
+    }
+
+    /// Faces as lists of vertices of an open surface.
+    fn polygons(open: &GeneralizedMap) -> RaggedArray {
+        let faces = (0..open.skeleton().face_count()).map(FaceId::new);
+        RaggedArray::from_lists(
+            faces.map(|face| open.sides_of(face).map(|side| open.source(side).to_u32()).collect::<Vec<_>>()),
+        )
+    }
+
+    /// The sliced surface as a model: the number of the seam and the ends in the file of each edge of the cut.
+    fn cut_model(
+        &self,
+        slice: &Slice<GeneralizedMap>,
+        edges: &[EdgeId],
+        seams: &[Vec<u32>],
+    ) -> Result<io::Model, Error> {
+        let open = slice.surface();
+        let faces: Vec<FaceId> = (0..open.skeleton().face_count()).map(FaceId::new).collect();
+        let mut seam_of = vec![-1_i64; self.map().skeleton().edge_count()];
+        edges.iter().for_each(|edge| seam_of[edge.index()] = 0);
+        for (seam, number) in seams.iter().zip(1..) {
+            seam.iter().for_each(|&step| seam_of[(step >> 1) as usize] = number);
+        }
+        let (mut lines, mut numbers, mut sources) = (RaggedArray::new(), Vec::new(), Vec::new());
+        for edge in (0..open.skeleton().edge_count()).map(EdgeId::new) {
+            let source = slice.edge_sources()[edge];
+            let number = seam_of[source.index()];
+            let ends = open.skeleton().edge(edge);
+            // A loop is no line.
+            if number >= 0 && ends[0] != ends[1] {
+                lines.push(&ends.map(VertexId::to_u32));
+                numbers.push(number);
+                sources.extend(self.surface.edge_numbers(source).map(i64::from));
+            }
+        }
+        self.surface
+            .model_over(Self::polygons(open), slice.vertex_sources().as_slice(), &faces, None)?
+            .with_lines(lines)?
+            .with_data(CellData::integers("seam", GroupKind::Lines, 1, numbers)?)?
+            .with_data(CellData::integers("source", GroupKind::Lines, 2, sources)?)
+    }
+
+    fn cut_open(
+        &self,
+        simplify: bool,
+        rounds: Option<usize>,
+        base: Option<u32>,
+    ) -> Result<(Value, io::Model), Error> {
+        let map = self.map();
+        let lengths = self.lengths();
+        let base = base.map(|base| self.vertex_of(base)).transpose()?;
+        let trees = if simplify || base.is_some() {
+            TreeCotree::greedy(map, base, lengths.as_deref())?
+        } else {
+            TreeCotree::new(map)
+        };
+        let cut = CutSurface::new(map, &trees);
+        let mut graph = CutGraph::new(map, &trees, lengths.as_deref())?;
+        let mut is_shortened = false;
+        if simplify {
+            let work = graph.seams().len().saturating_mul(map.side_count());
+            let rounds = rounds.unwrap_or(if work <= PATIENCE { 4 } else { 0 });
+            if rounds > 0 {
+                graph = graph.shortened(map, lengths.as_deref(), rounds)?;
+                is_shortened = true;
+            }
+        }
+        let is_inner = |edge: &EdgeId| map.mate(map.first_side(*edge)).is_some();
+        let edges: Vec<EdgeId> =
+            if simplify { graph.edges() } else { cut.cut_graph(map).into_iter().filter(is_inner).collect() };
+        let seams: Vec<Vec<u32>> = graph.seams().iter().map(|seam| seam.steps().to_vec()).collect();
+        let slice = map.slice_edges(&edges)?;
+        let parts =
+            Parts::of(map, &slice, &edges, trees.components().len(), |face| trees.component_of_face(face));
+        let (surfaces, orientation) = (map.surfaces(), map.orientation());
+        let mut components = Vec::new();
+        for (i, found) in trees.components().iter().enumerate() {
+            let own: Vec<usize> = (0..seams.len())
+                .filter(|&seam| trees.component_of_vertex(graph.seams()[seam].ends()[0]) == Some(i))
+                .collect();
+            let relator = cut.domains()[i].relator().filter(|_| !is_shortened);
+            let mut object = parts.to_json(i);
+            object["surface"] = surfaces[orientation.component(found.root())].to_string().into();
+            object["base"] = self.surface.number(found.base()).into();
+            object["generators"] = found.generators().len().into();
+            object["relator"] = relator.map(|relator| relator.letters().to_vec()).into();
+            object["word"] = around(map, &slice, &seams, &own).into();
+            object["seams"] = own
+                .iter()
+                .map(|&number| {
+                    let seam = &graph.seams()[number];
+                    json!({
+                        "number": number + 1,
+                        "kind": seam.kind().to_string(),
+                        "edges": seam.steps().len(),
+                        "length": lengths.as_ref().map(|_| seam.length()),
+                        "vertices": self.numbers_along(seam.steps()),
+                    })
+                })
+                .collect();
+            components.push(object);
+        }
+        let value = json!({
+            "simplified": simplify,
+            "components": components,
+            "f_vector": slice.surface().f_vector(),
+            "path": null,
+        });
+        Ok((value, self.cut_model(&slice, &edges, &seams)?))
+    }
+
+    fn cut_along(&self, path: &[u32]) -> Result<(Value, io::Model), Error> {
+        let map = self.map();
+        let steps = self.steps_of(path)?;
+        let ends = map.skeleton().edge_ends();
+        let is_closed = ends[steps[0] as usize] == ends[(steps[steps.len() - 1] ^ 1) as usize];
+        let slice = if is_closed { map.slice_cycle(&steps) } else { map.slice_path(&steps) }?;
+        let edges: Vec<EdgeId> = steps.iter().map(|&step| EdgeId::from_u32(step >> 1)).collect();
+        let orientation = slice.surface().orientation();
+        let surfaces = slice.surface().surfaces();
+        let parts = Parts::of(map, &slice, &edges, surfaces.len(), |face| orientation.component(face));
+        let kind = match slice.path_kind() {
+            Some(PathKind::TwoSided) => "two-sided",
+            Some(PathKind::OneSided) => "one-sided",
+            _ => "open",
+        };
+        let components: Vec<Value> = surfaces
+            .iter()
+            .enumerate()
+            .map(|(i, surface)| {
+                let mut object = parts.to_json(i);
+                object["surface"] = surface.to_string().into();
+                object
+            })
+            .collect();
+        let value = json!({
+            "simplified": false,
+            "components": components,
+            "f_vector": slice.surface().f_vector(),
+            "path": {"kind": kind, "edges": steps.len()},
+        });
+        Ok((value, self.cut_model(&slice, &edges, &[steps])?))
+    }
+
+    fn cover_model(&self, cover: &UniversalCover, positions: Option<Positions>) -> Result<io::Model, Error> {
+        let [vertex_count, _, face_count] = cover.f_vector();
+        let vertices = || (0..vertex_count).map(VertexId::new);
+        let faces = || (0..face_count).map(FaceId::new);
+        let vertex_sources: Vec<VertexId> = vertices().map(|vertex| cover.vertex_below(vertex)).collect();
+        let face_sources: Vec<FaceId> = faces().map(|face| cover.face_below(face)).collect();
+        let data = |name: &str, kind, values: Vec<i64>| CellData::integers(name, kind, 1, values);
+        let copy_lengths: Vec<i64> =
+            (0..cover.copy_count()).map(|copy| cover.copies().length(copy) as i64).collect();
+        let lengths = faces().map(|face| copy_lengths[cover.face_copy(face)]).collect();
+        let copies_of_vertices = vertices().map(|vertex| cover.vertex_copy(vertex) as i64).collect();
+        let copies_of_faces = faces().map(|face| cover.face_copy(face) as i64).collect();
+        self.surface
+            .model_over(cover.polygons(), &vertex_sources, &face_sources, positions)?
+            .with_data(data("copy", GroupKind::Vertices, copies_of_vertices)?)?
+            .with_data(data("copy", GroupKind::Polygons, copies_of_faces)?)?
+            .with_data(data("length", GroupKind::Polygons, lengths)?)
+    }
+}
+
+/// The counts of the components of a sliced surface.
+struct Parts {
+    cut_edges: Vec<usize>,
+    boundary_edges: Vec<usize>,
+    f_vectors: Vec<[usize; 3]>,
+}
+
+impl Parts {
+    fn of(
+        map: &GeneralizedMap,
+        slice: &Slice<GeneralizedMap>,
+        edges: &[EdgeId],
+        count: usize,
+        component_of: impl Fn(FaceId) -> usize,
+    ) -> Self {
+        let open = slice.surface();
+        let mut parts = Self {
+            cut_edges: vec![0; count],
+            boundary_edges: vec![0; count],
+            f_vectors: vec![[0; 3]; count],
+        };
+        let mut seen = vec![false; open.skeleton().vertex_count()];
+        for side in open.sides() {
+            let component = component_of(open.face(side));
+            parts.boundary_edges[component] += usize::from(open.mate(side).is_none());
+            let counts = &mut parts.f_vectors[component];
+            counts[1] += usize::from(open.first_side(open.edge(side)) == side);
+            counts[0] += usize::from(!std::mem::replace(&mut seen[open.source(side).index()], true));
+        }
+        for face in (0..open.skeleton().face_count()).map(FaceId::new) {
+            parts.f_vectors[component_of(face)][2] += 1;
+        }
+        for &edge in edges {
+            // The faces of the slice are those of the surface.
+            parts.cut_edges[component_of(map.face(map.first_side(edge)))] += 1;
+        }
+        parts
+    }
+
+    fn to_json(&self, i: usize) -> Value {
+        let [v, e, f] = self.f_vectors[i];
+        json!({
+            "cut_edges": self.cut_edges[i],
+            "boundary_edges": self.boundary_edges[i],
+            "euler_characteristic": v as i64 - e as i64 + f as i64,
+            "f_vector": [v, e, f],
+        })
+    }
+}
+
+/// The seams of a component in the order of a walk around its domain: letters from 1, negative where a seam is run backward.
+fn around(
+    map: &GeneralizedMap,
+    slice: &Slice<GeneralizedMap>,
+    seams: &[Vec<u32>],
+    own: &[usize],
+) -> Vec<i32> {
+    let mut letters: Vec<(u32, i32)> =
+        own.iter().zip(1..).filter_map(|(&seam, letter)| Some((*seams[seam].first()?, letter))).collect();
+    letters.sort_unstable();
+    let mut word = Vec::new();
+    for walk in slice.surface().boundary_loops() {
+        for (side, sign) in walk {
+            let step = map.step(side) ^ u32::from(sign == Sign::Minus);
+            let found = |step: u32| letters.binary_search_by_key(&step, |&(first, _)| first);
+            if let Ok(at) = found(step) {
+                word.push(letters[at].1);
+            } else if let Ok(at) = found(step ^ 1) {
+                word.push(-letters[at].1);
+            }
+        }
+    }
+    word
+}
+
+#[pymethods]
+impl Surface {
+    #[new]
+    #[pyo3(signature = (model, *, boundary=false, progress=None))]
+    fn new(
+        py: Python<'_>,
+        model: &Bound<'_, PyAny>,
+        boundary: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        surface_of(py, &crate::model::source_of(model)?, boundary, progress)
+    }
+
+    /// The numbers of vertices, edges and faces.
+    #[getter]
+    fn f_vector(&self) -> (usize, usize, usize) {
+        self.map().f_vector().into()
+    }
+
+    /// Vertices - edges + faces.
+    #[getter]
+    fn euler_characteristic(&self) -> i64 {
+        let [v, e, f] = self.map().f_vector();
+        v as i64 - e as i64 + f as i64
+    }
+
+    /// The next side around the face of each side.
+    #[getter]
+    fn next<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.sides(py, |side| self.map().next(side).index() as i64)
+    }
+
+    /// The other side at the edge of each side; -1 on the boundary.
+    #[getter]
+    fn twin<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.sides(py, |side| self.map().mate(side).map_or(-1, |mate| mate.index() as i64))
+    }
+
+    /// The vertex that each side starts from.
+    #[getter]
+    fn vertex<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.sides(py, |side| self.map().source(side).index() as i64)
+    }
+
+    /// The edge of each side.
+    #[getter]
+    fn edge<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.sides(py, |side| self.map().edge(side).index() as i64)
+    }
+
+    /// The face of each side.
+    #[getter]
+    fn face<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.sides(py, |side| self.map().face(side).index() as i64)
+    }
+
+    /// The ends of each edge: ``int32``, shape (edges, 2), on the memory of the surface.
+    #[getter]
+    fn edge_ends<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let owner: Arc<dyn Any + Send + Sync> = Arc::clone(&self.surface) as _;
+        let ends = self.map().skeleton().edge_ends();
+        Ok(shared_ids(py, owner, ends)?.reshape([ends.len() / 2, 2])?.into_any())
+    }
+
+    /// The numbers in the file of the vertices.
+    #[getter]
+    fn vertex_numbers<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        let vertices = (0..self.map().skeleton().vertex_count()).map(VertexId::new);
+        arrays::id_array(py, vertices.map(|vertex| self.surface.number(vertex)))
+    }
+
+    /// The number of connected components with faces.
+    #[getter]
+    fn component_count(&self) -> usize {
+        self.map().component_count()
+    }
+
+    /// The component of each face.
+    #[getter]
+    fn components<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        let orientation = self.map().orientation();
+        let faces = (0..self.map().skeleton().face_count()).map(FaceId::new);
+        arrays::index_array(py, faces.map(|face| orientation.component(face)))
+    }
+
+    /// The boundary loops, each an array of its vertices in order, as numbers of the file.
+    fn boundary_loops<'py>(&self, py: Python<'py>) -> Vec<Bound<'py, PyArray1<i64>>> {
+        let map = self.map();
+        let vertex = |&(side, sign): &(HalfedgeId, Sign)| {
+            self.surface.number(if sign == Sign::Plus { map.source(side) } else { map.target(side) })
+        };
+        map.boundary_loops().iter().map(|walk| arrays::id_array(py, walk.iter().map(vertex))).collect()
+    }
+
+    /// Whether faces can be turned so that neighbors agree.
+    #[getter]
+    fn is_orientable(&self) -> bool {
+        self.map().orientation().conflicts().iter().all(Option::is_none)
+    }
+
+    /// Whether there is no boundary.
+    #[getter]
+    fn is_closed(&self) -> bool {
+        self.map().sides().all(|side| self.map().mate(side).is_some())
+    }
+
+    /// Signs of the faces that make neighbors agree, as far as that is possible: 1 or -1.
+    fn orientation<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        let orientation = self.map().orientation();
+        PyArray1::from_vec(py, orientation.signs().iter().map(|sign| i64::from(sign.to_i32())).collect())
+    }
+
+    /// The genus of a connected surface; of one that cannot be oriented the number of cross-caps; ``None`` if not connected.
+    #[getter]
+    fn genus(&self) -> Option<usize> {
+        match self.map().surfaces()[..] {
+            [surface] => Some(surface.genus()),
+            _ => None,
+        }
+    }
+
+    /// What each component is, by the classification of surfaces.
+    ///
+    /// Returns
+    /// -------
+    /// list of dict
+    ///     ``name``, ``orientable``, ``genus``, ``boundary_loops``, ``euler_characteristic``, ``f_vector``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.generate("moebius").surface().classify()[0]["name"]
+    /// 'Moebius band'
+    fn classify<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let components = self.map().components();
+        let dict = |component: &coface::surface::SurfaceComponent| {
+            let surface = component.surface();
+            let dict = PyDict::new(py);
+            dict.set_item("name", surface.map(|surface| surface.to_string()))?;
+            dict.set_item("orientable", surface.map(SurfaceType::is_orientable))?;
+            dict.set_item("genus", surface.map(SurfaceType::genus))?;
+            dict.set_item("boundary_loops", component.boundary_count())?;
+            dict.set_item("euler_characteristic", component.euler_characteristic())?;
+            dict.set_item("f_vector", PyTuple::new(py, component.f_vector())?)?;
+            Ok(dict)
+        };
+        components.iter().map(dict).collect()
+    }
+
+    /// The surface cut open to disks along a short graph, or along a path.
+    ///
+    /// Parameters
+    /// ----------
+    /// along : array_like of int, optional
+    ///     A path of vertices; if left out, a graph that leaves a disk of each component.
+    /// simplify : bool
+    ///     Whether the graph is made short.
+    /// rounds : int, optional
+    ///     How often every seam is made shorter.
+    /// base : int, optional
+    ///     The vertex that the graph is grown from.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// Domain
+    ///     The opened surface, and what each seam is for.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> domain = coface.generate("torus", columns=5, rows=4).surface().cut()
+    /// >>> domain.components[0]["euler_characteristic"]
+    /// 1
+    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, progress=None))]
+    fn cut(
+        &self,
+        py: Python<'_>,
+        along: Option<&Bound<'_, PyAny>>,
+        simplify: bool,
+        rounds: Option<usize>,
+        base: Option<u32>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Domain> {
+        let along = along.map(|path| arrays::ids(path, "the path")).transpose()?;
+        let (value, model) = run(py, progress, || match &along {
+            Some(path) => self.cut_along(path),
+            None => self.cut_open(simplify, rounds, base),
+        })?;
+        Ok(Domain { value, model: Py::new(py, Model::of(model))? })
+    }
+
+    /// The universal cover of a component, as far as it is asked for.
+    ///
+    /// Parameters
+    /// ----------
+    /// radius : int, optional
+    ///     All copies of the domain at words of this length at most.
+    /// copies : int, optional
+    ///     So many copies; 1 if neither is given.
+    /// component : int
+    ///     The component.
+    /// layout : {"auto", "flat", "disk", "none"}
+    ///     Where copies are put: in the plane, in the Poincare disk, whichever there is, or over the surface.
+    /// most_cells : int
+    ///     More cells than this are refused.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// Cover
+    ///     The copies glued together, with the element of the group of each.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> cover = coface.generate("genus", genus=2).surface().cover(radius=1)
+    /// >>> cover.spheres, cover.euler_characteristic
+    /// ([1, 8], 1)
+    #[pyo3(signature = (*, radius=None, copies=None, component=0, layout="auto", most_cells=100_000_000, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+    fn cover(
+        &self,
+        py: Python<'_>,
+        radius: Option<usize>,
+        copies: Option<usize>,
+        component: usize,
+        layout: &str,
+        most_cells: usize,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Cover> {
+        if radius.is_some() && copies.is_some() {
+            return Err(invalid(py, "radius and copies are both given", "give one of the two"));
+        }
+        if !matches!(layout, "auto" | "flat" | "disk" | "none") {
+            return Err(invalid(
+                py,
+                format!("layout is {layout:?}"),
+                "give \"auto\", \"flat\", \"disk\" or \"none\"",
+            ));
+        }
+        let extent = radius.map_or(CoverExtent::Copies(copies.unwrap_or(1)), CoverExtent::Radius);
+        let (value, model) = run(py, progress, || {
+            let map = self.map();
+            let trees = TreeCotree::new(map);
+            let cut = CutSurface::new(map, &trees);
+            let cover = UniversalCover::new(map, &cut, component, extent, most_cells)?;
+            let placed = match (layout, cover.layout(map, None)) {
+                ("none", _) | ("auto", Err(_)) => None,
+                (_, Err(error)) => return Err(error),
+                (_, Ok(found)) => {
+                    let plane = if found.plane() == CoverPlane::Flat { "flat" } else { "disk" };
+                    if layout != "auto" && layout != plane {
+                        return Err(Error::invalid(
+                            "the cover has no such layout, because of its Euler characteristic",
+                        )
+                        .with_cure(format!("take layout=\"{plane}\"")));
+                    }
+                    let coordinates = found.points().iter().flat_map(|&[x, y]| [x, y, 0.0]).collect();
+                    Some((plane, Positions::from_flat(3, coordinates)?))
+                }
+            };
+            let root = trees.components()[component].root();
+            let letters: Vec<[u32; 2]> =
+                cover.letters().into_iter().map(|edge| self.surface.edge_numbers(edge)).collect();
+            let words: Vec<Vec<i32>> =
+                (0..cover.copy_count()).map(|copy| cover.copy_word(copy).letters().to_vec()).collect();
+            let value = json!({
+                "component": component,
+                "components": trees.components().len(),
+                "surface": map.surfaces()[map.orientation().component(root)].to_string(),
+                "group": cover.group().name().to_string(),
+                "copies": cover.copy_count(),
+                "complete": cover.is_complete(),
+                "spheres": cover.sphere_sizes(),
+                "f_vector": cover.f_vector(),
+                "euler_characteristic": cover.euler_characteristic(),
+                "letters": letters,
+                "words": words,
+                "layout": placed.as_ref().map(|(plane, _)| *plane),
+            });
+            let model = self.cover_model(&cover, placed.map(|(_, positions)| positions))?;
+            Ok((value, model))
+        })?;
+        Ok(Cover { value, model: Py::new(py, Model::of(model))? })
+    }
+
+    /// The cover that has each face twice, once for each of its sides; it can be oriented.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The cover; the data ``source`` and ``copy`` say what lies below.
+    #[pyo3(signature = (*, progress=None))]
+    fn double_cover(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Model> {
+        run(py, progress, || {
+            let cover = self.map().orientation_double_cover();
+            let map = cover.map();
+            let [v, _, f] = map.f_vector();
+            let vertices: Vec<VertexId> =
+                (0..v).map(|vertex| cover.vertex_below(VertexId::new(vertex))).collect();
+            let below: Vec<FaceId> = (0..f).map(|face| cover.face_below(FaceId::new(face)).0).collect();
+            let sheet = |count: usize| (0..count as i64).map(|cell| cell % 2).collect();
+            self.surface
+                .model_over(Self::polygons(map), &vertices, &below, None)?
+                .with_data(CellData::integers("copy", GroupKind::Vertices, 1, sheet(v))?)?
+                .with_data(CellData::integers("copy", GroupKind::Polygons, 1, sheet(f))?)
+        })
+        .map(Model::of)
+    }
+
+    /// A basis of the first cohomology dual to loops.
+    ///
+    /// Parameters
+    /// ----------
+    /// method : {"crossing", "slicing"}
+    ///     How cocycles are found: by the dual tree that crosses edges, or by slicing along loops.
+    /// harmonic : bool
+    ///     Whether harmonic forms of the same classes are wanted.
+    /// weights : {"auto", "cotangent", "uniform"}
+    ///     The weights of edges for harmonic forms.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// Cocycles
+    ///     Loops, cocycles, their pairing, and harmonic forms.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> cocycles = coface.generate("torus", columns=5, rows=4).surface().cocycles()
+    /// >>> cocycles.rank, cocycles.pairing
+    /// (2, [[1, 0], [0, 1]])
+    #[pyo3(signature = (*, method="crossing", harmonic=false, weights="auto", progress=None))]
+    fn cocycles(
+        &self,
+        py: Python<'_>,
+        method: &str,
+        harmonic: bool,
+        weights: &str,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Cocycles> {
+        if !matches!(method, "crossing" | "slicing") {
+            return Err(invalid(py, format!("method is {method:?}"), "give \"crossing\" or \"slicing\""));
+        }
+        if !matches!(weights, "auto" | "cotangent" | "uniform") {
+            return Err(invalid(
+                py,
+                format!("weights are {weights:?}"),
+                "give \"auto\", \"cotangent\" or \"uniform\"",
+            ));
+        }
+        let (basis, intersection, forms) = run(py, progress, || {
+            let map = self.map();
+            let lengths = self.lengths();
+            let trees = match &lengths {
+                Some(lengths) => TreeCotree::greedy(map, None, Some(lengths))?,
+                None => TreeCotree::new(map),
+            };
+            let homology = SurfaceHomology::new(map, &trees);
+            let is_plain = self.is_closed() && self.is_orientable();
+            let sliced = if is_plain || method == "slicing" {
+                Some(CocycleBasis::by_slicing(map, homology.loops())?)
+            } else {
+                None
+            };
+            let basis = match (method, &sliced) {
+                ("slicing", Some(sliced)) => sliced.dual()?,
+                _ => CocycleBasis::by_crossing(&homology),
+            };
+            let intersection = sliced.filter(|_| is_plain).map(|sliced| sliced.pairing().to_vec());
+            let forms = match harmonic {
+                true => Some(forms(map, basis.cocycles(), lengths.as_deref(), weights)?),
+                false => None,
+            };
+            Ok((basis, intersection, forms))
+        })?;
+        let naming = Arc::new(self.naming().unwrap_or_else(|| Naming::of(Names::Own)));
+        let cell_count = self.map().skeleton().edge_count();
+        let cochain = |cochain: &Cochain<Integer>| {
+            let terms = cochain.terms().to_vec();
+            Py::new(py, Chain { degree: 1, terms, cell_count, naming: Arc::clone(&naming), is_cochain: true })
+        };
+        let chains = basis.cocycles().iter().map(cochain).collect::<PyResult<_>>()?;
+        let value = json!({
+            "rank": basis.cocycles().len(),
+            "method": method,
+            "pairing": basis.pairing(),
+            "determinant": basis.determinant().map(integer_to_json),
+            "loops": basis.loops().iter().map(|walk| self.walk_numbers(walk)).collect::<Vec<_>>(),
+            "intersection": intersection,
+            "weights": forms.as_ref().map(|(weights, _)| *weights),
+            "closed_residuals": forms.as_ref().map(|(_, forms)| forms.iter().map(HarmonicForm::closed_residual).collect::<Vec<_>>()),
+            "coclosed_residuals": forms.as_ref().map(|(_, forms)| forms.iter().map(HarmonicForm::coclosed_residual).collect::<Vec<_>>()),
+        });
+        let forms =
+            forms.map(|(_, forms)| forms.iter().map(|form| form.values().as_slice().to_vec()).collect());
+        Ok(Cocycles { value, cocycles: chains, forms, edge_count: cell_count })
+    }
+
+    /// The fundamental groups of the components in generators of the surface, with their loops.
+    ///
+    /// Parameters
+    /// ----------
+    /// canonical : bool
+    ///     Whether generators are those of the normal form: a b a^-1 b^-1 ... or a a b b ...
+    /// shortest : bool
+    ///     Whether loops are the shortest at the base.
+    /// base : int, optional
+    ///     The vertex that loops start from.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// list of FundamentalGroup
+    ///     One for each component with faces.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> group, = coface.generate("genus", genus=2).surface().pi1(canonical=True)
+    /// >>> group.relators
+    /// [[1, 2, -1, -2, 3, 4, -3, -4]]
+    #[pyo3(signature = (*, canonical=false, shortest=false, base=None, progress=None))]
+    fn pi1(
+        &self,
+        py: Python<'_>,
+        canonical: bool,
+        shortest: bool,
+        base: Option<u32>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Vec<FundamentalGroup>> {
+        run(py, progress, || {
+            let map = self.map();
+            let lengths = self.lengths().filter(|_| shortest);
+            let base = base.map(|base| self.vertex_of(base)).transpose()?;
+            let trees = TreeCotree::greedy(map, base, lengths.as_deref())?;
+            let homotopy = SurfaceHomotopy::new(map, &trees)?;
+            let mut groups = Vec::new();
+            for (i, found) in trees.components().iter().enumerate() {
+                let group = &homotopy.groups()[i];
+                let canonical = if canonical { homotopy.canonical_loops(i) } else { None };
+                let (presentation, loops) = match canonical {
+                    Some((loops, system)) => {
+                        let relators = if loops.is_empty() { Vec::new() } else { vec![system.relator()] };
+                        (coface::topology::Presentation::new(loops.len(), relators)?, loops)
+                    }
+                    None if shortest && found.has_boundary() => {
+                        let loops = shortest_loops(map, found.base(), lengths.as_deref())?;
+                        (group.presentation(), loops.into_iter().map(|cycle| cycle.walk().clone()).collect())
+                    }
+                    None => {
+                        let letters = 1..=found.generators().len() as i32;
+                        let walk =
+                            |letter| homotopy.walk_of_word(i, &coface::algebra::Word::from_letters([letter]));
+                        (group.presentation(), letters.map(walk).collect())
+                    }
+                };
+                let loops = loops.iter().map(|walk| self.walk_numbers(walk)).collect();
+                let base = self.surface.number(found.base());
+                groups.push(FundamentalGroup::new(presentation, Some(group.name()), base, loops));
+            }
+            Ok(groups)
+        })
+    }
+
+    /// Shortest closed paths: one that cannot be contracted, one that does not separate, or a basis of homology.
+    ///
+    /// Parameters
+    /// ----------
+    /// kind : {"non-contractible", "non-separating", "homology-basis"}
+    ///     What is looked for.
+    /// through : int, optional
+    ///     A vertex that it has to go through.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// list of (float, numpy.ndarray)
+    ///     Lengths and vertices, the first one again at the end. Without positions each edge has the length 1.
+    #[pyo3(signature = (kind="non-contractible", *, through=None, progress=None))]
+    #[expect(clippy::type_complexity, reason = "a list of pairs")]
+    fn shortest_cycles<'py>(
+        &self,
+        py: Python<'py>,
+        kind: &str,
+        through: Option<u32>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Vec<(f64, Bound<'py, PyArray1<i64>>)>> {
+        let one = match kind {
+            "non-contractible" => Some(CycleKind::NonContractible),
+            "non-separating" => Some(CycleKind::NonSeparating),
+            "homology-basis" if through.is_some() => {
+                return Err(invalid(
+                    py,
+                    "a basis of homology does not go through one vertex",
+                    "leave through out",
+                ));
+            }
+            "homology-basis" => None,
+            _ => {
+                let cure = "give \"non-contractible\", \"non-separating\" or \"homology-basis\"";
+                return Err(invalid(py, format!("kind is {kind:?}"), cure));
+            }
+        };
+        let found: Vec<ShortestCycle> = run(py, progress, || {
+            let (map, lengths) = (self.map(), self.lengths());
+            Ok(match (one, through) {
+                (None, _) => shortest_homology_basis(map, lengths.as_deref(), MOST_REACHED)?,
+                (Some(kind), None) => {
+                    shortest_cycle(map, lengths.as_deref(), kind, MOST_REACHED)?.into_iter().collect()
+                }
+                (Some(kind), Some(vertex)) => {
+                    let vertex = self.vertex_of(vertex)?;
+                    shortest_cycle_through(map, vertex, lengths.as_deref(), kind)?.into_iter().collect()
+                }
+            })
+        })?;
+        Ok(found
+            .iter()
+            .map(|cycle| (cycle.length(), arrays::id_array(py, self.walk_numbers(cycle.walk()))))
+            .collect())
+    }
+
+    /// What closed walks are: whether they can be contracted, bound, and which are homotopic.
+    ///
+    /// Parameters
+    /// ----------
+    /// walks : sequence of array_like of int
+    ///     Closed paths of vertices along edges, the first one again at the end.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// list of dict
+    ///     ``contractible``, ``bounds``, ``word``, ``homotopic`` and ``freely_homotopic`` (numbers of other walks that are).
+    #[pyo3(signature = (walks, *, progress=None))]
+    fn compare<'py>(
+        &self,
+        py: Python<'py>,
+        walks: &Bound<'py, PyAny>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mut lists = Vec::new();
+        for walk in walks.try_iter()? {
+            lists.push(arrays::ids(&walk?, "a walk")?);
+        }
+        let value = run(py, progress, || {
+            let map = self.map();
+            let mut closed = Vec::new();
+            for list in &lists {
+                match list[..] {
+                    [vertex] => closed.push(ClosedWalk::constant(self.vertex_of(vertex)?)),
+                    _ => closed.push(ClosedWalk::new(map.skeleton(), self.steps_of(list)?)?),
+                }
+            }
+            let trees = TreeCotree::new(map);
+            let homotopy = SurfaceHomotopy::new(map, &trees)?;
+            let homology = SurfaceHomology::new(map, &trees);
+            let mut answers = Vec::new();
+            for (i, walk) in closed.iter().enumerate() {
+                let (mut based, mut free) = (Vec::new(), Vec::new());
+                for (j, other) in closed.iter().enumerate().filter(|&(j, _)| j != i) {
+                    if walk.start() == other.start() && homotopy.are_homotopic(walk, other)? {
+                        based.push(j);
+                    }
+                    let together = homotopy.component(walk)? == homotopy.component(other)?;
+                    if together && homotopy.are_freely_homotopic(walk, other)? {
+                        free.push(j);
+                    }
+                }
+                let class = homology.class_of_walk(walk)?;
+                let bounds = class.iter().all(|&x| x == 0);
+                answers.push(json!({
+                    "contractible": homotopy.is_contractible(walk)?,
+                    "bounds": bounds,
+                    "class": class,
+                    "component": homotopy.component(walk)?,
+                    "word": homotopy.word(walk)?.letters(),
+                    "homotopic": based,
+                    "freely_homotopic": free,
+                }));
+            }
+            Ok(Value::from(answers))
+        })?;
+        crate::json::to_python(py, &value)
+    }
+
+    /// The surface as a model.
+    fn model(&self, py: Python<'_>) -> PyResult<Model> {
+        if !self.of_boundary {
+            return Ok(Model { source: Arc::clone(&self.source) });
+        }
+        let vertices: Vec<VertexId> = (0..self.map().skeleton().vertex_count()).map(VertexId::new).collect();
+        let faces: Vec<FaceId> = (0..self.map().skeleton().face_count()).map(FaceId::new).collect();
+        self.surface
+            .model_over(Self::polygons(self.map()), &vertices, &faces, None)
+            .or_raise(py)
+            .map(Model::of)
+    }
+
+    fn __len__(&self) -> usize {
+        self.map().skeleton().face_count()
+    }
+
+    fn __repr__(&self) -> String {
+        let names: Vec<String> = self.map().surfaces().iter().take(4).map(ToString::to_string).collect();
+        let [v, e, f] = self.map().f_vector();
+        let more = if self.map().component_count() > 4 { ", .." } else { "" };
+        let names = if names.is_empty() { "no faces".to_owned() } else { names.join(" + ") };
+        format!("Surface({names}{more}, f-vector ({v}, {e}, {f}))")
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Model, bool))> {
+        let model = Model { source: Arc::clone(&self.source) };
+        Ok((py.import("coface._coface")?.getattr("_surface")?, (model, self.of_boundary)))
+    }
+}
+
+/// Makes a surface again, for pickling.
+#[pyfunction]
+pub(crate) fn _surface(py: Python<'_>, model: &Bound<'_, Model>, boundary: bool) -> PyResult<Surface> {
+    surface_of(py, &model.get().source, boundary, None)
+}
+
+/// Harmonic forms, with the weights that they are for.
+fn forms(
+    map: &GeneralizedMap,
+    cocycles: &[Cochain<Integer>],
+    lengths: Option<&[f64]>,
+    weights: &str,
+) -> Result<(&'static str, Vec<HarmonicForm>), Error> {
+    let uniform = || vec![1.0; map.skeleton().edge_count()];
+    if weights == "uniform" || cocycles.is_empty() {
+        return Ok(("uniform", harmonic_forms(map, cocycles, &uniform())?));
+    }
+    let found = match lengths {
+        None => Err(Error::invalid("the model has no positions, so angles have no cotangents")
+            .with_cure("take weights=\"uniform\"")),
+        Some(lengths) => {
+            cotangent_weights(map, lengths).and_then(|weights| harmonic_forms(map, cocycles, &weights))
+        }
+    };
+    match found {
+        Ok(forms) => Ok(("cotangent", forms)),
+        Err(error) if weights != "auto" => Err(error),
+        Err(_) => Ok(("uniform", harmonic_forms(map, cocycles, &uniform())?)),
+    }
+}
+
+/// A surface cut open: a disk for each component, and seams.
+///
+/// Made by :meth:`Surface.cut`.
+#[pyclass(frozen, module = "coface", name = "Domain")]
+pub(crate) struct Domain {
+    value: Value,
+    model: Py<Model>,
+}
+
+answer! { Domain {
+    /// For each component ``surface``, ``f_vector``, ``cut_edges``, ``boundary_edges``, ``seams``, ``word``, ``relator`` and more.
+    components,
+    /// The numbers of vertices, edges and faces of the opened surface.
+    f_vector,
+    /// Whether the graph was made short.
+    simplified,
+    /// Of a cut along a path its ``kind`` and number of ``edges``.
+    path,
+}
+    /// The opened surface: its lines are the seams, with the data ``seam`` and ``source``; vertices have ``source``.
+    #[getter]
+    fn model(&self, py: Python<'_>) -> Py<Model> {
+        self.model.clone_ref(py)
+    }
+
+    fn __repr__(&self) -> String {
+        let components = self.value["components"].as_array().map_or(0, Vec::len);
+        format!("Domain(f-vector {}, components {components})", self.value["f_vector"])
+    }
+}
+
+/// A part of a universal cover: copies of a domain, glued.
+///
+/// Made by :meth:`Surface.cover`.
+#[pyclass(frozen, module = "coface", name = "Cover")]
+pub(crate) struct Cover {
+    value: Value,
+    model: Py<Model>,
+}
+
+answer! { Cover {
+    /// The component that is covered.
+    component,
+    /// What it is.
+    surface,
+    /// The name of its fundamental group.
+    group,
+    /// The number of copies.
+    copies,
+    /// Whether it is the whole cover.
+    complete,
+    /// The number of copies at each word length.
+    spheres,
+    /// The numbers of vertices, edges and faces.
+    f_vector,
+    /// Vertices - edges + faces: 1 of a disk.
+    euler_characteristic,
+    /// The edges of the surface, by their vertices, that letters cross.
+    letters,
+    /// The word of each copy: letters are 1, 2, .. and their inverses -1, -2, ..
+    words,
+    /// Where copies were put: ``flat``, ``disk`` or ``None`` for over the surface.
+    layout,
+}
+    /// The cover as a model; its data ``source``, ``copy`` and ``length`` say what lies below.
+    #[getter]
+    fn model(&self, py: Python<'_>) -> Py<Model> {
+        self.model.clone_ref(py)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Cover(copies {}, f-vector {})", self.value["copies"], self.value["f_vector"])
+    }
+}
+
+/// A basis of the first cohomology of a surface, dual to loops.
+///
+/// Made by :meth:`Surface.cocycles`.
+#[pyclass(frozen, module = "coface", name = "Cocycles")]
+pub(crate) struct Cocycles {
+    value: Value,
+    cocycles: Vec<Py<Chain>>,
+    forms: Option<Vec<Vec<f64>>>,
+    edge_count: usize,
+}
+
+answer! { Cocycles {
+    /// The rank of the first cohomology over the integers.
+    rank,
+    /// How cocycles were found.
+    method,
+    /// The value of cocycle i on loop j.
+    pairing,
+    /// Its determinant.
+    determinant,
+    /// The loops, each a list of vertices, the first one again at the end.
+    loops,
+    /// How often loops cross each other, with signs, on closed oriented surfaces.
+    intersection,
+    /// The weights of harmonic forms: ``cotangent`` or ``uniform``.
+    weights,
+    /// The largest sum of each harmonic form around a face.
+    closed_residuals,
+    /// The largest weighted sum of each harmonic form at a vertex.
+    coclosed_residuals,
+}
+    /// The cocycles, integral cochains of degree 1.
+    #[getter]
+    fn cocycles(&self, py: Python<'_>) -> Vec<Py<Chain>> {
+        self.cocycles.iter().map(|chain| chain.clone_ref(py)).collect()
+    }
+
+    /// The harmonic forms, if they were asked for: ``float64``, shape (rank, edges).
+    #[getter]
+    fn harmonic<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let Some(forms) = &self.forms else { return Ok(None) };
+        let flat: Vec<f64> = forms.iter().flatten().copied().collect();
+        Ok(Some(PyArray1::from_vec(py, flat).reshape([forms.len(), self.edge_count])?.into_any()))
+    }
+
+    fn __len__(&self) -> usize {
+        self.cocycles.len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Cocycles(rank {})", self.cocycles.len())
+    }
+}
+
+/// The vertices of a producer by their numbers in the file.
+pub(crate) fn numbers_of(producer: &Producer, count: usize) -> Vec<u32> {
+    (0..count).map(|vertex| producer.cell_vertices(0, vertex)[0]).collect()
+}

@@ -1,0 +1,1155 @@
+//! Sets of the plane with smooth boundaries and kinks.
+
+use crate::answer::answer;
+use crate::arrangement::{formula, named_format, rule_of};
+use crate::arrays;
+use crate::congruence::choice;
+use crate::errors::{OrRaise, invalid, raised};
+use crate::json::to_python;
+use crate::model::{Model, read_options};
+use crate::source::Source;
+use crate::work::run;
+use coface::geometry::Angle;
+use coface::io::{self, Format};
+use coface::report::{KinkRequest, PlanarSet, SetPicture, SetRequest};
+use coface::yin::{
+    self, CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Location, Order,
+    SetLocation, TrackingOptions, Verification,
+};
+use coface::{Error, ErrorKind, VertexId};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyList, PyString, PyTuple};
+use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Points of the plane.
+fn points_of(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<[f64; 2]>> {
+    let py = value.py();
+    let positions = arrays::positions(value, what)?;
+    if positions.dimension() != 2 && !positions.is_empty() {
+        let message = format!("{what} have {} coordinates", positions.dimension());
+        return Err(invalid(py, message, "give an array of shape (n, 2)"));
+    }
+    Ok(positions.as_flat().chunks_exact(2).map(|point| [point[0], point[1]]).collect())
+}
+
+fn point_array<'py>(py: Python<'py>, points: &[[f64; 2]]) -> PyResult<Bound<'py, PyAny>> {
+    Ok(PyArray1::from_vec(py, points.concat()).reshape([points.len(), 2])?.into_any())
+}
+
+fn order_of(py: Python<'_>, order: usize) -> PyResult<Order> {
+    Order::new(order).or_raise(py)
+}
+
+fn ends_of(py: Python<'_>, ends: &str) -> PyResult<EndCondition> {
+    match ends {
+        "not-a-knot" => Ok(EndCondition::NotAKnot),
+        "natural" => Ok(EndCondition::Natural),
+        "periodic" => Ok(EndCondition::Periodic),
+        _ => {
+            Err(invalid(py, format!("ends are {ends:?}"), "give \"not-a-knot\", \"natural\" or \"periodic\""))
+        }
+    }
+}
+
+fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
+    let py = kinks.py();
+    if let Ok(word) = kinks.cast::<PyString>() {
+        return match word.to_str()? {
+            "none" => Ok(KinkRequest::None),
+            "all" => Ok(KinkRequest::All),
+            other => Err(invalid(
+                py,
+                format!("kinks are {other:?}"),
+                "give \"none\", \"all\", an angle, or pairs (curve, knot)",
+            )),
+        };
+    }
+    if let Ok(degrees) = kinks.extract::<f64>() {
+        if (0.0..=180.0).contains(&degrees) {
+            return Ok(KinkRequest::Detected(degrees.to_radians()));
+        }
+        return Err(invalid(
+            py,
+            format!("kinks are detected at {degrees} degrees"),
+            "give an angle between 0 and 180",
+        ));
+    }
+    let pairs: Vec<(u32, u32)> = kinks.extract()?;
+    Ok(KinkRequest::Listed(pairs.into_iter().map(|(curve, knot)| KnotIndex { curve, knot }).collect()))
+}
+
+/// A piecewise polynomial curve of the plane: a polyline or a spline.
+///
+/// Parameters
+/// ----------
+/// points : array_like, shape (n, 2)
+///     Points on the curve, the first one again at the end of a closed one.
+/// order : {2, 4, 6, 8}
+///     2 for polylines, 4 for cubic splines, ..
+/// ends : {"not-a-knot", "natural", "periodic"}
+///     What holds at the ends.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> square = coface.Curve([[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]])
+/// >>> square.signed_area, square.is_closed
+/// (4.0, True)
+#[pyclass(frozen, module = "coface", name = "Curve")]
+pub(crate) struct Curve {
+    curve: yin::Curve<'static>,
+}
+
+#[pymethods]
+impl Curve {
+    #[new]
+    #[pyo3(signature = (points, order=2, ends="not-a-knot"))]
+    fn new(py: Python<'_>, points: &Bound<'_, PyAny>, order: usize, ends: &str) -> PyResult<Self> {
+        let points = points_of(points, "points")?;
+        let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
+        let curve = run(py, None, || match order {
+            Order::LINEAR => yin::Curve::polyline(&points),
+            order => yin::Curve::fit(&points, order, &ends),
+        })?;
+        Ok(Self { curve })
+    }
+
+    /// A closed spline through points with kinks at some of them.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array_like, shape (n, 2)
+    ///     Points, the first one not repeated.
+    /// kinks : array_like of int, optional
+    ///     Places of points where the curve may turn.
+    /// order : {2, 4, 6, 8}
+    ///     The order.
+    /// ends : {"not-a-knot", "natural"}
+    ///     What holds at kinks.
+    #[staticmethod]
+    #[pyo3(signature = (points, kinks=None, order=4, ends="not-a-knot"))]
+    fn closed(
+        py: Python<'_>,
+        points: &Bound<'_, PyAny>,
+        kinks: Option<&Bound<'_, PyAny>>,
+        order: usize,
+        ends: &str,
+    ) -> PyResult<Self> {
+        let points = points_of(points, "points")?;
+        let kinks = kinks.map_or(Ok(Vec::new()), |kinks| arrays::ids(kinks, "kinks"))?;
+        let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
+        let curve = run(py, None, || yin::Curve::fit_closed(&points, &kinks, order, &ends))?;
+        Ok(Self { curve })
+    }
+
+    /// A circle, counterclockwise.
+    #[staticmethod]
+    #[pyo3(signature = (center, radius, pieces=16, order=4))]
+    fn circle(py: Python<'_>, center: [f64; 2], radius: f64, pieces: usize, order: usize) -> PyResult<Self> {
+        let curve = yin::Curve::circle(center, radius, pieces, order_of(py, order)?).or_raise(py)?;
+        Ok(Self { curve })
+    }
+
+    /// An ellipse, counterclockwise.
+    #[staticmethod]
+    #[pyo3(signature = (center, axes, pieces=16, order=4))]
+    fn ellipse(
+        py: Python<'_>,
+        center: [f64; 2],
+        axes: [f64; 2],
+        pieces: usize,
+        order: usize,
+    ) -> PyResult<Self> {
+        let curve = yin::Curve::ellipse(center, axes, pieces, order_of(py, order)?).or_raise(py)?;
+        Ok(Self { curve })
+    }
+
+    /// The order: the degree of pieces plus 1.
+    #[getter]
+    fn order(&self) -> usize {
+        self.curve.order().value()
+    }
+
+    /// The number of pieces.
+    #[getter]
+    fn pieces(&self) -> usize {
+        self.curve.piece_count()
+    }
+
+    /// Whether it ends where it starts.
+    #[getter]
+    fn is_closed(&self) -> bool {
+        self.curve.is_closed()
+    }
+
+    /// The parameters where pieces meet.
+    #[getter]
+    fn knots<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.curve.knots())
+    }
+
+    /// The Bezier controls of all pieces: shape (n, 2).
+    #[getter]
+    fn controls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        point_array(py, self.curve.controls())
+    }
+
+    /// Points at parameters: shape (n, 2).
+    fn points<'py>(&self, py: Python<'py>, parameters: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let parameters = arrays::finite(parameters, "parameters")?;
+        let points: Vec<[f64; 2]> = parameters.into_iter().map(|t| self.curve.point(t)).collect();
+        point_array(py, &points)
+    }
+
+    /// A polyline no farther from the curve than this: shape (n, 2).
+    fn flattened<'py>(&self, py: Python<'py>, tolerance: f64) -> PyResult<Bound<'py, PyAny>> {
+        let points = run(py, None, || io::yin::flattened(&self.curve, tolerance))?;
+        point_array(py, &points)
+    }
+
+    /// The area that it encloses, positive if it lies to the left.
+    #[getter]
+    fn signed_area(&self) -> f64 {
+        self.curve.signed_area()
+    }
+
+    /// The length, to this relative tolerance.
+    #[pyo3(signature = (tolerance=1e-12))]
+    fn length(&self, tolerance: f64) -> f64 {
+        self.curve.length(tolerance)
+    }
+
+    /// ``[low, high]`` corners of the smallest box.
+    #[getter]
+    fn bounding_box(&self) -> [[f64; 2]; 2] {
+        self.curve.bounding_box()
+    }
+
+    /// The other way round.
+    fn reversed(&self) -> Self {
+        Self { curve: self.curve.reversed() }
+    }
+
+    /// Moved by a vector.
+    fn translated(&self, by: [f64; 2]) -> Self {
+        Self { curve: self.curve.translated(by) }
+    }
+
+    /// Turned by degrees about a center.
+    #[pyo3(signature = (degrees, center=[0.0, 0.0]))]
+    fn rotated(&self, py: Python<'_>, degrees: f64, center: [f64; 2]) -> PyResult<Self> {
+        Ok(Self { curve: self.curve.rotated(Angle::degrees(degrees).or_raise(py)?, center) })
+    }
+
+    /// ``inside``, ``outside`` or ``boundary``: where a point lies of a closed curve.
+    fn locate(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<&'static str> {
+        Ok(match self.curve.locate(point).or_raise(py)? {
+            Location::Inside => "inside",
+            Location::Outside => "outside",
+            _ => "boundary",
+        })
+    }
+
+    fn __len__(&self) -> usize {
+        self.curve.piece_count()
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| self.curve == other.get().curve)
+    }
+
+    fn __hash__(&self) -> isize {
+        self.curve.piece_count() as isize
+    }
+
+    fn __repr__(&self) -> String {
+        let closed = if self.curve.is_closed() { "closed" } else { "open" };
+        format!("Curve(order {}, {} pieces, {closed})", self.curve.order().value(), self.curve.piece_count())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let rebuild = py.import("coface._coface")?.getattr("_curve")?;
+        let parts = (self.order(), self.controls(py)?, self.knots(py));
+        Ok((rebuild, parts.into_pyobject(py)?))
+    }
+}
+
+/// Makes a curve again, for pickling.
+#[pyfunction]
+pub(crate) fn _curve(
+    py: Python<'_>,
+    order: usize,
+    controls: &Bound<'_, PyAny>,
+    knots: &Bound<'_, PyAny>,
+) -> PyResult<Curve> {
+    let (controls, knots) = (points_of(controls, "controls")?, arrays::finite(knots, "knots")?);
+    let curve = yin::Curve::from_controls(order_of(py, order)?, controls, knots).or_raise(py)?;
+    Ok(Curve { curve })
+}
+
+/// A set of the plane that is regular, open and semianalytic: bounded by polylines or splines, itself bounded or not.
+///
+/// Sets do not change; an edit gives a new one, and one that fails leaves everything as it was.
+///
+/// Parameters
+/// ----------
+/// curves : sequence of Curve
+///     Boundaries with the set on their left, pairwise disjoint but for single points.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> disk = coface.YinSet([coface.Curve.circle([0, 0], 1)])
+/// >>> square = coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 2], [0, 2]]])
+/// >>> square.area, square.betti_open
+/// (4.0, [1, 0])
+/// >>> (square & square.complement()).is_empty
+/// True
+#[pyclass(frozen, module = "coface", name = "YinSet")]
+pub(crate) struct YinSet {
+    set: Arc<PlanarSet>,
+    /// What was known when it was made: where pieces come from, what was decided without proof.
+    provenance: Value,
+    value: Value,
+}
+
+impl YinSet {
+    fn of(set: PlanarSet) -> Result<Self, Error> {
+        Self::with_provenance(set, Value::Null)
+    }
+
+    fn with_provenance(set: PlanarSet, provenance: Value) -> Result<Self, Error> {
+        let value = set.to_json()?;
+        Ok(Self { set: Arc::new(set), provenance, value })
+    }
+
+    fn inner(&self) -> &yin::YinSet {
+        self.set.set()
+    }
+
+    fn combined(sets: &[&yin::YinSet], operation: &str) -> Result<Self, Error> {
+        let combination = yin::YinSet::combine(sets, &formula(operation, sets.len())?)?;
+        let mut provenance = PlanarSet::provenance_to_json(&combination);
+        provenance["uncertified"] = combination.report().iter().map(PlanarSet::decision_to_json).collect();
+        Self::with_provenance(PlanarSet::from_set(combination.into_set()), provenance)
+    }
+
+    fn with(&self, py: Python<'_>, other: &Bound<'_, Self>, operation: &str) -> PyResult<Self> {
+        let other = other.get();
+        run(py, None, || Self::combined(&[self.inner(), other.inner()], operation))
+    }
+
+    /// The set with an edit.
+    fn edited(
+        &self,
+        py: Python<'_>,
+        edit: impl FnOnce(&mut PlanarSet) -> Result<(), Error> + Send,
+    ) -> PyResult<Self> {
+        run(py, None, || {
+            let mut set = self.set.as_ref().clone();
+            edit(&mut set)?;
+            Self::of(set)
+        })
+    }
+}
+
+fn request(
+    py: Python<'_>,
+    order: Option<usize>,
+    rule: Option<&str>,
+    kinks: Option<&Bound<'_, PyAny>>,
+    ends: &str,
+    canonical: bool,
+    fit: bool,
+) -> PyResult<SetRequest> {
+    let mut request = SetRequest::default();
+    request.order = order.map(|order| order_of(py, order)).transpose()?;
+    request.rule = rule_of(py, rule)?;
+    request.kinks = kinks.map(kinks_of).transpose()?;
+    request.ends = ends_of(py, ends)?;
+    request.canonical = canonical;
+    request.fit = fit;
+    Ok(request)
+}
+
+answer! { YinSet {
+    /// The lower left and upper right corners of the smallest box; ``None`` without curves.
+    bounding_box,
+    /// The length of the boundary.
+    perimeter,
+    /// How many curves have the set inside, and how many outside.
+    curve_counts,
+    /// Components and holes of the open set.
+    betti_open,
+    /// Components and holes of the closed set.
+    betti_closed,
+    /// For each connected component the numbers of its curves.
+    atoms,
+}
+    /// For each curve ``sign``, ``area``, ``length``, ``knots``, ``kinks``, ``parent``, ``depth``, ``name``.
+    #[getter]
+    fn curve_facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.value["curves"])
+    }
+
+    #[new]
+    #[pyo3(signature = (curves))]
+    fn new(py: Python<'_>, curves: Vec<Py<Curve>>) -> PyResult<Self> {
+        let curves: Vec<yin::Curve<'static>> = curves.iter().map(|curve| curve.get().curve.clone()).collect();
+        run(py, None, || Self::of(PlanarSet::from_set(yin::YinSet::new(&curves)?)))
+    }
+
+    /// Reads a set from a file: SVG, GeoJSON, WKT, JSON, ``.dat`` or any drawing with rings.
+    ///
+    /// Parameters
+    /// ----------
+    /// path : str or os.PathLike
+    ///     The file.
+    /// format : str, optional
+    ///     The format, if it is not to be found out.
+    /// order : {2, 4, 6, 8}, optional
+    ///     The order of the curves.
+    /// rule : {"nonzero", "evenodd", "positive"}, optional
+    ///     What rings that cross contain.
+    /// kinks : "none", "all", float, or list of (int, int), optional
+    ///     Where curves may turn: nowhere, everywhere, where polylines turn by more degrees, or at these (curve, knot).
+    /// ends : {"not-a-knot", "natural"}
+    ///     What holds at kinks.
+    /// fit : bool
+    ///     Whether points are fitted again.
+    /// canonical : bool
+    ///     Whether the unique form is made.
+    /// flatten : float, optional
+    ///     How far the polylines of curved paths may be from the curves, where the order is 2.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    #[staticmethod]
+    #[pyo3(signature = (path, format=None, *, order=None, rule=None, kinks=None, ends="not-a-knot", fit=false, canonical=false, flatten=None, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+    fn read(
+        py: Python<'_>,
+        path: PathBuf,
+        format: Option<&str>,
+        order: Option<usize>,
+        rule: Option<&str>,
+        kinks: Option<&Bound<'_, PyAny>>,
+        ends: &str,
+        fit: bool,
+        canonical: bool,
+        flatten: Option<f64>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let mut request = request(py, order, rule, kinks, ends, canonical, fit)?;
+        request.flatten = flatten;
+        // Curves stay curves unless polylines are asked for.
+        let options = read_options(py, format, flatten.filter(|_| request.order == Some(Order::LINEAR)))?;
+        run(py, progress, || {
+            let name = path.display().to_string();
+            let drawing = io::read_boundary_path(&path, &options)?;
+            Self::of(PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name))?)
+        })
+    }
+
+    /// A set bounded by rings of points.
+    ///
+    /// Parameters
+    /// ----------
+    /// rings : sequence of array_like, each of shape (n, 2)
+    ///     Rings, the first point not repeated.
+    /// order : {2, 4, 6, 8}
+    ///     2 for polylines, 4 for cubic splines through the points, ..
+    /// rule : {"nonzero", "evenodd", "positive"}, optional
+    ///     What rings that cross contain; without it the set lies to the left of each ring.
+    /// kinks : "none", "all", float, or list of (int, int), optional
+    ///     Where splines may turn.
+    /// ends : {"not-a-knot", "natural"}
+    ///     What holds at kinks.
+    /// canonical : bool
+    ///     Whether the unique form is made.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    #[staticmethod]
+    #[pyo3(signature = (rings, *, order=2, rule=None, kinks=None, ends="not-a-knot", canonical=false, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+    fn from_rings(
+        py: Python<'_>,
+        rings: &Bound<'_, PyAny>,
+        order: usize,
+        rule: Option<&str>,
+        kinks: Option<&Bound<'_, PyAny>>,
+        ends: &str,
+        canonical: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let mut lists = Vec::new();
+        for ring in rings.try_iter()? {
+            lists.push(points_of(&ring?, "rings")?);
+        }
+        let request = request(py, Some(order), rule, kinks, ends, canonical, order > 2)?;
+        let stated = request.rule;
+        run(py, progress, || {
+            let mut drawing = io::yin::BoundaryDrawing::new(Order::LINEAR);
+            let curves = lists.into_iter().map(io::yin::BoundaryCurve::new).collect();
+            let filling = stated.map_or(io::yin::Filling::Left, io::yin::Filling::Stated);
+            drawing.push(filling, curves);
+            Self::of(PlanarSet::of(&drawing, &request)?)
+        })
+    }
+
+    /// The rings of a planar model as a set.
+    #[staticmethod]
+    #[pyo3(signature = (model, *, order=None, rule=None, kinks=None, progress=None))]
+    fn from_model(
+        py: Python<'_>,
+        model: &Bound<'_, Model>,
+        order: Option<usize>,
+        rule: Option<&str>,
+        kinks: Option<&Bound<'_, PyAny>>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let request = request(py, order, rule, kinks, "not-a-knot", false, order.is_some_and(|order| order > 2))?;
+        let source: &Arc<Source> = &model.get().source;
+        run(py, progress, || {
+            let drawing = io::yin::drawing_of_model(&source.model)?;
+            Self::of(PlanarSet::of(&drawing, &request)?)
+        })
+    }
+
+    /// The set without points.
+    #[staticmethod]
+    #[pyo3(signature = (order=2))]
+    fn empty(py: Python<'_>, order: usize) -> PyResult<Self> {
+        Self::of(PlanarSet::from_set(yin::YinSet::empty(order_of(py, order)?))).or_raise(py)
+    }
+
+    /// The whole plane.
+    #[staticmethod]
+    #[pyo3(signature = (order=2))]
+    fn plane(py: Python<'_>, order: usize) -> PyResult<Self> {
+        Self::of(PlanarSet::from_set(yin::YinSet::plane(order_of(py, order)?))).or_raise(py)
+    }
+
+    /// Any formula on any number of sets.
+    ///
+    /// Parameters
+    /// ----------
+    /// operation : str
+    ///     ``"meet"``, ``"join"``, ``"difference"``, ``"xor"``, or a formula of sets by number, such as ``"(0 | 1) & !2"``.
+    /// sets : sequence of YinSet
+    ///     The sets.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// YinSet
+    ///     The set; its :attr:`provenance` says where each piece of the boundary comes from.
+    #[staticmethod]
+    #[pyo3(signature = (operation, sets, *, progress=None))]
+    fn combine(
+        py: Python<'_>,
+        operation: &str,
+        sets: Vec<Py<Self>>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let sets: Vec<Arc<PlanarSet>> = sets.iter().map(|set| Arc::clone(&set.get().set)).collect();
+        run(py, progress, || {
+            let operands: Vec<&yin::YinSet> = sets.iter().map(|set| set.set()).collect();
+            Self::combined(&operands, operation)
+        })
+    }
+
+    /// The set of all points not in its closure; also ``~``.
+    fn complement(&self, py: Python<'_>) -> PyResult<Self> {
+        run(py, None, || Self::of(PlanarSet::from_set(self.inner().complement()?)))
+    }
+
+    /// The regularized intersection; also ``&``.
+    fn meet(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.with(py, other, "meet")
+    }
+
+    /// The regularized union; also ``|``.
+    fn join(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.with(py, other, "join")
+    }
+
+    /// The regularized difference; also ``-``.
+    fn difference(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.with(py, other, "difference")
+    }
+
+    /// What lies in exactly one of the two; also ``^``.
+    fn symmetric_difference(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.with(py, other, "xor")
+    }
+
+    fn __invert__(&self, py: Python<'_>) -> PyResult<Self> {
+        self.complement(py)
+    }
+
+    fn __and__(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.meet(py, other)
+    }
+
+    fn __or__(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.join(py, other)
+    }
+
+    fn __sub__(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.difference(py, other)
+    }
+
+    fn __xor__(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<Self> {
+        self.symmetric_difference(py, other)
+    }
+
+    /// Whether every point is in the other set; also ``<=``.
+    fn is_subset_of(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<bool> {
+        let other = other.get();
+        run(py, None, || self.inner().is_subset_of(other.inner()))
+    }
+
+    fn __le__(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<bool> {
+        self.is_subset_of(py, other)
+    }
+
+    /// Whether it has no points.
+    #[getter]
+    fn is_empty(&self) -> bool {
+        self.inner().is_empty()
+    }
+
+    /// Whether it is the whole plane.
+    #[getter]
+    fn is_plane(&self) -> bool {
+        self.inner().is_plane()
+    }
+
+    /// Whether it lies in some disk.
+    #[getter]
+    fn is_bounded(&self) -> bool {
+        self.inner().is_bounded()
+    }
+
+    /// The area; inf of an unbounded set.
+    #[getter]
+    fn area(&self) -> f64 {
+        self.inner().area().unwrap_or(f64::INFINITY)
+    }
+
+    /// The order of its curves.
+    #[getter]
+    fn order(&self) -> usize {
+        self.inner().order().value()
+    }
+
+    /// The boundary curves, with the set on their left.
+    #[getter]
+    fn curves(&self) -> Vec<Curve> {
+        let set = self.inner();
+        (0..set.curve_count()).map(|curve| Curve { curve: set.curve(curve).into_owned() }).collect()
+    }
+
+    /// What was odd about the input.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.set.remarks().to_vec()
+    }
+
+    /// Of a combination, ``sources``: for each curve and piece ``[operand, curve, piece, from, to]``; and ``uncertified`` decisions.
+    #[getter]
+    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.provenance)
+    }
+
+    /// The kinks.
+    #[getter]
+    fn kinks(slf: Bound<'_, Self>) -> Kinks {
+        Kinks { set: slf.unbind() }
+    }
+
+    /// The set with one more kink.
+    ///
+    /// Parameters
+    /// ----------
+    /// curve : int
+    ///     The number of the curve.
+    /// knot : int
+    ///     The number of the knot.
+    ///
+    /// Returns
+    /// -------
+    /// set : YinSet
+    ///     The curve fitted again.
+    /// vertex : int
+    ///     The name of the kink.
+    fn insert_kink(&self, py: Python<'_>, curve: u32, knot: u32) -> PyResult<(Self, u32)> {
+        let mut name = 0;
+        let edited = self.edited(py, |set| {
+            name = set.set_mut().insert_kink(KnotIndex { curve, knot })?.to_u32();
+            Ok(())
+        })?;
+        Ok((edited, name))
+    }
+
+    /// The set without the kink of this name.
+    fn erase_kink(&self, py: Python<'_>, vertex: u32) -> PyResult<Self> {
+        self.edited(py, |set| set.set_mut().erase_kink(VertexId::from_u32(vertex)).map(drop))
+    }
+
+    /// The set with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (curve, knot).
+    fn reset_kinks(&self, py: Python<'_>, kinks: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let request = kinks_of(kinks)?;
+        self.edited(py, |set| set.reset_kinks(&request))
+    }
+
+    /// The unique form: curves in order, each from its least knot.
+    fn canonical(&self, py: Python<'_>) -> PyResult<Self> {
+        run(py, None, || Self::of(self.set.as_ref().clone().canonical()))
+    }
+
+    /// Where points lie.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array_like, shape (n, 2)
+    ///     The points.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray of int8
+    ///     1 inside, 0 on the boundary, -1 outside.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> square = coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 2], [0, 2]]])
+    /// >>> square.locate([[1, 1], [2, 1], [3, 1]])
+    /// array([ 1,  0, -1], dtype=int8)
+    fn locate<'py>(&self, py: Python<'py>, points: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<i8>>> {
+        let points = points_of(points, "points")?;
+        let found = run(py, None, || self.inner().locate_all(&points))?;
+        let word = |location: &SetLocation| match location {
+            SetLocation::Inside => 1,
+            SetLocation::Outside => -1,
+            _ => 0,
+        };
+        Ok(PyArray1::from_vec(py, found.iter().map(word).collect()))
+    }
+
+    fn __contains__(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<bool> {
+        Ok(matches!(self.inner().locate(point).or_raise(py)?, SetLocation::Inside))
+    }
+
+    /// The set on a Cartesian grid.
+    ///
+    /// Parameters
+    /// ----------
+    /// counts : (int, int)
+    ///     Columns and rows.
+    /// origin : (float, float), optional
+    ///     The lower left corner; of the bounding box, if left out.
+    /// spacing : (float, float), optional
+    ///     The size of cells; so that the bounding box is covered, if left out.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// CutCells
+    ///     The part of each cell that the set covers.
+    #[pyo3(signature = (counts=(64, 64), *, origin=None, spacing=None, progress=None))]
+    fn cut_cells(
+        &self,
+        py: Python<'_>,
+        counts: (usize, usize),
+        origin: Option<[f64; 2]>,
+        spacing: Option<[f64; 2]>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<CutCells> {
+        let [low, high] = self.set.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
+        let counts = [counts.0, counts.1];
+        let origin = origin.unwrap_or(low);
+        let spacing = spacing.unwrap_or_else(|| {
+            [0, 1].map(|axis| {
+                let size = (high[axis] - origin[axis]) / counts[axis].max(1) as f64;
+                if size > 0.0 { size } else { 1.0 }
+            })
+        });
+        run(py, progress, || {
+            let cells = Cells::new(self.inner(), CartesianGrid::new(origin, spacing, counts)?)?;
+            let mut found = CutCells {
+                origin,
+                spacing,
+                counts,
+                coverage: Vec::new(),
+                areas: Vec::new(),
+                lengths: Vec::new(),
+                total_area: cells.total_area(),
+                total_length: cells.total_length(),
+            };
+            for row in 0..counts[1] {
+                for column in 0..counts[0] {
+                    found.coverage.push(match cells.coverage(column, row) {
+                        Coverage::Empty => -1,
+                        Coverage::Full => 1,
+                        _ => 0,
+                    });
+                    found.areas.push(cells.area(column, row));
+                    found.lengths.push(cells.cell(column, row).map_or(0.0, |cell| cell.length()));
+                }
+            }
+            Ok(found)
+        })
+    }
+
+    /// The set after it moved with a flow.
+    ///
+    /// Parameters
+    /// ----------
+    /// flow : str or callable
+    ///     ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, or a function of (x, y, t) that gives a velocity.
+    /// end : float, optional
+    ///     The time at the end; the period, or 1.
+    /// step : float, optional
+    ///     The time step; a hundredth of the time if left out.
+    /// spacing : float, optional
+    ///     The largest distance of points along curves; a hundredth of the size if left out.
+    /// period : float
+    ///     Of vortex and deformation.
+    /// vortices : int
+    ///     Of deformation.
+    /// velocity : (float, float)
+    ///     Of translation.
+    /// center : (float, float)
+    ///     Of rotation.
+    /// speed : float
+    ///     Of rotation.
+    /// verify : {"each-step", "end", "never"}
+    ///     When it is checked that curves do not cross.
+    /// repair : {"nonzero", "evenodd", "positive"}, optional
+    ///     The rule by which curves that cross are cut and pasted, instead of refused.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// set : YinSet
+    ///     The set.
+    /// facts : dict
+    ///     ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``.
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+    fn advected<'py>(
+        &self,
+        py: Python<'py>,
+        flow: &Bound<'py, PyAny>,
+        end: Option<f64>,
+        step: Option<f64>,
+        spacing: Option<f64>,
+        period: f64,
+        vortices: u32,
+        velocity: [f64; 2],
+        center: [f64; 2],
+        speed: f64,
+        verify: &str,
+        repair: Option<&str>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Self, Bound<'py, PyAny>)> {
+        let (named, usual) = match flow.cast::<PyString>() {
+            Ok(word) => match word.to_str()? {
+                "vortex" => (Some(Flow::Vortex { period }), period),
+                "deformation" => (Some(Flow::Deformation { period, vortices }), period),
+                "rotation" => (Some(Flow::Rotation { center, speed }), 1.0),
+                "translation" => (Some(Flow::Translation { velocity }), 1.0),
+                other => {
+                    let cure = "give \"vortex\", \"deformation\", \"rotation\", \"translation\" or a function";
+                    return Err(invalid(py, format!("the flow is {other:?}"), cure));
+                }
+            },
+            Err(_) if flow.is_callable() => (None, 1.0),
+            Err(_) => return Err(invalid(py, format!("the flow is {flow}"), "give a name or a function of (x, y, t)")),
+        };
+        let [low, high] = self.set.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
+        let end = end.unwrap_or(usual);
+        let step = step.unwrap_or(end.abs() / 100.0).max(f64::MIN_POSITIVE);
+        let spacing = spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
+        let mut options = TrackingOptions::new(end, step, spacing);
+        let times = [("each-step", Verification::EachStep), ("end", Verification::End), ("never", Verification::Never)];
+        options.verification = choice(py, "verify", verify, &times)?;
+        options.repair = rule_of(py, repair)?;
+        let moved = match named {
+            Some(flow) => run(py, progress, || {
+                self.inner().advected(|point, time| flow.velocity(point, time), &options)
+            })?,
+            None => {
+                // The function of the user is called with the lock of the interpreter; its first fault is raised at the end.
+                let fault: std::sync::Mutex<Option<PyErr>> = std::sync::Mutex::new(None);
+                let function = flow.clone().unbind();
+                let velocity = |[x, y]: [f64; 2], time: f64| {
+                    Python::attach(|py| {
+                        match function.call1(py, (x, y, time)).and_then(|found| found.extract::<[f64; 2]>(py)) {
+                            Ok(velocity) => velocity,
+                            Err(error) => {
+                                if let Ok(mut fault) = fault.lock() {
+                                    fault.get_or_insert(error);
+                                }
+                                [f64::NAN; 2]
+                            }
+                        }
+                    })
+                };
+                let moved = run(py, progress, || self.inner().advected(velocity, &options));
+                if let Ok(Some(error)) = fault.into_inner() {
+                    return Err(error);
+                }
+                moved?
+            }
+        };
+        let counts = moved.counts();
+        let facts = serde_json::json!({
+            "steps": counts.steps,
+            "added": counts.added,
+            "removed": counts.removed,
+            "vanished": moved.vanished().iter().map(|curve| serde_json::json!({"time": curve.time, "curve": curve.curve})).collect::<Vec<_>>(),
+            "repairs": moved.repairs().iter().map(|repair| serde_json::json!({"step": repair.step, "time": repair.time, "fault": repair.fault.to_string()})).collect::<Vec<_>>(),
+        });
+        let set = run(py, None, || Self::of(PlanarSet::from_set(moved.into_set())))?;
+        Ok((set, to_python(py, &facts)?))
+    }
+
+    /// The set as a file of this format.
+    ///
+    /// Parameters
+    /// ----------
+    /// format : str
+    ///     ``"json"`` keeps everything; ``"svg"``, ``"geojson"``, ``"wkt"``, ``"dat"``, ..
+    /// flatten : float, optional
+    ///     How far polylines may be from curves, where the format has polylines only.
+    #[pyo3(signature = (format, *, flatten=None))]
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str, flatten: Option<f64>) -> PyResult<Bound<'py, PyBytes>> {
+        let format = Format::from_name(format).or_raise(py)?;
+        let bytes = run(py, None, || {
+            let mut bytes = Vec::new();
+            self.set.write(&mut bytes, format, flatten)?;
+            Ok(bytes)
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Writes the set to a file.
+    #[pyo3(signature = (path, format=None, *, flatten=None))]
+    fn write(&self, py: Python<'_>, path: PathBuf, format: Option<&str>, flatten: Option<f64>) -> PyResult<()> {
+        let format = named_format(py, &path, format)?;
+        run(py, None, || io::replace_file(&path, |out| self.set.write(out, format, flatten)))
+    }
+
+    /// A picture: SVG.
+    ///
+    /// Parameters
+    /// ----------
+    /// kind : {"set", "kinks", "forest"}
+    ///     The set, the set with its kinks, or how curves lie in each other.
+    #[pyo3(signature = (kind="kinks"))]
+    fn to_svg(&self, py: Python<'_>, kind: &str) -> PyResult<String> {
+        let kinds = [("set", SetPicture::Set), ("kinks", SetPicture::Kinks), ("forest", SetPicture::Forest)];
+        let kind = choice(py, "kind", kind, &kinds)?;
+        run(py, None, || self.set.picture(kind)?.svg(None))
+    }
+
+    fn __bool__(&self) -> bool {
+        !self.inner().is_empty()
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| self.inner() == other.get().inner())
+    }
+
+    fn __hash__(&self) -> isize {
+        self.inner().curve_count() as isize
+    }
+
+    fn __repr__(&self) -> String {
+        let set = self.inner();
+        if set.is_empty() {
+            return format!("YinSet(empty, order {})", set.order().value());
+        }
+        if set.is_plane() {
+            return format!("YinSet(plane, order {})", set.order().value());
+        }
+        let count = set.curve_count();
+        let curves = if count == 1 { "curve" } else { "curves" };
+        format!("YinSet({count} {curves}, order {}, area {})", set.order().value(), self.area())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let bytes = self.to_bytes(py, "json", None)?;
+        let rebuild = py.import("coface._coface")?.getattr("_yin_set")?;
+        Ok((rebuild, PyTuple::new(py, [bytes])?))
+    }
+}
+
+/// Makes a set again, for pickling.
+#[pyfunction]
+pub(crate) fn _yin_set(py: Python<'_>, bytes: Vec<u8>) -> PyResult<YinSet> {
+    run(py, None, || {
+        let drawing = io::read_boundary(&bytes[..], Format::Json, &io::ReadOptions::default())?;
+        YinSet::of(PlanarSet::of(&drawing, &SetRequest::default())?)
+    })
+}
+
+/// The kinks of a set: knots where its boundary may turn, with names that stay.
+///
+/// A mapping from names to ``(curve, knot)``.
+#[pyclass(frozen, module = "coface", name = "Kinks")]
+pub(crate) struct Kinks {
+    set: Py<YinSet>,
+}
+
+impl Kinks {
+    fn kinks(&self) -> &yin::Kinks {
+        self.set.get().inner().kinks()
+    }
+}
+
+#[pymethods]
+impl Kinks {
+    /// The names, in the order of curves and knots.
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        arrays::id_array(py, self.kinks().iter().map(|(_, vertex)| vertex.to_u32()))
+    }
+
+    /// The curves and knots: ``int64``, shape (n, 2).
+    #[getter]
+    fn knots<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let flat: Vec<i64> =
+            self.kinks().iter().flat_map(|(at, _)| [i64::from(at.curve), i64::from(at.knot)]).collect();
+        arrays::grid(py, flat, 2).map(Bound::into_any)
+    }
+
+    /// The points: ``float64``, shape (n, 2).
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let set = self.set.get().inner();
+        let points: Vec<[f64; 2]> = set
+            .kinks()
+            .iter()
+            .map(|(at, _)| set.curve(at.curve as usize).knot_point(at.knot as usize))
+            .collect();
+        point_array(py, &points)
+    }
+
+    fn __getitem__(&self, py: Python<'_>, vertex: u32) -> PyResult<(u32, u32)> {
+        let at = self.kinks().knot(VertexId::from_u32(vertex)).ok_or_else(|| {
+            let error = Error::new(ErrorKind::NotInComplex, format!("there is no kink {vertex}"));
+            raised(py, &error.with_cells([[vertex]]).with_cure("look at .vertices"))
+        })?;
+        Ok((at.curve, at.knot))
+    }
+
+    fn __contains__(&self, vertex: u32) -> bool {
+        self.kinks().knot(VertexId::from_u32(vertex)).is_some()
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let names: Vec<u32> = self.kinks().iter().map(|(_, vertex)| vertex.to_u32()).collect();
+        PyList::new(py, names)?.call_method0("__iter__")
+    }
+
+    fn __len__(&self) -> usize {
+        self.kinks().len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Kinks({})", self.kinks().len())
+    }
+}
+
+/// A set on a Cartesian grid: what of each cell it covers. Arrays have one row of cells a row.
+///
+/// Made by :meth:`YinSet.cut_cells`.
+#[pyclass(frozen, module = "coface", name = "CutCells")]
+pub(crate) struct CutCells {
+    origin: [f64; 2],
+    spacing: [f64; 2],
+    counts: [usize; 2],
+    coverage: Vec<i8>,
+    areas: Vec<f64>,
+    lengths: Vec<f64>,
+    total_area: f64,
+    total_length: f64,
+}
+
+impl CutCells {
+    fn grid<'py, T: numpy::Element + Clone>(
+        &self,
+        py: Python<'py>,
+        values: &[T],
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let array = PyArray1::from_vec(py, values.to_vec());
+        Ok(array.reshape([self.counts[1], self.counts[0]])?.into_any())
+    }
+}
+
+#[pymethods]
+impl CutCells {
+    /// The lower left corner of the grid.
+    #[getter]
+    fn origin(&self) -> [f64; 2] {
+        self.origin
+    }
+
+    /// The size of cells.
+    #[getter]
+    fn spacing(&self) -> [f64; 2] {
+        self.spacing
+    }
+
+    /// For each cell -1 empty, 0 cut, 1 full: ``int8``, shape (rows, columns).
+    #[getter]
+    fn coverage<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.grid(py, &self.coverage)
+    }
+
+    /// The area of the set in each cell: shape (rows, columns).
+    #[getter]
+    fn areas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.grid(py, &self.areas)
+    }
+
+    /// The length of the boundary in each cell: shape (rows, columns).
+    #[getter]
+    fn lengths<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.grid(py, &self.lengths)
+    }
+
+    /// The area in all cells.
+    #[getter]
+    fn total_area(&self) -> f64 {
+        self.total_area
+    }
+
+    /// The length of the boundary in all cells.
+    #[getter]
+    fn total_length(&self) -> f64 {
+        self.total_length
+    }
+
+    /// How many cells are full, cut and empty.
+    fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (word, value) in [("full", 1), ("cut", 0), ("empty", -1)] {
+            dict.set_item(word, self.coverage.iter().filter(|&&coverage| coverage == value).count())?;
+        }
+        Ok(dict)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("CutCells({} by {}, area {})", self.counts[0], self.counts[1], self.total_area)
+    }
+}
