@@ -15,6 +15,7 @@ mod edges;
 mod face_polygons;
 mod faces;
 mod gift_wrapping;
+mod hilbert_order;
 mod nesting;
 mod options;
 mod overlay;

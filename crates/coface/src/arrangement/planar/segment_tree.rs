@@ -1,20 +1,22 @@
 //! Which segments come near each other: a tree of oriented boxes.
 //!
-//! Segments that follow each other on a polyline stay together in runs, runs are put in the order of a Hilbert curve, and a binary
-//! tree stands on that order. Each node has the box along the axes, exactly, and a box along a direction of its own, with a margin
+//! A binary tree stands on the order of segments in the plane, in which segments that follow each other on a polyline mostly do so. Each node has the box along the axes, exactly, and a box along a direction of its own, with a margin
 //! for rounding: so long thin segments that lie side by side are told apart, as spikes of a star are, and nothing depends on the
 //! sizes of the segments being alike. What is near is only a hint; predicates decide.
 //!
 //! A run on which one coordinate rises or falls strictly meets itself in its corners only, so its segments are not compared with each other,
 //! nor with those of the run that goes on from it the same way.
 
+use super::hilbert_order::HilbertOrder;
 use crate::geometry::predicates::PlanarLine;
 use rayon::prelude::*;
 
 /// Segments in a leaf.
-const LEAF: usize = 8;
+pub(super) const LEAF: usize = 8;
 /// Far above what rounding can do to coordinates between -1 and 1, and to boxes around boxes.
 const MARGIN: f64 = 1.0 / (1u64 << 44) as f64;
+/// The least sine of an angle between a side of a box and the vertical at which heights along it are accurate enough for [`MARGIN`].
+const LEAST_RISE: f64 = 1.0 / 16.0;
 /// Into how many parts a search for pairs is cut, at least, when there is that much to do.
 const PARTS: usize = 1024;
 
@@ -152,6 +154,21 @@ impl OrientedBox {
         })
     }
 
+    /// The lowest and the highest point on a vertical line that are in the box, or beyond it.
+    fn heights_at(&self, x: f64) -> [f64; 2] {
+        let across = x - self.center[0];
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        // rise y + run x is at most half in absolute value: for a side, and for one across it. Nearly vertical ones tell little.
+        let strips =
+            [(self.axis[1], self.axis[0], self.half[0]), (self.axis[0], -self.axis[1], self.half[1])];
+        for (rise, run, half) in strips.into_iter().filter(|(rise, ..)| rise.abs() >= LEAST_RISE) {
+            let (middle, reach) = (-run * across / rise, half / rise.abs());
+            low = low.max(middle - reach);
+            high = high.min(middle + reach);
+        }
+        [self.center[1] + low - MARGIN, self.center[1] + high + MARGIN]
+    }
+
     /// Whether a segment is beyond one side of the box.
     fn misses(&self, segment: PlanarLine) -> bool {
         let at = segment.map(|point| {
@@ -214,26 +231,20 @@ impl Bounds {
                 && self.oriented.is_apart(&other.oriented)
     }
 
+    /// How low and how high a vertical line can meet what is in the boxes.
+    fn heights_at(&self, x: f64, factor: f64) -> [f64; 2] {
+        if self.oriented.is_upright() {
+            return [self.low[1], self.high[1]];
+        }
+        let [low, high] = self.oriented.heights_at(x * factor).map(|height| height / factor);
+        [self.low[1].max(low), self.high[1].min(high)]
+    }
+
     fn misses(&self, line: PlanarLine, factor: f64) -> bool {
         (0..2).any(|i| line[0][i].min(line[1][i]) > self.high[i] || line[0][i].max(line[1][i]) < self.low[i])
             || !self.oriented.is_upright()
                 && self.oriented.misses(line.map(|point| point.map(|x| x * factor)))
     }
-}
-
-/// The place of a point of the square of side 2^32 on the Hilbert curve.
-fn hilbert(mut x: u32, mut y: u32) -> u64 {
-    let mut place = 0;
-    for level in (0..32).rev() {
-        let [right, up] = [x >> level & 1, y >> level & 1];
-        place = place << 2 | u64::from((3 * right) ^ up);
-        // In the lower half the curve is turned, in the lower right one the other way.
-        let flip = (right & !up & 1).wrapping_neg();
-        (x, y) = (x ^ flip, y ^ flip);
-        let swap = (x ^ y) & (!up & 1).wrapping_neg();
-        (x, y) = (x ^ swap, y ^ swap);
-    }
-    place
 }
 
 impl SegmentTree {
@@ -243,45 +254,7 @@ impl SegmentTree {
         line: impl Fn(usize) -> PlanarLine + Sync,
         is_joined: impl Fn(usize) -> bool + Sync,
     ) -> Self {
-        let corners = (0..count).into_par_iter().with_min_len(4096).map(|s| {
-            let [p, q] = line(s);
-            [[0, 1].map(|i| p[i].min(q[i])), [0, 1].map(|i| p[i].max(q[i]))]
-        });
-        let nothing = || [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        let [low, high] = corners.reduce(nothing, |a, b| {
-            [[0, 1].map(|i| a[0][i].min(b[0][i])), [0, 1].map(|i| a[1][i].max(b[1][i]))]
-        });
-        let largest = low.iter().chain(&high).fold(1e-290, |largest: f64, x| largest.max(x.abs()));
-        // An ordinary number above the largest; its inverse is one too.
-        let factor =
-            if count == 0 { 1.0 } else { 2f64.powi(-(largest.log2().floor() as i32 + 1).clamp(-1020, 1020)) };
-        let mut units: Vec<u32> = Vec::with_capacity(count / LEAF + 1);
-        for s in 0..count {
-            let is_new = units.last().is_none_or(|&first| s - first as usize == LEAF || !is_joined(s));
-            if is_new {
-                units.push(s as u32);
-            }
-        }
-        let end = |unit: usize| units.get(unit + 1).map_or(count, |&next| next as usize);
-        let scale = [0, 1].map(|i| (1u64 << 32) as f64 / (high[i] * factor - low[i] * factor));
-        let mut places: Vec<(u64, u32)> = (0..units.len())
-            .into_par_iter()
-            .with_min_len(512)
-            .map(|unit| {
-                let ([p, _], [_, q]) = (line(units[unit] as usize), line(end(unit) - 1));
-                // A cast sends what is no number to zero, and what is too large to the largest number.
-                let [x, y] = [0, 1].map(|i| {
-                    let middle = 0.5 * (p[i] * factor + q[i] * factor);
-                    ((middle - low[i] * factor) * scale[i]) as u32
-                });
-                (hilbert(x, y), unit as u32)
-            })
-            .collect();
-        places.par_sort_unstable();
-        let mut order = Vec::with_capacity(count);
-        for (_, unit) in places {
-            order.extend(units[unit as usize]..end(unit as usize) as u32);
-        }
+        let HilbertOrder { factor, order } = HilbertOrder::new(count, &line, &is_joined);
         let lines: Vec<PlanarLine> = order.par_iter().with_min_len(4096).map(|&s| line(s as usize)).collect();
         let leaves: Vec<Bounds> =
             lines.par_chunks(LEAF).with_min_len(256).map(|leaf| Bounds::of_leaf(leaf, factor)).collect();
@@ -459,8 +432,12 @@ impl SegmentTree {
             }
             for inner in self.children(node) {
                 let bounds = self.bounds(inner);
-                if bounds.low[0] <= x && x <= bounds.high[0] && bounds.low[1] <= y {
-                    let reach = bounds.high[1].min(y);
+                if !(bounds.low[0] <= x && x <= bounds.high[0] && bounds.low[1] <= y) {
+                    continue;
+                }
+                let [low, high] = bounds.heights_at(x, self.factor);
+                if low <= y {
+                    let reach = high.min(y);
                     let place = waiting.iter().rposition(|&(other, _)| other <= reach).map_or(0, |at| at + 1);
                     waiting.insert(place, (reach, inner));
                 }
@@ -526,9 +503,141 @@ mod tests {
                 tree.downward(p, |segment, _| { visited.insert(segment); None });
                 for (i, &[a, b]) in lines.iter().enumerate() {
                     let is_over = a[0].min(b[0]) <= p[0] && p[0] <= a[0].max(b[0]) && a[1].min(b[1]) <= p[1];
-                    prop_assert_eq!(visited.contains(&(i as u32)), is_over);
+                    let is_below = if a < b { orientation(a, b, p).is_ge() } else { orientation(b, a, p).is_ge() };
+                    let is_visited = visited.contains(&(i as u32));
+                    prop_assert!(is_over || !is_visited);
+                    prop_assert!(is_visited || !(is_over && is_below));
                 }
             }
+        }
+    }
+
+    /// The corners of a ring with `count` sides.
+    fn polygon(count: usize, center: [f64; 2], radius: f64, turn: f64) -> Vec<[f64; 2]> {
+        let corner = |i: usize| {
+            let (sine, cosine) = (std::f64::consts::TAU * i as f64 / count as f64 + turn).sin_cos();
+            [center[0] + radius * cosine, center[1] + radius * sine]
+        };
+        (0..count).map(corner).collect()
+    }
+
+    /// Rings one around the other, with the least and the greatest radius.
+    fn nested(count: usize, sides: usize, radii: [f64; 2], turn: f64) -> Vec<Vec<[f64; 2]>> {
+        let radius = |i: usize| radii[0] + (radii[1] - radii[0]) * i as f64 / count as f64;
+        (0..count).map(|i| polygon(sides, [0.3, 0.1], radius(i), turn)).collect()
+    }
+
+    /// Some drawings with `count` rings or so that do not cross.
+    fn drawings(count: usize) -> Vec<(&'static str, Vec<Vec<[f64; 2]>>)> {
+        let step = 1.0 / count as f64;
+        let upright = std::f64::consts::FRAC_PI_4;
+        let scaled = |rings: Vec<Vec<[f64; 2]>>, by: [f64; 2]| {
+            let scaled =
+                |ring: Vec<[f64; 2]>| ring.into_iter().map(|[x, y]| [x * by[0], y * by[1]]).collect();
+            rings.into_iter().map(scaled).collect::<Vec<Vec<[f64; 2]>>>()
+        };
+        let with = |mut rings: Vec<Vec<[f64; 2]>>, more: Vec<Vec<[f64; 2]>>| {
+            rings.extend(more);
+            rings
+        };
+        let comb = (0..count).flat_map(|i| {
+            let x = i as f64 * step;
+            [[x, 0.0], [x, 1.0], [x + 0.5 * step, 1.0], [x + 0.5 * step, 0.0]]
+        });
+        let slanted_comb: Vec<[f64; 2]> =
+            comb.clone().chain([[1.0, -0.1], [0.0, -0.1]]).map(|[x, y]| [x - 0.4 * y, y + 0.3 * x]).collect();
+        let comb: Vec<[f64; 2]> = comb.chain([[1.0, -0.1], [0.0, -0.1]]).collect();
+        let spiral = (0..2 * count).map(|i| {
+            let [radius, corner] = [1.0 - 0.4 * i as f64 * step, (i % 4) as f64];
+            let (sine, cosine) = (upright * (2.0 * corner + 1.0)).sin_cos();
+            [radius * cosine, radius * sine]
+        });
+        let side = (count as f64).sqrt() as usize;
+        let holes = (0..side * side).map(|i| {
+            polygon(
+                4,
+                [(i % side) as f64, (i / side) as f64].map(|x| (x + 0.5) / side as f64),
+                0.4 / side as f64,
+                0.2,
+            )
+        });
+        let fan = (0..count).map(|i| {
+            let [left, right] = [0.0, 0.3].map(|part| 6.0 * (i as f64 + part) * step);
+            [[0.1, left], [1.0, left], [1.0, right]]
+                .map(|[r, angle]| [r * angle.cos(), r * angle.sin()])
+                .to_vec()
+        });
+        vec![
+            ("squares", nested(count, 4, [0.0, 1.0], upright)),
+            ("diamonds", nested(count, 4, [0.0, 1.0], 0.0)),
+            ("slanted squares", nested(count, 4, [0.0, 1.0], 0.3)),
+            ("triangles", nested(count, 3, [0.0, 1.0], 0.1)),
+            ("polygons of 20 sides", nested(count / 4, 20, [0.0, 1.0], 0.1)),
+            ("frames", nested(count, 4, [0.9, 1.0], upright)),
+            ("thin frames", scaled(nested(count, 4, [0.5, 1.0], upright), [1.0, 1e-5])),
+            ("long triangles", scaled(nested(count, 3, [0.5, 1.0], 0.1), [1.0, 1e-3])),
+            (
+                "small squares and a far one",
+                with(nested(count, 4, [0.0, 1e-3], upright), vec![polygon(4, [1e4, 1e4], 1.0, 0.1)]),
+            ),
+            (
+                "squares in a fine ring",
+                with(nested(count, 4, [0.0, 1.0], 0.3), vec![polygon(4 * count, [0.3, 0.1], 1.1, 0.0)]),
+            ),
+            (
+                "squares around a fine ring",
+                with(nested(count, 4, [0.5, 1.0], 0.3), vec![polygon(4 * count, [0.3, 0.1], 0.3, 0.0)]),
+            ),
+            ("comb", vec![comb]),
+            ("slanted comb", vec![slanted_comb]),
+            ("spiral", vec![spiral.collect()]),
+            ("holes", with(vec![polygon(4, [0.5, 0.5], 2.0, 0.0)], holes.collect())),
+            ("fan", fan.collect()),
+        ]
+    }
+
+    /// How many pairs of nodes a search looks at, and how many segments rays down from the lowest corners of rings.
+    fn visits(rings: &[Vec<[f64; 2]>]) -> [usize; 2] {
+        let mut lines: Vec<PlanarLine> = Vec::new();
+        let mut is_joined: Vec<bool> = Vec::new();
+        for ring in rings {
+            let next = ring.iter().cycle().skip(1);
+            lines.extend(ring.iter().zip(next).map(|(&p, &q)| [p, q]));
+            is_joined.extend((0..ring.len()).map(|i| i > 0));
+        }
+        let tree = SegmentTree::new(lines.len(), |s| lines[s], |s| is_joined[s]);
+        let mut stack: Vec<[Node; 2]> = tree.parts().into_iter().map(|Part(nodes)| nodes).collect();
+        let mut pair_count = 0;
+        while let Some(pair) = stack.pop() {
+            pair_count += 1;
+            tree.split(pair, |inner| stack.push(inner));
+        }
+        let mut ray_count = 0;
+        for ring in rings {
+            let from = ring.iter().copied().reduce(|p, q| if q < p { q } else { p }).unwrap();
+            let mut highest: Option<f64> = None;
+            tree.downward(from, |_, [p, q]| {
+                ray_count += 1;
+                let height = p[1] + (q[1] - p[1]) * (from[0] - p[0]) / (q[0] - p[0]);
+                if height < from[1] && highest.is_none_or(|other| other < height) {
+                    highest = Some(height);
+                }
+                highest
+            });
+        }
+        [pair_count, ray_count]
+    }
+
+    #[test]
+    fn rings_around_each_other_are_told_apart() {
+        for (name, rings) in drawings(4000) {
+            let side_count: usize = rings.iter().map(Vec::len).sum();
+            let [pair_count, ray_count] = visits(&rings);
+            assert!(
+                pair_count <= 16 * side_count,
+                "{name}: {pair_count} pairs of nodes for {side_count} sides"
+            );
+            assert!(ray_count <= 64 * rings.len(), "{name}: {ray_count} segments on {} rays", rings.len());
         }
     }
 }
