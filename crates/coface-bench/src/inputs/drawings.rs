@@ -130,6 +130,16 @@ pub(super) fn grids(count: usize) -> Mesh {
     integer_rings(&[grid([0, 0]), grid([30, 37])], 1.0)
 }
 
+/// `count` squares around one center, turned by 0.3 radians, every second one clockwise, at equal distances.
+pub(super) fn nested_squares(count: usize) -> Mesh {
+    let square = |i: usize| {
+        let radius = (i + 1) as f64 / count as f64;
+        let corner = |turn: usize| polar(0.3 + 0.5 * PI * turn as f64, radius);
+        (0..4).map(|turn| corner(if i.is_multiple_of(2) { turn } else { 3 - turn })).collect::<Vec<_>>()
+    };
+    rings(&[(0..count).map(square).collect(), Vec::new()])
+}
+
 /// A grid of about `count / 4` squares that cover 0.49 of a square of side 1.4, and the same turned by half a radian.
 pub(super) fn squares(count: usize) -> Mesh {
     let side = ((count as f64 / 4.0).sqrt().round() as usize).max(1);

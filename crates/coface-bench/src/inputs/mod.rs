@@ -21,6 +21,7 @@
 //! * `random_N`, `gear_N`, `circle_N`, `grid_N`: the same at random angles, with radii 0.9 and 1 in turns, regular, and squares that are not
 //!   turned: their edges overlap.
 //! * `flower_N`: two polygons with radii 0.8 and 1.2 in turns, through which smooth flowers go.
+//! * `nested_N`: N squares one around the other, turned by 0.3 radians, counterclockwise and clockwise in turns.
 
 mod cubes;
 mod drawings;
@@ -76,6 +77,7 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("gear_N", "two polygons of N vertices with radii 0.9 and 1 in turns (gear_100000)"),
     ("circle_N", "two regular polygons of N vertices that cross twice (circle_1000000)"),
     ("grid_N", "a grid of N/4 squares and the same moved along, with overlapping edges (grid_1000000)"),
+    ("nested_N", "N squares one around the other, their directions in turns (nested_32000)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
 ];
 
@@ -147,6 +149,7 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
         ("flower", count) => Ok(drawings::flowers(2 * (number(count, 6, 10_000_000)? / 2))),
         ("circle", count) => Ok(drawings::circles(number(count, 3, 10_000_000)?)),
         ("grid", count) => Ok(drawings::grids(number(count, 4, 10_000_000)?)),
+        ("nested", count) => Ok(drawings::nested_squares(number(count, 1, 1_000_000)?)),
         ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),
         _ => Err(unknown()),
     }

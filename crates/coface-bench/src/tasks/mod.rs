@@ -85,6 +85,7 @@ pub(crate) const ALL: &[Task] = &[
     yin::MEET,
     yin::JOIN,
     yin::FLOWERS,
+    yin::NESTED,
     kinks::EDIT,
     yin::FIT,
     solids::INTERSECTION,

@@ -39,6 +39,14 @@ pub(super) const FIT: Task = Task {
     work: Work::Inside(fitted),
 };
 
+pub(super) const NESTED: Task = Task {
+    name: "yin-nested",
+    about: "the Yin set of squares one around the other, with forest, and the check that they are its boundary",
+    extension: "raw3",
+    inputs: &["nested_8000", "nested_16000", "nested_32000", "nested_64000"],
+    work: Work::Inside(nested),
+};
+
 const INPUTS: &[&str] = &["gear_100000", "random_100000", "circle_1000000", "grid_1000000"];
 
 fn combined(path: &Path, clock: &mut Clock, formula: &str) -> Result<String, Error> {
@@ -82,6 +90,21 @@ fn flowers(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let residual = (whole - area(meet.set()) - area(join.set())).abs() / whole;
     let [crossings, uncertified] = [meet.set().kinks().len(), meet.report().len() + join.report().len()];
     Ok(format!("kinks {crossings} uncertified {uncertified} residual {residual:.1e}"))
+}
+
+fn nested(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let rings: Vec<Vec<[f64; 2]>> =
+        mesh.lists.iter().map(|ring| ring.iter().map(|&point| points[point as usize]).collect()).collect();
+    let (set, fault) = clock.time(mesh.vertex_count, || {
+        let set = YinSet::from_rings(&rings, InsideRule::Odd)?;
+        let fault = set.validate()?;
+        Ok::<_, Error>((set, fault))
+    })?;
+    let [positive, negative] = set.curve_counts();
+    let depth = (0..set.curve_count()).map(|curve| set.forest().depth(curve)).max();
+    Ok(format!("curves {positive}+{negative} depth {} fault {fault:?}", depth.unwrap_or(0)))
 }
 
 fn fitted(path: &Path, clock: &mut Clock) -> Result<String, Error> {

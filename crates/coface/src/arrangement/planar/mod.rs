@@ -18,6 +18,7 @@ mod gift_wrapping;
 mod hilbert_order;
 mod nesting;
 mod options;
+mod oriented_box;
 mod overlay;
 mod pruning;
 mod regions;

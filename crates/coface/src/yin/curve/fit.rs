@@ -11,6 +11,9 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::ops::Range;
 
+/// So many chords are worth a task of their own.
+const AT_ONCE: usize = 1 << 14;
+
 impl Curve<'static> {
     /// The spline of an order through points, with the cumulated distance of the points as parameter.
     ///
@@ -103,11 +106,18 @@ pub(in crate::yin) fn checked_chord_lengths(points: &[[f64; 2]]) -> Result<Vec<f
     if points[0].iter().any(|x| !x.is_finite()) {
         return Err(not_finite(0));
     }
-    let mut knots = Vec::with_capacity(points.len());
-    knots.push(0.0);
+    let mut knots = vec![0.0; points.len()];
+    let chord = |(knot, pair): (&mut f64, &[[f64; 2]])| *knot = distance(pair[0], pair[1]);
+    if points.len() < AT_ONCE {
+        knots[1..].iter_mut().zip(points.windows(2)).for_each(chord);
+    } else {
+        let lengths = knots[1..].par_iter_mut().zip(points.par_windows(2));
+        lengths.with_min_len(AT_ONCE).for_each(chord);
+    }
+    // They are added up in order, so that sums do not depend on the number of threads.
     let mut length = 0.0;
-    for (at, pair) in points.windows(2).enumerate() {
-        let next = length + distance(pair[0], pair[1]);
+    for (at, (knot, pair)) in knots[1..].iter_mut().zip(points.windows(2)).enumerate() {
+        let next = length + *knot;
         if !(next > length && next.is_finite()) {
             let at = at + 1;
             return Err(if pair[1].iter().any(|x| !x.is_finite()) {
@@ -124,7 +134,7 @@ pub(in crate::yin) fn checked_chord_lengths(points: &[[f64; 2]]) -> Result<Vec<f
             });
         }
         length = next;
-        knots.push(length);
+        *knot = length;
     }
     Ok(knots)
 }

@@ -150,6 +150,8 @@ impl ChainEdges {
             let side = chains.breaks[*chain as usize].side as usize;
             is_collinear[side] && chains.chain(rings, *chain).corner_count == 0
         };
+        let numbers = (0..chains.len() as u32).into_par_iter().with_min_len(1 << 12);
+        let nodes: Vec<[u32; 2]> = numbers.map(|chain| chains.nodes_of(rings, chain)).collect();
         // Straight pieces between the same nodes are equal.
         let candidates = 0..if collinear.is_empty() { 0 } else { chains.len() as u32 };
         let mut straight: Vec<(u64, u32)> = candidates
@@ -157,7 +159,7 @@ impl ChainEdges {
             .with_min_len(1 << 12)
             .filter(has_equals)
             .map(|chain| {
-                let [a, b] = chains.nodes_of(rings, chain);
+                let [a, b] = nodes[chain as usize];
                 (u64::from(a.min(b)) << 32 | u64::from(a.max(b)), chain)
             })
             .collect();
@@ -167,9 +169,8 @@ impl ChainEdges {
             group[1..].iter().for_each(|&(_, number)| first_of[number as usize] = group[0].1);
         }
         drop(straight);
-        let nodes_of = |chain: u32| chains.nodes_of(rings, chain);
-        Self::of_equal_chains((0..chains.len() as u32).map(nodes_of), &first_of, |chain, first| {
-            nodes_of(chain) != nodes_of(first)
+        Self::of_equal_chains(nodes.iter().copied(), &first_of, |chain, first| {
+            nodes[chain as usize] != nodes[first as usize]
         })
     }
 
