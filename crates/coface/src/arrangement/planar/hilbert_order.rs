@@ -111,7 +111,7 @@ impl Square {
         let level = self.width(run, line).log2();
         // Also false for what is no number.
         let is_wide = level >= 0.0;
-        let square = |place: u64| place.checked_shr(2 * level as u32).unwrap_or(0);
+        let square = |place: u64| place.checked_shr(2 * (level as u32).min(32)).unwrap_or(0);
         is_wide && near.into_iter().flatten().any(|other| square(other) == square(places[at].0))
     }
 
