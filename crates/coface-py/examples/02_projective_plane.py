@@ -16,7 +16,7 @@ plane = coface.Complex([
     [1, 2, 3], [1, 3, 4], [1, 4, 5], [2, 3, 5], [2, 4, 5],
 ])  # fmt: skip
 assert plane.f_vector == (6, 15, 10)
-assert coface.classify(plane).name == "projective plane"
+assert coface.classify(plane)[0]["name"] == "projective plane"
 
 # %% It cannot be oriented: a closed strip of triangles shows why
 verdict = plane.is_orientable()

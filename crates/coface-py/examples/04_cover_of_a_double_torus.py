@@ -17,8 +17,9 @@ print(report.name)
 assert report.genus == 2
 
 # %% Its fundamental group
-group = coface.pi1(surface)
+(group,) = coface.pi1(surface)
 print(group)
+assert group.name == "orientable surface group of genus 2"
 
 # %% Copies up to two letters away: 8 neighbors across the 8 sides, 56 behind them
 cover = coface.cover(surface, radius=2)
@@ -31,10 +32,10 @@ assert cover.euler_characteristic == 1
 model = cover.model
 assert coface.homology(model).betti_numbers == (1, 0, 0)
 assert len(model) == 65 * len(surface)
-projection = np.asarray(cover.face_sources)
-assert np.array_equal(np.bincount(projection), np.full(len(surface), 65))
+below = {(name, on): values for name, on, values in model.data}
+assert np.array_equal(np.bincount(below["face", "faces"]), np.full(len(surface), 65))
 
 # %% The picture: each copy in a shade of its own
-copies = np.asarray(cover.copy_of_face)
+copies = below["copy", "faces"]
 axes = coface.plot(model, values=copies % 9, edges=False, title="65 copies in the Poincare disk")
 axes.figure.savefig(pictures / "cover.png", dpi=120)

@@ -19,8 +19,8 @@ print(plane)
 
 # %% Euler: V - E + F is one more than the number of components
 v, e, f = plane.f_vector
-components = coface.homology(plane.model).betti_numbers[0]
-assert v - e + f == components
+components = coface.homology(plane.chain_complex()).betti_numbers[0]
+assert v - e + f == components == plane.components
 # The measures of the bounded faces are areas.
 areas = np.asarray(plane.measures)
 assert len(areas) == f and (areas > 0).all() and areas.sum() < 1.0
@@ -30,11 +30,8 @@ axes = coface.plot(plane, title=f"{f} faces of 40 segments")
 axes.figure.savefig(pictures / "arrangement.png", dpi=120)
 
 # %% Two cubes that overlap: three cells in space, and which cube contains each
-cube = coface.generate("box")
-moved = coface.Model.from_arrays(np.asarray(cube.vertices) + 0.5, cube.faces) if len(cube.faces) else None
-if moved is None:
-    skin = coface.generate("box", boundary=True)
-    cube, moved = skin, coface.Model.from_arrays(np.asarray(skin.vertices) + 0.5, skin.faces)
+cube = coface.generate("box", boundary=True)
+moved = coface.Model.from_arrays(cube.vertices + 0.5, cube.faces)
 space = coface.arrange(cube, moved)
 print(space)
 assert space.f_vector[3] == 3

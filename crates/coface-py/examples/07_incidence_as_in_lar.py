@@ -40,7 +40,7 @@ assert (bounding.sum(axis=1) == 4).all()
 assert (coface.incidence(grid, "FE") != shared).nnz == 0
 complex = coface.as_chain_complex(grid)
 assert (bounding.T != abs(complex.boundary(2))).nnz == 0
-assert (coface.incidence(grid, "FE", incident=True) != bounding).nnz == 0
+assert (coface.incidence(grid, "FE", "incident") != bounding).nnz == 0
 
 # %% Faces of cubes by the same rule; each inner face lies in two
 of_cubes = ((C @ F.T) == 4).astype(np.int64)

@@ -113,4 +113,4 @@ def test_regions_are_those_of_shapely(seed) -> None:
     ]:
         result = coface.boolean(operation, a, b)
         assert result.measure == pytest.approx(peer(a, b).area, rel=1e-9, abs=1e-12), operation
-        assert coface.to_shapely(result.model).area == pytest.approx(result.measure, rel=1e-9, abs=1e-12)
+        assert coface.to_shapely(result).area == pytest.approx(result.measure, rel=1e-9, abs=1e-12)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from coface._arrays import raise_invalid
-from coface._coface import ChainComplex, Complex, Model, read
+from coface._coface import ChainComplex, Complex, Model, Surface, read
 from coface.interop import door_of
 
 
@@ -149,3 +149,34 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     if isinstance(x, Complex):
         return x.chain_complex(progress=progress)
     return as_model(x, progress=progress).chain_complex(progress=progress)
+
+
+def as_surface(x: Any, *, boundary: bool = False, progress: Any = None) -> Surface:
+    """Whatever describes a surface, as halfedges.
+
+    Parameters
+    ----------
+    x
+        As in :func:`as_model`: each edge in one or two faces, the faces around each vertex one fan.
+    boundary
+        Whether the boundary surface of a volume is meant.
+
+    Returns
+    -------
+    Surface
+        The surface.
+
+    Raises
+    ------
+    NonManifoldError
+        If it is none, with the cells where it is not.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.as_surface([[0, 1, 2], [0, 2, 3]]).f_vector
+    (4, 5, 2)
+    """
+    if isinstance(x, Surface) and not boundary:
+        return x
+    return Surface(as_model(x, progress=progress), boundary=boundary, progress=progress)

@@ -43,7 +43,7 @@ def plot(
         * anything that :func:`as_model` understands: faces, lines and points, in space or in the plane;
         * a :class:`ChainComplex` or a sparse matrix: where the entries are, one panel a degree;
         * a :class:`Persistence`, or an array ``(n, 2)`` of births and deaths: a diagram;
-        * a :class:`PlanarArrangement`: each bounded face in a color of its own;
+        * a :class:`PlanarArrangement` or :class:`PlanarBoolean`: each bounded face in a color of its own;
         * a :class:`YinSet`: the set filled, positive and negative curves, kinks as dots.
     ax
         The axes to draw in; new ones by default. A chain complex with several matrices takes a list of axes.
@@ -291,7 +291,7 @@ def _diagram(axes: Any, persistence: Any) -> Any:
     if isinstance(persistence, dict):
         by_degree: dict[int, Any] = persistence
     else:
-        by_degree = {degree: persistence.diagram(degree) for degree in persistence.degrees}
+        by_degree = dict(enumerate(persistence.diagrams))
     diagrams = {degree: np.asarray(pairs, np.float64).reshape(-1, 2) for degree, pairs in by_degree.items()}
     every = np.concatenate([np.zeros((0, 2)), *diagrams.values()])
     finite = every[np.isfinite(every)]
@@ -330,12 +330,23 @@ def _arrangement(axes: Any, arrangement: Any) -> Any:
     from matplotlib.patches import PathPatch
 
     points = np.asarray(arrangement.vertices)
-    for number, rings in enumerate(arrangement.rings):
-        patch = PathPatch(_region([points[np.asarray(ring)] for ring in rings]), facecolor=color(number), alpha=0.45, edgecolor="none")
-        axes.add_patch(patch)
+    for number in range(len(arrangement)):
+        region = _region([points[np.asarray(walk)] for walk in arrangement.walks(number)])
+        axes.add_patch(PathPatch(region, facecolor=color(number), alpha=0.45, edgecolor="none"))
     pairs = np.asarray(arrangement.edges)
     if len(pairs):
         _segments(axes, points[pairs][:, :, :2], INK, 0.8, 2)
+    _frame(axes, points, True, (0.0, 0.0))
+    return axes
+
+
+def _boolean(axes: Any, result: Any) -> Any:
+    from matplotlib.patches import PathPatch
+
+    points = np.asarray(result.vertices)
+    for number, rings in enumerate(result.polygons):
+        region = _region([points[np.asarray(ring)] for ring in rings])
+        axes.add_patch(PathPatch(region, facecolor=color(number), alpha=0.45, edgecolor=INK, linewidth=0.8))
     _frame(axes, points, True, (0.0, 0.0))
     return axes
 
@@ -344,27 +355,27 @@ def _yin_set(axes: Any, region: Any) -> Any:
     from matplotlib.patches import PathPatch, Rectangle
 
     curves = list(region.curves)
-    sampled = [np.asarray(curve.sample()) for curve in curves]
-    every = np.concatenate(sampled) if sampled else np.array([[0.0, 0.0], [1.0, 1.0]])
+    every = np.concatenate([np.asarray(curve.bounding_box) for curve in curves]) if curves else np.array([[0.0, 0.0], [1.0, 1.0]])
     low, high = every.min(axis=0), every.max(axis=0)
-    margin = 0.1 * float((high - low).max())
+    size = float((high - low).max())
+    sampled = [np.asarray(curve.flattened(size / 2000)) for curve in curves]
+    rings = list(sampled)
     if not region.is_bounded:
         # The unbounded part is cut off by a frame around everything.
-        low, high = low - margin, high + margin
-        frame = [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]]
+        low, high = low - 0.1 * size, high + 0.1 * size
+        rings.append(np.array([[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]]))
         axes.add_patch(Rectangle(tuple(low), *(high - low), fill=False, linestyle="--", linewidth=0.6, edgecolor=INK))
-    rings = ([] if region.is_bounded else [np.array(frame)]) + sampled
     if rings and not region.is_empty:
         axes.add_patch(PathPatch(_region(rings), facecolor=COLORS[5], alpha=0.5, edgecolor="none"))
     for curve, points in zip(curves, sampled):
         closed = np.concatenate([points, points[:1]])
-        axes.plot(*closed.T, color=COLORS[1] if curve.sign > 0 else COLORS[0], linewidth=1.4)
-        kinks = np.asarray(curve.points)[np.asarray(curve.kinks, np.int64)]
-        if len(kinks):
-            axes.plot(*kinks.T, "o", markersize=5, color=INK, linestyle="none")
+        axes.plot(*closed.T, color=COLORS[1] if curve.signed_area > 0 else COLORS[0], linewidth=1.4)
+    kinks = np.asarray(region.kinks.points)
+    if len(kinks):
+        axes.plot(*kinks.T, "o", markersize=5, color=INK, linestyle="none")
     _frame(axes, every, True, (0.0, 0.0))
     return axes
 
 
 #: How classes are drawn that are no models.
-FLAT = {"Persistence": _diagram, "PlanarArrangement": _arrangement, "YinSet": _yin_set}
+FLAT = {"Persistence": _diagram, "PlanarArrangement": _arrangement, "PlanarBoolean": _boolean, "YinSet": _yin_set}

@@ -2,10 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from coface._coface import Homology
-from coface._models import as_chain_complex, as_model
+import numpy as np
+from numpy.typing import NDArray
+
+from coface import _coface
+from coface._arrays import raise_invalid
+from coface._coface import (
+    Cocycles,
+    Congruence,
+    Cover,
+    Domain,
+    FundamentalGroup,
+    Homology,
+    LarModel,
+    Model,
+    Persistence,
+    PlanarArrangement,
+    PlanarBoolean,
+    SolidBoolean,
+    SpatialArrangement,
+)
+from coface._models import as_chain_complex, as_model, as_surface
 
 
 def homology(
@@ -98,3 +118,567 @@ def _chains(x: Any, relative: Any, reduced: bool, progress: Any) -> Any:
         return as_chain_complex(x, progress=progress)
     part = relative if relative is None or isinstance(relative, str) and relative == "boundary" else as_model(relative)
     return as_model(x, progress=progress).chain_complex(part, reduced=reduced, progress=progress)
+
+
+def pi1(
+    x: Any,
+    *,
+    simplify: bool = True,
+    base: int | None = None,
+    time_limit: float | None = None,
+    progress: Any = False,
+) -> list[FundamentalGroup]:
+    """The fundamental groups of the components.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_model` understands; :meth:`Surface.pi1` gives canonical and shortest systems of loops on surfaces.
+    simplify
+        Whether presentations are made short by Tietze moves.
+    base
+        The vertex that loops of its component start from.
+    time_limit
+        Seconds for simplifying and recognizing a group.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    list of FundamentalGroup
+        One for each component: generators, relators, a name where it can be proved, and loops.
+
+    Examples
+    --------
+    >>> import coface
+    >>> [str(group) for group in coface.pi1(coface.generate("rp2"))]
+    ['Z/2']
+    """
+    return _coface.fundamental_groups(
+        as_model(x), simplify=simplify, base=base, time_limit=time_limit, progress=progress
+    )
+
+
+def cut(
+    x: Any,
+    along: Any = None,
+    *,
+    simplify: bool = True,
+    rounds: int | None = None,
+    base: int | None = None,
+    boundary: bool = False,
+    progress: Any = False,
+) -> Domain:
+    """A surface cut open: each component to a disk, or along a path of vertices.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_surface` understands.
+    along
+        A path of vertices, closed if the first is there again at the end; else a graph that leaves disks is found.
+    simplify
+        Whether loose ends are left out and seams made short.
+    rounds
+        How often to go through all seams to make them shorter.
+    base
+        The vertex that the graph is grown from.
+    boundary
+        Whether the boundary surface of a volume is cut.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Domain
+        The opened surface as :attr:`Domain.model`, and what each seam is for.
+
+    Examples
+    --------
+    >>> import coface
+    >>> torus = coface.generate("torus", columns=5, rows=4)
+    >>> coface.cut(torus).model.report().name
+    'disk'
+    """
+    surface = as_surface(x, boundary=boundary, progress=progress)
+    if along is not None:
+        return surface.cut(along, progress=progress)
+    return surface.cut(simplify=simplify, rounds=rounds, base=base, progress=progress)
+
+
+def cover(
+    x: Any,
+    *,
+    radius: int | None = None,
+    copies: int | None = None,
+    component: int = 0,
+    layout: str = "auto",
+    progress: Any = False,
+) -> Cover:
+    """The universal cover of a surface, as far as it is asked for: copies of a fundamental domain, glued.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_surface` understands.
+    radius
+        All copies at words of at most this length.
+    copies
+        So many copies, instead.
+    component
+        The component that is covered.
+    layout
+        ``"flat"`` in the plane, ``"disk"`` in the Poincare disk, ``"none"`` over the surface, ``"auto"`` whichever there is.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Cover
+        The copies, their words, and the cover as :attr:`Cover.model`.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.cover(coface.generate("genus", genus=2), radius=1).spheres
+    [1, 8]
+    """
+    surface = as_surface(x, progress=progress)
+    return surface.cover(radius=radius, copies=copies, component=component, layout=layout, progress=progress)
+
+
+def cocycles(x: Any, *, method: str = "crossing", progress: Any = False) -> Cocycles:
+    """A basis of the first cohomology of a surface, dual to loops.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_surface` understands.
+    method
+        ``"crossing"`` by a dual tree, ``"slicing"`` along loops.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Cocycles
+        Loops, cocycles, and the values of cocycles on loops.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.cocycles(coface.generate("torus", columns=5, rows=4)).pairing
+    [[1, 0], [0, 1]]
+    """
+    return as_surface(x, progress=progress).cocycles(method=method, progress=progress)
+
+
+def harmonic(x: Any, *, weights: str = "auto", progress: Any = False) -> NDArray[np.float64]:
+    """Harmonic forms of a surface, one in each class of a basis of its first cohomology.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_surface` understands.
+    weights
+        ``"cotangent"`` by angles, ``"uniform"``, or ``"auto"``: by angles where that can be.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    numpy.ndarray
+        ``float64``, shape (rank, edges): a value for each edge, from its first vertex to its second, in the order of the edges of
+        :class:`Surface`.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.harmonic(coface.generate("torus", columns=5, rows=4)).shape
+    (2, 60)
+    """
+    surface = as_surface(x, progress=progress)
+    found = surface.cocycles(harmonic=True, weights=weights, progress=progress).harmonic
+    assert found is not None, "it was asked for"
+    return found
+
+
+def classify(x: Any, *, boundary: bool = False, progress: Any = False) -> list[dict[str, Any]]:
+    """What each component of a surface is.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_surface` understands.
+    boundary
+        Whether the boundary surface of a volume is asked about.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    list of dict
+        ``name``, ``orientable``, ``genus``, ``boundary_loops``, ``euler_characteristic``, ``f_vector`` of each component.
+
+    Examples
+    --------
+    >>> import coface
+    >>> [part["name"] for part in coface.classify(coface.generate("klein"))]
+    ['Klein bottle']
+    """
+    return as_surface(x, boundary=boundary, progress=progress).classify()
+
+
+def incidence(
+    x: Any,
+    operator: str,
+    kind: str = "counts",
+    *,
+    at_least: int | None = None,
+    exactly: int | None = None,
+    progress: Any = False,
+) -> Any:
+    """Which cells share vertices, touch or bound, as a sparse matrix.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_model` understands.
+    operator
+        Rows and columns: two of ``V``, ``E``, ``F``, ``C``, as in ``"FE"``.
+    kind
+        ``"counts"``: how many vertices two cells share; ``"incident"``: 1 where one is a face of the other; ``"signed"``: the signs of the
+        boundary.
+    at_least, exactly
+        1 where so many vertices are shared, instead of `kind`.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    scipy.sparse.csr_array
+        One row for each cell of the first degree.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.incidence([[0, 1, 2], [1, 2, 3]], "FE", "incident").toarray()
+    array([[1, 1, 1, 0, 0],
+           [0, 0, 1, 1, 1]], dtype=int32)
+    """
+    lar = LarModel(as_model(x, progress=progress), progress=progress)
+    return lar.incidence(operator, kind, at_least=at_least, exactly=exactly, progress=progress)
+
+
+def _inputs(inputs: tuple[Any, ...]) -> Any:
+    """The models of the inputs, with names where they come in a dictionary."""
+    if len(inputs) == 1 and isinstance(inputs[0], Mapping) and not _is_json(inputs[0]):
+        return {str(name): as_model(x) for name, x in inputs[0].items()}
+    if len(inputs) == 1 and isinstance(inputs[0], list) and all(not isinstance(x, (list, int)) for x in inputs[0]):
+        return [as_model(x) for x in inputs[0]]
+    return [as_model(x) for x in inputs]
+
+
+def _is_json(x: Mapping[Any, Any]) -> bool:
+    return bool({"facets", "boundaries", "next", "gluings", "curves", "type"} & set(map(str, x)))
+
+
+def congruence(
+    *inputs: Any,
+    tolerance: float,
+    greedy: bool = False,
+    representative: str = "lowest",
+    stable: bool = False,
+    collisions: str = "rewrap",
+    blocks: str = "models",
+    within_blocks: str = "allow",
+    method: str = "lists",
+    progress: Any = False,
+) -> Congruence:
+    """Models merged within a tolerance: vertices nearby become one, and edges, faces and cells with them.
+
+    Parameters
+    ----------
+    *inputs
+        Anything that :func:`as_model` understands, or one list or dictionary of such.
+    tolerance
+        How near vertices become one, in the unit of the models.
+    greedy
+        Whether a class is what is near its first vertex, instead of chains of near vertices.
+    representative
+        Where a class is: ``"lowest"``, ``"mean"`` or ``"median"``.
+    stable
+        Whether classes are merged again until none are near.
+    collisions
+        What becomes of cells that lose terms without vanishing: ``"rewrap"``, ``"keep"`` or ``"refuse"``.
+    blocks, within_blocks
+        What a block is (``"models"``, ``"components"``, ``"none"``), and whether its own vertices may become one (``"allow"``,
+        ``"warn"``, ``"forbid"``).
+    method
+        ``"lists"`` or ``"matrices"``; the result is the same.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Congruence
+        The quotient, with the classes and signs of all cells.
+
+    Examples
+    --------
+    >>> import coface
+    >>> left = coface.Model([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])
+    >>> right = coface.Model([[1.0001, 0], [0, 1], [1, 1]], [[0, 2, 1]])
+    >>> coface.congruence(left, right, tolerance=0.01).f_vector
+    [4, 5, 2]
+    """
+    return _coface.congruence(
+        _inputs(inputs),
+        tolerance,
+        greedy=greedy,
+        representative=representative,
+        stable=stable,
+        collisions=collisions,
+        blocks=blocks,
+        within_blocks=within_blocks,
+        method=method,
+        progress=progress,
+    )
+
+
+def arrange(
+    *inputs: Any,
+    dimension: int | None = None,
+    rule: str | None = None,
+    features: bool = False,
+    prune: bool = False,
+    snap: bool = False,
+    max_cells: int | None = None,
+    split: bool = False,
+    merge_coplanar: bool = True,
+    progress: Any = False,
+) -> PlanarArrangement | SpatialArrangement:
+    """What segments cut the plane into, or polygons space, exactly.
+
+    Parameters
+    ----------
+    *inputs
+        Anything that :func:`as_model` understands, or one list or dictionary of such.
+    dimension
+        2 or 3; by the inputs if left out.
+    rule
+        What is inside an input: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
+    features
+        In the plane, whether each polygon or closed line is an input.
+    prune
+        In the plane, whether edges that hang on the rest by one end are left out.
+    snap
+        Whether coordinates are rounded so that the result stays as it is.
+    max_cells
+        More cells than this are refused.
+    split
+        In space, whether polygons that are not flat are split into triangles instead of refused.
+    merge_coplanar
+        In space, whether faces of polygons in one plane are merged.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    PlanarArrangement or SpatialArrangement
+        The cells, their measures, which inputs contain each, and where everything comes from.
+
+    Examples
+    --------
+    Two segments that cross, and a third that closes a triangle:
+
+    >>> import coface
+    >>> cross = coface.Model.from_arrays([[0, 0], [2, 2], [0, 2], [2, 0]], cells={"line": [[0, 1], [2, 3], [1, 3]]})
+    >>> coface.arrange(cross).f_vector
+    [5, 5, 1]
+    """
+    found: PlanarArrangement | SpatialArrangement = _coface.arrange(
+        _inputs(inputs),
+        dimension=dimension,
+        rule=rule,
+        features=features,
+        prune=prune,
+        snap=snap,
+        max_cells=max_cells,
+        split=split,
+        merge_coplanar=merge_coplanar,
+        progress=progress,
+    )
+    return found
+
+
+def boolean(
+    operation: str,
+    *inputs: Any,
+    dimension: int | None = None,
+    rule: str | None = None,
+    features: bool = False,
+    keep_walls: bool = False,
+    snap: bool = False,
+    max_cells: int | None = None,
+    split: bool = False,
+    merge_coplanar: bool = True,
+    triangles: bool | None = None,
+    open: str = "refuse",
+    split_pinches: bool = False,
+    progress: Any = False,
+) -> PlanarBoolean | SolidBoolean:
+    """Regions of the plane, or solids, combined exactly.
+
+    Parameters
+    ----------
+    operation
+        ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula such as ``"(a | b) - c"`` or ``"(0 | 1) & !2"``.
+    *inputs
+        Anything that :func:`as_model` understands, or one list or dictionary of such.
+    dimension
+        2 or 3; by the inputs if left out.
+    rule
+        What is inside an input: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
+    features
+        In the plane, whether each polygon or closed line is an input.
+    keep_walls
+        Whether what lies inside the result is kept.
+    snap, max_cells, split, merge_coplanar
+        As for :func:`arrange`.
+    triangles
+        In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
+    open
+        In space, what is inside an input with a rim: ``"refuse"`` it, or by ``"winding"`` numbers in floating point.
+    split_pinches
+        In space, whether edges and vertices where the result is no surface are duplicated.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    PlanarBoolean or SolidBoolean
+        The result with its measure; it is input again.
+
+    Examples
+    --------
+    >>> import coface
+    >>> cube = coface.generate("box", boundary=True)
+    >>> moved = coface.Model(cube.vertices + 0.5, cube.faces)
+    >>> coface.boolean("intersection", cube, moved).measure
+    0.125
+    """
+    found: PlanarBoolean | SolidBoolean = _coface.boolean(
+        operation,
+        _inputs(inputs),
+        dimension=dimension,
+        rule=rule,
+        features=features,
+        keep_walls=keep_walls,
+        snap=snap,
+        max_cells=max_cells,
+        split=split,
+        merge_coplanar=merge_coplanar,
+        triangles=triangles,
+        open=open,
+        split_pinches=split_pinches,
+        progress=progress,
+    )
+    return found
+
+
+def persistence(
+    x: Any,
+    vertex_values: Any = None,
+    *,
+    cell_values: Sequence[Any] | None = None,
+    coefficients: str = "f2",
+    upper: bool = False,
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of the filtration that values make.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_chain_complex` understands. A ``SimplexTree`` of gudhi brings its own values.
+    vertex_values
+        A number for each vertex of `x` by its id: a cell comes with its last vertex.
+    cell_values
+        For each degree a number for each cell; NaN where a cell comes as late as its cofaces allow.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    upper
+        Whether a cell comes with its first vertex and values fall.
+    least
+        Classes that live no longer than this are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths.
+
+    Examples
+    --------
+    A path that goes up to 2 and down to 1:
+
+    >>> import coface
+    >>> coface.persistence([[0, 1], [1, 2]], [0.0, 2.0, 1.0]).diagram(0)
+    array([[ 0., inf],
+           [ 1.,  2.]])
+    """
+    complex = as_chain_complex(x, progress=progress)
+    if vertex_values is None and cell_values is None:
+        if not hasattr(x, "get_simplices"):
+            raise_invalid("persistence needs values", "give vertex_values or cell_values")
+        from coface.interop import gudhi
+
+        cell_values = gudhi.values(x, complex)
+    if vertex_values is not None:
+        values = np.asarray(vertex_values, np.float64).reshape(-1)
+        ids = np.asarray(complex.simplices(0)).reshape(-1)
+        if len(ids) and len(values) <= ids.max():
+            raise_invalid(
+                f"there are {len(values)} values, and a vertex with the id {ids.max()}",
+                "give a value for each id, from 0 to the largest",
+                [[int(ids.max())]],
+            )
+        vertex_values = values[ids]
+    return _coface.persistence(
+        complex,
+        vertex_values=vertex_values,
+        cell_values=cell_values,
+        coefficients=coefficients,
+        upper=upper,
+        least=least,
+        progress=progress,
+    )
+
+
+def polygon(*rings: Any) -> Model:
+    """A polygon of the plane with holes as a model of closed lines: input of :func:`boolean` and :func:`arrange`.
+
+    Parameters
+    ----------
+    *rings
+        Arrays ``(n, 2)`` of points, the first one not repeated: the outer ring, then holes.
+
+    Returns
+    -------
+    Model
+        A closed line for each ring.
+
+    Examples
+    --------
+    >>> import coface
+    >>> ring = coface.polygon([[0, 0], [3, 0], [3, 3], [0, 3]], [[1, 1], [2, 1], [2, 2], [1, 2]])
+    >>> coface.boolean("union", ring, rule="evenodd").measure
+    8.0
+    """
+    points = [np.asarray(ring, np.float64).reshape(-1, 2) for ring in rings]
+    starts = np.cumsum([0, *map(len, points)])
+    lines = [[*range(start, start + len(ring)), start] for start, ring in zip(starts, points)]
+    return Model.from_arrays(np.concatenate(points) if points else np.zeros((0, 2)), cells={"polyline": lines})

@@ -66,7 +66,7 @@ impl SurfaceModel {
             }
             _ => (None, None),
         };
-        let map = GeneralizedMap::new(skeleton)?;
+        let map = GeneralizedMap::new(skeleton).map_err(|error| renumbered(error, numbers.as_deref()))?;
         Ok(Self { map, positions, numbers, polygons, groups, data })
     }
 
@@ -101,7 +101,8 @@ impl SurfaceModel {
         groups.retain(|group| group.kind() == GroupKind::Vertices);
         data.retain(|data| data.kind() == GroupKind::Vertices);
         Ok(Self {
-            map: GeneralizedMap::new(boundary.mesh().two_skeleton())?,
+            map: GeneralizedMap::new(boundary.mesh().two_skeleton())
+                .map_err(|error| renumbered(error, Some(&vertices)))?,
             positions: Positions::from_flat(positions.dimension(), coordinates)?,
             numbers: Some(vertices),
             polygons: None,
@@ -243,6 +244,14 @@ impl SurfaceModel {
         model.check()?;
         Ok(model)
     }
+}
+
+/// The fault with cells by the numbers of the file, where those of the surface are others.
+fn renumbered(error: Error, numbers: Option<&[u32]>) -> Error {
+    let Some(numbers) = numbers else { return error };
+    let number = |&vertex: &u32| numbers.get(vertex as usize).copied().unwrap_or(vertex);
+    let cells: Vec<Vec<u32>> = error.cells().iter().map(|cell| cell.iter().map(number).collect()).collect();
+    error.with_cells(cells)
 }
 
 /// The polygon that each face is.

@@ -522,6 +522,7 @@ impl SimplicialComplex {
 
 fn absent(simplex: &Simplex) -> Error {
     Error::new(ErrorKind::NotInComplex, format!("the simplex {simplex} is not in the complex"))
+        .with_cells([simplex.numbers()])
         .with_cure("insert it first, or name a simplex of the complex")
 }
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from coface._coface import Complex, Model
+from coface._coface import ChainComplex, Complex, Model
 from coface._arrays import raise_invalid
 from coface.interop import needed
 
@@ -50,3 +50,18 @@ def from_complex(complex: Complex, values: Any = None) -> Any:
         at = np.zeros(len(rows)) if levels is None else levels[rows].max(axis=1)
         tree.insert_batch(np.ascontiguousarray(rows.T).astype(np.int32), at)
     return tree
+
+
+def values(tree: Any, complex: ChainComplex) -> list[Any]:
+    """The filtration values of a tree in the order of the cells of its complex."""
+    found = simplices(tree)
+    ordered = []
+    for degree in range(1 + max(found, default=-1)):
+        rows, levels = found[degree]
+        rows = np.sort(rows, axis=1)
+        cells = np.sort(np.asarray(complex.simplices(degree)), axis=1)
+        # Both are brought into one order.
+        placed = np.empty(len(cells))
+        placed[np.lexsort(cells.T[::-1])] = levels[np.lexsort(rows.T[::-1])]
+        ordered.append(placed)
+    return ordered

@@ -443,6 +443,7 @@ impl GeneralizedMap {
             ErrorKind::NonManifold,
             format!("{} fans of faces meet at vertex {vertex} only: {}", fans.len(), fans.join(" | ")),
         )
+        .with_cells([[vertex.to_u32()]])
         .with_cure("split the vertex first")
     }
 }
@@ -472,6 +473,7 @@ fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<(Vec<u32>, Vec<u32>)
                 ErrorKind::NonManifold,
                 format!("edge {} = {{{a}, {b}}} lies in no face", EdgeId::new(edge)),
             )
+            .with_cells([[a.to_u32(), b.to_u32()]])
             .with_cure("remove the loose edge"))
         }
     }
@@ -491,6 +493,7 @@ fn many_faces(skeleton: &TwoSkeleton, face_of: &[u32], edge: u32) -> Error {
             faces[..faces.len().min(8)].join(", ")
         ),
     )
+    .with_cells([[a.to_u32(), b.to_u32()]])
     .with_cure("a surface has at most two there; split the edge first")
 }
 
