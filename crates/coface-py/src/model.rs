@@ -162,8 +162,8 @@ pub(crate) fn read_options(
 /// --------
 /// >>> import coface, pathlib, tempfile
 /// >>> path = pathlib.Path(tempfile.mkdtemp()) / "triangle.off"
-/// >>> _ = path.write_text("OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2")
-/// >>> coface._coface.read(path)
+/// >>> _ = path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+/// >>> coface.read(path)
 /// Model(3 vertices, 1 face)
 #[pyfunction]
 #[pyo3(signature = (path, format=None, *, flatten=None, progress=None))]
@@ -461,7 +461,7 @@ impl Model {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> coface.Model.from_bytes("OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2")
+    /// >>> coface.Model.from_bytes("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     /// Model(3 vertices, 1 face)
     #[staticmethod]
     #[pyo3(signature = (data, format=None, *, flatten=None, progress=None))]

@@ -23,7 +23,7 @@ use std::time::Duration;
 /// Examples
 /// --------
 /// >>> import coface
-/// >>> group, = coface.fundamental_groups(coface.generate("rp2"))
+/// >>> group, = coface.pi1(coface.generate("rp2"))
 /// >>> group
 /// FundamentalGroup(Z/2, 1 generator, 1 relator)
 /// >>> group.abelianization.torsion
@@ -88,8 +88,8 @@ fn effort(py: Python<'_>, time_limit: Option<f64>) -> PyResult<Effort> {
 /// Examples
 /// --------
 /// >>> import coface
-/// >>> [str(group) for group in coface.fundamental_groups(coface.generate("poincare"))]
-/// ['SL(2, 5)']
+/// >>> [str(group) for group in coface.pi1(coface.generate("poincare"))]
+/// ['SL(2,5)']
 #[pyfunction]
 #[pyo3(signature = (model, *, simplify=true, base=None, time_limit=None, progress=None))]
 pub(crate) fn fundamental_groups(

@@ -25,7 +25,10 @@ def documented():
         if inspect.isclass(thing):
             for member, value in vars(thing).items():
                 if not member.startswith("_") and (callable(value) or inspect.isdatadescriptor(value) or hasattr(value, "__func__")):
-                    yield f"{name}.{member}", value.__doc__
+                    yield f"{name}.{member}", getattr(value, "__func__", value).__doc__
+    for name, value in vars(coface._coface).items():
+        if not name.startswith("_") and inspect.isbuiltin(value):
+            yield f"_coface.{name}", value.__doc__
 
 
 def private():

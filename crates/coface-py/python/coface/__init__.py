@@ -186,8 +186,8 @@ __all__ = [
 ]
 
 # What notebooks and plots need stands here, so that the compiled part knows neither.
-for _class in (Complex, Model, Surface):
-    setattr(_class, "_repr_html_", _repr_html)
-for _class in (ChainComplex, Complex, Model, Persistence, PlanarArrangement, PlanarBoolean, Surface, YinSet):
-    setattr(_class, "plot", plot)
-del _class
+for _shown in (Complex, Model, Surface):
+    setattr(_shown, "_repr_html_", _repr_html)
+for _drawn in (ChainComplex, Complex, Model, Persistence, PlanarArrangement, PlanarBoolean, Surface, YinSet):
+    setattr(_drawn, "plot", plot)
+del _shown, _drawn

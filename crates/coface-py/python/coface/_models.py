@@ -54,7 +54,8 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         return x
     if type(x).__module__ == "coface" and hasattr(x, "model"):
         own = x.model
-        return own() if callable(own) else own
+        made: Model = own() if callable(own) else own
+        return made
     if isinstance(x, (str, os.PathLike)):
         return read(x, progress=progress)
     if isinstance(x, (bytes, bytearray, memoryview)):

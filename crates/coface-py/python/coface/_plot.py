@@ -171,7 +171,7 @@ def _model(
         shapes.extend(points[block])
         order.extend(np.flatnonzero(lengths == length).tolist())
     fill: Any = SURFACE if colors is None else colors[order]
-    line = {"edgecolors": INK if wanted else "none", "linewidths": 0.25 if wanted else 0.0}
+    line: dict[str, Any] = {"edgecolors": INK if wanted else "none", "linewidths": 0.25 if wanted else 0.0}
     if shapes and is_flat:
         from matplotlib.collections import PolyCollection
 
@@ -184,7 +184,7 @@ def _model(
         shaded = _shaded(shapes, shade if len(shade) == len(shapes) else np.repeat(shade, len(shapes), axis=0))
         if not wanted:
             # Faces without seams: each has its own color around it.
-            line = {"edgecolors": shaded, "linewidths": 0.2}
+            line: dict[str, Any] = {"edgecolors": shaded, "linewidths": 0.2}
         axes.add_collection3d(Poly3DCollection(shapes, facecolors=shaded, zorder=1, **line))
     pairs = steps(model)
     if len(pairs):

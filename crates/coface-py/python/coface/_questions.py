@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from coface import _coface
 from coface._arrays import raise_invalid
 from coface._coface import (
+    ChainComplex,
     Cocycles,
     Congruence,
     Cover,
@@ -113,7 +114,7 @@ def cohomology(
     return _chains(x, relative, reduced, progress).cohomology(coefficients, generators=generators, progress=progress)
 
 
-def _chains(x: Any, relative: Any, reduced: bool, progress: Any) -> Any:
+def _chains(x: Any, relative: Any, reduced: bool, progress: Any) -> ChainComplex:
     if relative is None and not reduced:
         return as_chain_complex(x, progress=progress)
     part = relative if relative is None or isinstance(relative, str) and relative == "boundary" else as_model(relative)
