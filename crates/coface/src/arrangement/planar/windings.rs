@@ -35,19 +35,17 @@ impl Windings {
             list_of_face: vec![NONE; face_count],
             entries: Vec::with_capacity(face_count),
         };
-        // A bit for each orbit around a face that is known: most of what is across an edge is.
-        let mut is_known = vec![0u64; faces.of_orbit.len().div_ceil(64)];
-        let mark = |is_known: &mut [u64], orbits: &[u32]| {
-            orbits.iter().for_each(|orbit| is_known[*orbit as usize / 64] |= 1 << (orbit % 64));
-        };
-        mark(&mut is_known, &faces.unbounded_orbits);
         let mut across_edge = Vec::new();
-        // Faces are flooded from the unbounded one, in the order in which they are entered.
-        let (mut around, mut here) = (&faces.unbounded_orbits[..], 0);
-        for next in 0.. {
+        // Faces are flooded from the unbounded one.
+        let mut waiting = vec![NONE];
+        while let Some(face) = waiting.pop() {
+            let (around, here) = match face {
+                NONE => (&faces.unbounded_orbits[..], 0),
+                face => (faces.orbits.list(face as usize), found.list_of_face[face as usize]),
+            };
             for &halfedge in around.iter().flat_map(|&orbit| orbits.orbits.list(orbit as usize)) {
-                let orbit = orbits.orbit_of[(halfedge ^ 1) as usize];
-                if is_known[orbit as usize / 64] >> (orbit % 64) & 1 == 1 {
+                let across = faces.of_orbit[orbits.orbit_of[(halfedge ^ 1) as usize] as usize];
+                if across == NONE || found.list_of_face[across as usize] != NONE {
                     continue;
                 }
                 step(halfedge ^ 1, &mut across_edge);
@@ -55,14 +53,10 @@ impl Windings {
                 for (region, by) in across_edge.drain(..) {
                     list = found.lists.after(list, region, by);
                 }
-                let across = faces.of_orbit[orbit as usize] as usize;
-                found.list_of_face[across] = list;
+                found.list_of_face[across as usize] = list;
                 found.entries.push(halfedge ^ 1);
-                mark(&mut is_known, faces.orbits.list(across));
+                waiting.push(across);
             }
-            let Some(&entry) = found.entries.get(next) else { break };
-            let face = faces.of_orbit[orbits.orbit_of[entry as usize] as usize] as usize;
-            (around, here) = (faces.orbits.list(face), found.list_of_face[face]);
         }
         if u32::try_from(found.lists.numbers.len()).is_err() {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"));
