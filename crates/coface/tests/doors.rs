@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// One sound file of each format: a triangle, or a tetrahedron where the format has cells.
-const SAMPLES: [(Format, &str); 13] = [
+const SAMPLES: [(Format, &str); 15] = [
     (Format::Off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     (Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     (
@@ -39,6 +39,25 @@ const SAMPLES: [(Format, &str); 13] = [
         "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0\n1 0 0\n0 1 0\n\
          0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nSCALARS a int 1\nLOOKUP_TABLE default\n7\n\
          POINT_DATA 4\nFIELD data 2\nb 1 4 float\n0.5 1 nan -2\nc 2 4 int\n0 1 2 3 4 5 6 7\n",
+    ),
+    (
+        Format::VtkGrid,
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>\n\
+         <Piece NumberOfPoints=\"4\" NumberOfCells=\"1\">\n<Points>\n\
+         <DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 1</DataArray>\n\
+         </Points>\n<Cells>\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 3</DataArray>\n\
+         <DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">4</DataArray>\n\
+         <DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">10</DataArray>\n</Cells>\n</Piece>\n\
+         </UnstructuredGrid>\n</VTKFile>\n",
+    ),
+    (
+        Format::VtkPolygons,
+        "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\">\n<PolyData>\n\
+         <Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">\n<Points>\n\
+         <DataArray type=\"UInt8\" NumberOfComponents=\"3\" format=\"binary\">CQAAAAAAAAEAAAABAA==</DataArray>\n\
+         </Points>\n<Polys>\n<DataArray type=\"UInt8\" Name=\"connectivity\" format=\"appended\" offset=\"0\"/>\n\
+         <DataArray type=\"UInt8\" Name=\"offsets\" format=\"appended\" offset=\"12\"/>\n</Polys>\n</Piece>\n\
+         </PolyData>\n<AppendedData encoding=\"base64\">_AwAAAAABAg==AQAAAAM=</AppendedData>\n</VTKFile>\n",
     ),
     (Format::Json, "{\"facets\":[[0,1,2]]}"),
     (Format::Isosig, "# figure 8\ncPcbbbiht\n"),
@@ -116,7 +135,10 @@ fn every_sample_is_read_and_recognized() {
 }
 
 /// What to put for what in a sample, and what the message must say.
-const FAULTS: [(Format, &str, &str, &str); 67] = [
+const FAULTS: [(Format, &str, &str, &str); 70] = [
+    (Format::VtkGrid, "0 1 2 3<", "0 1 2 4<", "4"),
+    (Format::VtkGrid, ">10<", ">42<", "polyhedra"),
+    (Format::VtkPolygons, "_AwAAAAABAg==", "_AwAAAAABAQ==", "repeats vertex 1"),
     (Format::Off, "3 0 1 2", "3 0 1 3", "3"),
     (Format::Off, "3 0 1 2", "3 0 1 -2", "-2"),
     (Format::Off, "3 0 1 2", "3 0 1 1", "repeat"),

@@ -358,7 +358,7 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
         Some(format) => format,
         None => {
             return Err(Error::new(ErrorKind::UnsupportedFormat, "the name tells no format to write")
-                .with_cure(format!("end it in one of {}, or give --format", format::written_names()))
+                .with_cure(format!("end it in one of {}, or give --format", format::names()))
                 .in_file(path.display().to_string()));
         }
     };
@@ -432,10 +432,7 @@ fn read_started(
         Format::Wkt => wkt::read(input)?,
         Format::Svg => svg::read_with(input, flatten)?,
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
-        Format::VtkGrid | Format::VtkPolygons => {
-            return Err(Error::new(ErrorKind::UnsupportedFormat, "VTK XML is written here, but not read")
-                .with_cure("save it as legacy .vtk"));
-        }
+        Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
     };
     Ok(model.with_format(format))
 }

@@ -36,9 +36,9 @@ pub enum Format {
     Svg,
     /// Binary curves of sets in the plane.
     Dat,
-    /// VTK XML, unstructured grids: written only.
+    /// VTK XML, unstructured grids: polygons and 3-cells.
     VtkGrid,
-    /// VTK XML, polygonal data: written only.
+    /// VTK XML, polygonal data.
     VtkPolygons,
 }
 
@@ -51,11 +51,8 @@ enum Likeness {
 }
 
 impl Format {
-    /// The formats that are written for other programs and not read.
-    pub const EXPORTS: [Self; 2] = [Self::VtkGrid, Self::VtkPolygons];
-
-    /// All formats that are read.
-    pub const ALL: [Self; 14] = [
+    /// All formats.
+    pub const ALL: [Self; 16] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -63,6 +60,8 @@ impl Format {
         Self::Medit,
         Self::Msh,
         Self::Vtk,
+        Self::VtkGrid,
+        Self::VtkPolygons,
         Self::Json,
         Self::Isosig,
         Self::Lines,
@@ -73,7 +72,7 @@ impl Format {
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`; `vtu`, `vtp`.
+    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`.
     ///
     /// # Examples
     /// ```
@@ -135,7 +134,8 @@ impl Format {
             Self::Wkt => "WKT",
             Self::Svg => "SVG",
             Self::Dat => "binary curves",
-            Self::VtkGrid | Self::VtkPolygons => "VTK XML",
+            Self::VtkGrid => "VTK XML",
+            Self::VtkPolygons => "VTK XML of polygons",
         }
     }
 
@@ -157,7 +157,7 @@ impl Format {
             "gmsh" => return Ok(Self::Msh),
             _ => {}
         }
-        Self::known().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
             Error::new(
                 ErrorKind::UnsupportedFormat,
                 format!("\"{}\" is no format known here", lower.escape_debug()),
@@ -198,11 +198,7 @@ impl Format {
     /// ```
     pub fn from_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        Self::known().find(|format| format.extensions().contains(&extension.as_str()))
-    }
-
-    fn known() -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter().chain(Self::EXPORTS)
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
     }
 
     /// The format that the first bytes of a file look like. The more bytes, the surer: some thousand do. `whole` says
@@ -266,7 +262,13 @@ impl Format {
             Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
             Self::Svg => certain_if(is_svg(start)),
             Self::Dat => certain_if(yin::is_dat(start, whole)),
-            Self::VtkGrid | Self::VtkPolygons => Likeness::No,
+            Self::VtkGrid | Self::VtkPolygons => match vtk_xml_kind(start) {
+                Some(b"PolyData") => certain_if(self == Self::VtkPolygons),
+                Some(b"UnstructuredGrid") => certain_if(self == Self::VtkGrid),
+                // Their reader says best what else it is.
+                Some(_) => Likeness::Possible,
+                None => Likeness::No,
+            },
         }
     }
 }
@@ -274,11 +276,6 @@ impl Format {
 /// The names of all formats, for an error message.
 pub(super) fn names() -> String {
     Format::ALL.map(Format::name).join(", ")
-}
-
-/// The names of all formats that are written, for an error message.
-pub(super) fn written_names() -> String {
-    format!("{}, {}", names(), Format::EXPORTS.map(Format::name).join(", "))
 }
 
 /// Decides the format of a file from its first bytes and, if it has one, its name.
@@ -397,11 +394,12 @@ fn foreign(start: &[u8]) -> Option<(&'static str, &'static str)> {
         (b"\xff\xd8\xff", "a JPEG picture", CONVERT),
         (b"%PDF", "a PDF document", CONVERT),
         (b"\x7fELF", "a program", "name the file of the model"),
-        (b"<", "XML or HTML", "convert it first; VTK XML files can be saved as legacy .vtk"),
+        (b"<", "XML or HTML", CONVERT),
     ];
     KNOWN
         .iter()
-        .find(|(mark, _, _)| start.trim_ascii_start().starts_with(mark) && !is_svg(start))
+        .find(|(mark, _, _)| start.trim_ascii_start().starts_with(mark))
+        .filter(|_| !is_svg(start) && vtk_xml_kind(start).is_none())
         .map(|&(_, what, cure)| (what, cure))
 }
 
@@ -430,6 +428,25 @@ fn is_svg(start: &[u8]) -> bool {
         rest = rest[at + end.len()..].trim_ascii_start();
     }
     false
+}
+
+/// The kind of data set of a VTK XML file: what its first element says; empty if it does not.
+fn vtk_xml_kind(start: &[u8]) -> Option<&[u8]> {
+    let mut rest = start.trim_ascii_start();
+    loop {
+        if let Some(head) = rest.strip_prefix(b"<VTKFile") {
+            let head = &head[..memchr::memchr(b'>', head).unwrap_or(head.len())];
+            let behind = memchr::memmem::find(head, b" type=").map(|at| &head[at + 6..]).unwrap_or_default();
+            let Some((quote, value)) = behind.split_first() else { return Some(b"") };
+            return Some(&value[..memchr::memchr(*quote, value).unwrap_or(0)]);
+        }
+        let end: &[u8] = match rest {
+            [b'<', b'!', b'-', b'-', ..] => b"-->",
+            [b'<', b'?', ..] => b"?>",
+            _ => return None,
+        };
+        rest = rest[memchr::memmem::find(rest, end)? + end.len()..].trim_ascii_start();
+    }
 }
 
 /// Whether this is text: no control bytes but white space.
@@ -537,12 +554,9 @@ mod tests {
         all.sort_unstable();
         all.dedup();
         assert_eq!(all.len(), count);
-        assert!(
-            Format::from_name("xyz")
-                .unwrap_err()
-                .to_string()
-                .contains("off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg, dat")
-        );
+        assert!(Format::from_name("xyz").unwrap_err().to_string().contains(
+            "off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat"
+        ));
     }
 
     #[test]
@@ -558,6 +572,8 @@ mod tests {
             (b"\x01\0\0\0\x02\0\0\0", Format::Medit),
             (b"$MeshFormat\n2.2 0 8\n", Format::Msh),
             (b"# vtk DataFile Version 3.0\n", Format::Vtk),
+            (b"<?xml version='1.0'?>\n<VTKFile version='1.0' type='PolyData'>", Format::VtkPolygons),
+            (b"<!-- <svg> --><VTKFile type=\"UnstructuredGrid\"", Format::VtkGrid),
             (b" [[0,1,2]]", Format::Json),
             (b"# figure eight\ncPcbbbiht\n", Format::Isosig),
             (b"# a drawing\n0,0, 1.5,-2e3\n", Format::Lines),
@@ -603,7 +619,7 @@ mod tests {
             (&[0; 5000], "zero bytes"),
             (b"\x1f\x8b\x08", "gzip"),
             (b"\xff\xfeO\0F\0", "UTF-16"),
-            (b"<VTKFile type=\"PolyData\">", "XML"),
+            (b"<html>", "XML"),
             (b"<svgfoo>", "XML"),
             (b"once upon a time", "text"),
             (b"\x07\x01\x99\x80", "binary"),

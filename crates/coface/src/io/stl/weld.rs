@@ -1,6 +1,7 @@
 //! Equal corners become one vertex.
 
 use crate::io::lists::number_by_firsts;
+use crate::progress::stage;
 use rayon::prelude::*;
 
 /// A corner by the bits of its three coordinates in single precision, with zero for negative zero.
@@ -30,6 +31,7 @@ pub(super) fn weld(corners: &[Corner]) -> Welded {
             u128::from(x) << 96 | u128::from(y) << 64 | u128::from(z) << 32 | u128::from(i as u32)
         })
         .collect();
+    let _steps = stage("welding corners", 0);
     keys.par_sort_unstable();
     // Each corner first points to the first corner that equals it.
     let mut vertices = vec![0; corners.len()];

@@ -1,6 +1,7 @@
 //! The types of cells, by their numbers.
 
 use crate::io::assembly::Kind;
+use crate::{Error, ErrorKind};
 
 /// What a cell of one type becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,8 +33,17 @@ pub(super) const WEDGE: &[usize] = &[0, 2, 1, 3, 5, 4];
 const CURVED_WEDGE: &[usize] = &[0, 1, 2, 3, 4, 5];
 
 impl CellType {
+    /// The type of cell `i`, which has this number in the file.
+    pub(super) fn of_cell(i: usize, number: i64) -> Result<Self, Error> {
+        Self::from_number(number).ok_or_else(|| {
+            let message = format!("cell {i} has type {number}: {} are not read", unread_name(number));
+            Error::new(ErrorKind::UnsupportedFormat, message)
+                .with_cure("split such cells into hexahedra or tetrahedra")
+        })
+    }
+
     /// The type with this number, if it is known here.
-    pub(super) fn from_number(number: i64) -> Option<Self> {
+    fn from_number(number: i64) -> Option<Self> {
         let fixed = |kind, corners, vertex_count| Self::Fixed { kind, corners, vertex_count };
         Some(match number {
             0 => Self::Empty,
@@ -75,7 +85,7 @@ impl CellType {
 }
 
 /// The name of a type that is not read.
-pub(super) fn unread_name(number: i64) -> &'static str {
+fn unread_name(number: i64) -> &'static str {
     match number {
         15 => "pentagonal prisms",
         16 => "hexagonal prisms",

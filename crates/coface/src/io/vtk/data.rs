@@ -48,12 +48,18 @@ impl Cells {
         self.runs.iter().flatten()
     }
 
-    fn count(&self) -> u64 {
+    pub(super) fn count(&self) -> u64 {
         self.runs().map(|run| run.count).sum()
     }
 
     /// The numbers on elements of one kind: each has those of the cell that it comes from.
-    fn numbers_on(&self, kind: GroupKind, count: usize, components: usize, all: &Numbers) -> Numbers {
+    pub(super) fn numbers_on(
+        &self,
+        kind: GroupKind,
+        count: usize,
+        components: usize,
+        all: &Numbers,
+    ) -> Numbers {
         let mut order: Vec<(u32, u64, &Run)> = Vec::new();
         let mut cell = 0;
         for run in self.runs() {
@@ -86,6 +92,9 @@ fn all_rows(start: usize, count: u64, components: usize) -> impl Iterator<Item =
     (0..count as usize).map(move |i| start + i * components..start + (i + 1) * components)
 }
 
+/// The kinds of cells with data of their own.
+pub(super) const KINDS: [GroupKind; 3] = [GroupKind::Lines, GroupKind::Polygons, GroupKind::Cells];
+
 /// What data that follow are on.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Place {
@@ -96,8 +105,8 @@ pub(super) enum Place {
 /// Reads the count behind `POINT_DATA` or `CELL_DATA`.
 pub(super) fn read_place<R: Read>(reader: &mut Reader<R>, keyword: &[u8]) -> Result<(), Error> {
     let (place, name, there) = match keyword {
-        b"POINT_DATA" => (Place::Points, "points", reader.assembly.vertex_count() as u64),
-        _ => (Place::Cells, "cells", reader.cells_of_file.count()),
+        b"POINT_DATA" => (Place::Points, "points", reader.elements.assembly.vertex_count() as u64),
+        _ => (Place::Cells, "cells", reader.elements.cells.count()),
     };
     let count = reader.values.scanner.expect_u64("the count of rows of data")?;
     if count != there {
@@ -273,13 +282,13 @@ fn number_type_next<R: Read>(reader: &mut Reader<R>) -> Result<Option<NumberType
 
 fn row_count<R: Read>(reader: &Reader<R>, place: Place) -> u64 {
     match place {
-        Place::Points => reader.assembly.vertex_count() as u64,
-        Place::Cells => reader.cells_of_file.count(),
+        Place::Points => reader.elements.assembly.vertex_count() as u64,
+        Place::Cells => reader.elements.cells.count(),
     }
 }
 
 fn leave_out<R: Read>(reader: &mut Reader<R>, name: &str) {
-    reader.assembly.warnings.push(format!(
+    reader.elements.assembly.warnings.push(format!(
         "the data \"{}\" are no numbers; they and what follows are left out",
         name.escape_debug()
     ));
@@ -293,16 +302,16 @@ fn add<R: Read>(reader: &mut Reader<R>, place: Place, name: String, components: 
     let kinds = match place {
         Place::Points => {
             let data = CellData::of_file(name, GroupKind::Vertices, components, numbers);
-            reader.assembly.add_data(data);
+            reader.elements.assembly.add_data(data);
             return;
         }
-        Place::Cells => [GroupKind::Lines, GroupKind::Polygons, GroupKind::Cells],
+        Place::Cells => KINDS,
     };
     for kind in kinds {
-        let count = reader.assembly.count_of(kind);
+        let count = reader.elements.assembly.count_of(kind);
         if count > 0 {
-            let part = reader.cells_of_file.numbers_on(kind, count, components, &numbers);
-            reader.assembly.add_data(CellData::of_file(name.clone(), kind, components, part));
+            let part = reader.elements.cells.numbers_on(kind, count, components, &numbers);
+            reader.elements.assembly.add_data(CellData::of_file(name.clone(), kind, components, part));
         }
     }
 }
@@ -355,7 +364,6 @@ pub(super) fn type_name(numbers: &Numbers) -> &'static str {
 /// The arrays on all cells of a file: points, lines, polygons, 3-cells. Data of one name are one array, 0 on the cells
 /// that have none.
 pub(super) fn arrays_on_cells(model: &Model) -> Result<Vec<CellData>, Error> {
-    const KINDS: [GroupKind; 3] = [GroupKind::Lines, GroupKind::Polygons, GroupKind::Cells];
     let mut arrays: Vec<CellData> = Vec::new();
     for data in model.data().iter().filter(|data| KINDS.contains(&data.kind())) {
         let name = data.name();

@@ -83,13 +83,13 @@ pub(super) fn finish<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
     let point_count = dimensions.iter().try_fold(1u64, |product, &count| product.checked_mul(count));
     let point_count = point_count.unwrap_or(u64::MAX);
     if grid.kind == Some(GridKind::Curved) {
-        if point_count != reader.assembly.vertex_count() as u64 {
+        if point_count != reader.elements.assembly.vertex_count() as u64 {
             return Err(Error::invalid(format!(
                 "the dimensions {} x {} x {} do not fit the {} points",
                 dimensions[0],
                 dimensions[1],
                 dimensions[2],
-                reader.assembly.vertex_count()
+                reader.elements.assembly.vertex_count()
             ))
             .with_cure("the product of the dimensions is the count of points"));
         }
@@ -140,7 +140,7 @@ fn add_points<R: Read>(reader: &mut Reader<R>, grid: &Grid, dimensions: [u64; 3]
     for &z in &axes[2] {
         for &y in &axes[1] {
             for &x in &axes[0] {
-                reader.assembly.add_vertex(&[x, y, z])?;
+                reader.elements.assembly.add_vertex(&[x, y, z])?;
             }
         }
     }
@@ -174,10 +174,15 @@ fn add_cells<R: Read>(reader: &mut Reader<R>, dimensions: [u64; 3]) -> Result<()
                     let at = (x + corner[0]) * dx + (y + corner[1]) * dy + (z + corner[2]) * dz;
                     *vertex = u32::try_from(at).expect("the points were counted in 32 bits");
                 }
-                let cell = reader.assembly.add(kind, corners.len(), &vertices[..corners.len()], u64::from)?;
+                let cell = reader.elements.assembly.add(
+                    kind,
+                    corners.len(),
+                    &vertices[..corners.len()],
+                    u64::from,
+                )?;
                 match kind {
-                    Kind::Point => reader.cells_of_file.add(0, None, 0, 0),
-                    kind => reader.cells_of_file.add(0, Some(kind.group_kind()), cell, 1),
+                    Kind::Point => reader.elements.cells.add(0, None, 0, 0),
+                    kind => reader.elements.cells.add(0, Some(kind.group_kind()), cell, 1),
                 }
             }
         }

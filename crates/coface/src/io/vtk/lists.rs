@@ -128,7 +128,7 @@ fn place<R: Read>(reader: &Reader<R>) -> u64 {
 /// The index of a point, which must be among the points.
 fn read_point<R: Read>(reader: &mut Reader<R>, number: NumberType) -> Result<u32, Error> {
     let index = reader.values.integer(number, "a point of a cell")?;
-    let count = reader.assembly.vertex_count();
+    let count = reader.elements.assembly.vertex_count();
     match u32::try_from(index) {
         Ok(point) if (point as usize) < count => Ok(point),
         _ => {

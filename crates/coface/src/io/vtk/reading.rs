@@ -1,11 +1,11 @@
 //! The header, and the kinds of data sets.
 
-use super::cell_types::{CellType, unread_name};
-use super::data::{self, Cells, Place};
+use super::cell_types::CellType;
+use super::data::{self, Place};
+use super::elements::Elements;
 use super::grids;
 use super::lists::{Lists, read_lists};
 use crate::io::Model;
-use crate::io::assembly::{Assembly, Kind};
 use crate::io::scanner::{Scanner, quoted};
 use crate::io::values::{Encoding, NumberType, Values};
 use crate::{Error, ErrorKind};
@@ -43,12 +43,11 @@ use std::io::Read;
 pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut reader = Reader {
         values: Values::new(Scanner::new(input), Encoding::Ascii),
-        assembly: Assembly::new(3),
+        elements: Elements::new(),
         cells: None,
         has_dataset: false,
         has_offsets: false,
         grid: grids::Grid::default(),
-        cells_of_file: Cells::default(),
         data_place: None,
     };
     reader.read_header()?;
@@ -58,19 +57,17 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         }
     }
     reader.complete()?;
-    reader.assembly.finish()
+    reader.elements.assembly.finish()
 }
 
 pub(super) struct Reader<R> {
     pub(super) values: Values<R>,
-    pub(super) assembly: Assembly,
+    pub(super) elements: Elements,
     /// The cells of an unstructured grid, before their types are known.
     cells: Option<Lists>,
     has_dataset: bool,
     pub(super) has_offsets: bool,
     pub(super) grid: grids::Grid,
-    /// What the cells became, for the data on them.
-    pub(super) cells_of_file: Cells,
     /// What data that follow are on; `None` before the first.
     pub(super) data_place: Option<Place>,
 }
@@ -166,7 +163,7 @@ impl<R: Read> Reader<R> {
     }
 
     pub(super) fn read_points(&mut self) -> Result<(), Error> {
-        if self.assembly.vertex_count() > 0 {
+        if self.elements.assembly.vertex_count() > 0 {
             return Err(self.header_error("the points are given twice".to_owned(), "keep one section POINTS"));
         }
         let count = self.values.scanner.expect_u64("the count of points")?;
@@ -177,7 +174,7 @@ impl<R: Read> Reader<R> {
             for coordinate in &mut point {
                 *coordinate = self.values.float(number, "a coordinate")?;
             }
-            self.assembly.add_vertex(&point).map_err(|fault| self.values.located(fault))?;
+            self.elements.assembly.add_vertex(&point).map_err(|fault| self.values.located(fault))?;
         }
         Ok(())
     }
@@ -194,7 +191,9 @@ impl<R: Read> Reader<R> {
     fn read_polydata(&mut self, keyword: &str, section: usize, cell_type: CellType) -> Result<(), Error> {
         let lists = read_lists(self, keyword)?;
         for i in 0..lists.len() {
-            self.add_cell(section, cell_type, lists.list(i)).map_err(|fault| lists.place(i, fault))?;
+            self.elements
+                .add_cell(section, cell_type, lists.list(i), 0)
+                .map_err(|fault| lists.place(i, fault))?;
         }
         Ok(())
     }
@@ -212,73 +211,8 @@ impl<R: Read> Reader<R> {
         self.values.end_line()?;
         for i in 0..cells.len() {
             let number = self.values.integer(NumberType::Int32, "the type of a cell")?;
-            let Some(cell_type) = CellType::from_number(number) else {
-                let message = format!("cell {i} has type {number}: {} are not read", unread_name(number));
-                let fault = Error::new(ErrorKind::UnsupportedFormat, message);
-                return Err(self
-                    .values
-                    .located(fault.with_cure("split such cells into hexahedra or tetrahedra")));
-            };
-            self.add_cell(0, cell_type, cells.list(i)).map_err(|fault| cells.place(i, fault))?;
-        }
-        Ok(())
-    }
-
-    /// Adds what a cell of this type in a section becomes.
-    fn add_cell(&mut self, section: usize, cell_type: CellType, vertices: &[u32]) -> Result<(), Error> {
-        let count = vertices.len();
-        let has_too_few = |least: usize, what: &str| {
-            Error::invalid(format!("a {what} has {count} points; it needs {least}")).with_cure("remove it")
-        };
-        let number = |vertex: u32| u64::from(vertex);
-        let mut elements = 1;
-        let (kind, first) = match cell_type {
-            CellType::Empty => (Kind::Point, 0),
-            CellType::Points => {
-                for vertex in vertices {
-                    self.assembly.add(Kind::Point, 1, &[*vertex], number)?;
-                }
-                (Kind::Point, 0)
-            }
-            CellType::Polyline if count < 2 => return Err(has_too_few(2, "polyline")),
-            CellType::Polyline => (Kind::Line, self.assembly.add(Kind::Line, count, vertices, number)?),
-            CellType::Strip if count < 3 => return Err(has_too_few(3, "triangle strip")),
-            CellType::Strip => {
-                elements = count as u32 - 2;
-                let mut last = 0;
-                for (i, triangle) in vertices.windows(3).enumerate() {
-                    let [a, b, c] = [triangle[i % 2], triangle[1 - i % 2], triangle[2]];
-                    last = self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
-                }
-                (Kind::Polygon, last + 1 - elements)
-            }
-            CellType::Polygon if count < 3 => return Err(has_too_few(3, "polygon")),
-            CellType::Polygon => (Kind::Polygon, self.assembly.add(Kind::Polygon, count, vertices, number)?),
-            CellType::QuadraticPolygon if count < 6 || !count.is_multiple_of(2) => {
-                return Err(has_too_few(6, "quadratic polygon (an even number of points)"));
-            }
-            CellType::QuadraticPolygon => {
-                (Kind::Polygon, self.assembly.add(Kind::Polygon, count / 2, vertices, number)?)
-            }
-            CellType::Fixed { vertex_count, .. } if count != vertex_count => {
-                return Err(Error::invalid(format!(
-                    "a cell has {count} points, but its type needs {vertex_count}"
-                ))
-                .with_cure("give it another type, or the points that are missing"));
-            }
-            CellType::Fixed { kind, corners, .. } => {
-                let mut ordered = [0; 27];
-                ordered[..count].copy_from_slice(vertices);
-                for (place, &corner) in ordered.iter_mut().zip(corners) {
-                    *place = vertices[corner];
-                }
-                (kind, self.assembly.add(kind, corners.len(), &ordered[..count], number)?)
-            }
-        };
-        match kind {
-            // Points have no data of their own.
-            Kind::Point => self.cells_of_file.add(section, None, 0, 0),
-            kind => self.cells_of_file.add(section, Some(kind.group_kind()), first, elements),
+            let cell_type = CellType::of_cell(i, number).map_err(|fault| self.values.located(fault))?;
+            self.elements.add_cell(0, cell_type, cells.list(i), 0).map_err(|fault| cells.place(i, fault))?;
         }
         Ok(())
     }

@@ -250,7 +250,7 @@ fn grids_become_cells() {
 }
 
 /// The model as it comes back: data on cells are on all of them, and those on points come last.
-fn on_all_cells(model: &Model) -> Model {
+pub(super) fn on_all_cells(model: &Model) -> Model {
     let mut read = Model { data: Vec::new(), ..model.clone() };
     let (on_points, on_cells): (Vec<_>, Vec<_>) =
         model.data.iter().cloned().partition(|data| data.kind() == GroupKind::Vertices);
