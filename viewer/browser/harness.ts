@@ -149,3 +149,72 @@ export async function slide(page: Page, id: string, value: number): Promise<void
   await page.locator(`#${id}`).fill(String(value));
   await settle(page);
 }
+
+/** A picture as a text that a page can read. */
+export function dataOf(path: string): string {
+  const kind = path.endsWith(".svg") ? "svg+xml" : "png";
+  return `data:image/${kind};base64,${readFileSync(path).toString("base64")}`;
+}
+
+/**
+ * The share of places at which one picture has something and another has nothing, when both are stretched to the boxes around what they
+ * show. `null` is the window.
+ */
+export async function outlineDifference(page: Page, one: string | null, other: string): Promise<number> {
+  await settle(page);
+  return page.evaluate(
+    async ({ one, other }) => {
+      const SIDE = 200;
+      const outline = async (source: string | null) => {
+        const image = source ? await createImageBitmap(await (await fetch(source)).blob()) : document.querySelector<HTMLCanvasElement>("#canvas")!;
+        const { width, height } = image;
+        const context = new OffscreenCanvas(width, height).getContext("2d")!;
+        context.drawImage(image, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const isThere = (x: number, y: number) => [0, 1, 2].some((part) => data[4 * (y * width + x) + part] < 250);
+        let [left, right, top, bottom] = [width, -1, height, -1];
+        for (let y = 0; y < height; y++) {
+          for (let x = 0; x < width; x++) {
+            if (!isThere(x, y)) continue;
+            [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+          }
+        }
+        const found: boolean[] = [];
+        for (let j = 0; j < SIDE; j++) {
+          for (let i = 0; i < SIDE; i++) {
+            found.push(isThere(Math.round(left + ((right - left) * i) / (SIDE - 1)), Math.round(top + ((bottom - top) * j) / (SIDE - 1))));
+          }
+        }
+        return found;
+      };
+      const [a, b] = [await outline(one), await outline(other)];
+      return a.filter((there, i) => there !== b[i]).length / a.length;
+    },
+    { one, other },
+  );
+}
+
+/** The mean difference of the parts of pixels, of 255, between a picture of the program and what the browser makes of another. */
+export async function meanDifference(page: Page, png: string, svg: string): Promise<number> {
+  return page.evaluate(
+    async ({ png, svg }) => {
+      const bitmap = await createImageBitmap(await (await fetch(png)).blob());
+      const image = new Image();
+      image.src = svg;
+      await image.decode();
+      const { width, height } = bitmap;
+      const read = (source: CanvasImageSource) => {
+        const context = new OffscreenCanvas(width, height).getContext("2d")!;
+        context.fillStyle = "#ffffff";
+        context.fillRect(0, 0, width, height);
+        context.drawImage(source, 0, 0, width, height);
+        return context.getImageData(0, 0, width, height).data;
+      };
+      const [a, b] = [read(bitmap), read(image)];
+      let sum = 0;
+      for (let i = 0; i < a.length; i += 4) for (const part of [0, 1, 2]) sum += Math.abs(a[i + part] - b[i + part]);
+      return sum / (0.75 * a.length);
+    },
+    { png, svg },
+  );
+}

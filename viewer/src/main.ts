@@ -8,11 +8,12 @@ import { LayersPanel } from "./panel/layers";
 import { NEIGHBORHOODS, NeighborhoodPanel, neighborhoodOf, type Neighborhood } from "./panel/neighborhood";
 import { paneElement } from "./panel/panes";
 import { reportElement } from "./panel/report";
-import { readScene, type Scene, type SceneText } from "./scene/document";
+import { readScene, type Layer, type Scene, type SceneText } from "./scene/document";
 import { fromFragment, toFragment, type ViewState } from "./state/fragment";
 import { listenToKeys } from "./state/keys";
 import { layerOfCells, TrianglesOfPolygons } from "./view/cells";
 import { DrawnLayer } from "./view/layers";
+import { offsetsOf } from "./view/parts";
 import { ALARM, colorOf, NEIGHBORHOOD, type Theme } from "./view/palette";
 import { pick, PICKS, type Pick } from "./view/picking";
 import { Stage } from "./view/stage";
@@ -59,7 +60,7 @@ class Page {
     this.shaded = new TrianglesOfPolygons(model);
     let next = 0;
     this.colors = model.layers.map((layer) => (layer.group === "witness" ? ALARM : colorOf(layer.color ?? next++)));
-    this.drawn = model.layers.map((layer, i) => new DrawnLayer(this.stage, layer, this.colors[i], 4, i));
+    this.drawn = model.layers.map((layer, i) => new DrawnLayer(this.stage, layer, this.colors[i], 4, i, this.surface.parts));
     for (const layer of this.drawn) this.stage.scene.add(layer.object);
     this.neighborhoodPanel = new NeighborhoodPanel(this.complex, model, {
       choose: (word) => this.showNeighborhood(word),
@@ -216,8 +217,11 @@ class Page {
       const cells = neighborhoodOf(this.complex, this.selection, word);
       if (!cells || cells.size === 0) return;
       const layer = layerOfCells(word, cells, this.complex, this.model, this.shaded);
-      const drawn = new DrawnLayer(this.stage, layer, NEIGHBORHOOD[word], width, 1000 + this.marks.length);
-      this.marks.push({ drawn, moves: word === "selection" });
+      // What is selected stays on the part that it was picked on; what is around it comes apart.
+      const moves = word === "selection";
+      const parts = moves ? null : this.surface.parts;
+      const drawn = new DrawnLayer(this.stage, layer, NEIGHBORHOOD[word], width, 1000 + this.marks.length, parts);
+      this.marks.push({ drawn, moves });
       this.stage.scene.add(drawn.object);
     };
     if (this.shown !== "selection") show(this.shown, 4);
@@ -227,7 +231,13 @@ class Page {
     this.stage.draw();
   }
 
-  /** What is selected stays on the part that it was picked on. */
+  /** Lets what is drawn over the model follow its parts. */
+  private followParts(): void {
+    for (const layer of [...this.drawn, ...this.marks.filter(({ moves }) => !moves).map(({ drawn }) => drawn)]) layer.rearrange();
+    this.moveMarks();
+    this.stage.draw();
+  }
+
   private moveMarks(): void {
     const offset = this.part === null ? new THREE.Vector3() : this.surface.offsetOfPart(this.part);
     for (const { drawn, moves } of this.marks) if (moves) drawn.object.position.copy(offset);
@@ -265,25 +275,27 @@ class Page {
     this.clip = Math.min(Math.max(share, 0), 1);
     this.sliders.clip.value = String(this.clip);
     this.surface.setClip(this.clip, this.axis);
+    if (this.explode > 0) this.followParts();
   }
 
   private setAxis(axis: number): void {
     this.axis = axis;
     this.controls.axis.textContent = AXES[axis];
     this.surface.setClip(this.clip, axis);
+    if (this.explode > 0) this.followParts();
   }
 
   private setExplode(share: number): void {
     this.explode = Math.min(Math.max(share, 0), 1);
     this.sliders.explode.value = String(this.explode);
     this.surface.setExplode(this.explode);
-    this.moveMarks();
+    this.followParts();
   }
 
   private placeLabels(): void {
     const wanted = this.model.layers
       .flatMap((layer) =>
-        layer.on ? layer.labels.map((label) => ({ text: label.text, at: new THREE.Vector3().fromArray(layer.positions, 3 * label.point) })) : [],
+        layer.on ? layer.labels.map((label) => ({ text: label.text, at: this.placeOf(layer, label.point) })) : [],
       )
       .slice(0, MOST_LABELS);
     while (this.labels.childElementCount > wanted.length) this.labels.lastElementChild?.remove();
@@ -295,6 +307,13 @@ class Page {
       label.style.left = `${place.x}px`;
       label.style.top = `${place.y}px`;
     });
+  }
+
+  /** Where a point of a layer is seen, on the first of the parts that have it. */
+  private placeOf(layer: Layer, point: number): THREE.Vector3 {
+    const place = new THREE.Vector3().fromArray(layer.positions, 3 * point);
+    const offset = offsetsOf(this.surface.parts, layer, [point])[0];
+    return offset ? place.add(offset) : place;
   }
 
   private async savePng(): Promise<void> {

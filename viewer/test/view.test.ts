@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { Scene } from "../src/scene/document";
 import { coarseTriangles } from "../src/view/coarse";
 import { loneEdges, sideEdges } from "../src/view/edges";
+import { offsetsOf, Parts } from "../src/view/parts";
 import { TrianglePicker } from "../src/view/picker";
 
 /** A square of n by n squares in the plane z = 0, of two triangles each, and an edge on a side of it that goes beyond. */
@@ -44,6 +45,26 @@ describe("what is drawn", () => {
       area += b.sub(a).cross(c.sub(a)).length() / 2;
     }
     expect(area / 90000).toBeGreaterThan(0.9);
+  });
+
+  it("comes apart with its parts", () => {
+    // Two squares of two triangles each, in the plane: vertices 0 1 2 below 3 4 5.
+    const model: Scene = { ...grid(2), dimension: 2, simplices: { starts: new Uint32Array(1), items: new Uint32Array(0) } };
+    const center = new THREE.Vector3(1, 1, 0);
+    const parts = Parts.of(model, center)!;
+    const layer = { name: "", group: "", detail: "", color: null, on: true, arrows: false, own: false, positions: model.positions,
+      lines: { starts: new Uint32Array(1), items: new Uint32Array(0) }, points: new Uint32Array(0), triangles: new Uint32Array(0), labels: [] };
+    const at = (points: number[]) => offsetsOf(parts, layer, points).map((offset) => offset.toArray().map((x) => Number(x.toFixed(6))));
+    expect(at([0, 1])).toEqual([[0, 0, 0]]);
+    parts.setShare(1);
+    // A side of the rim goes with its triangle, a side within with both, a corner with all that have it.
+    expect(at([0, 1])).toEqual([[-0.333333, -0.666667, 0]]);
+    expect(at([0, 4])).toHaveLength(2);
+    expect(at([4])).toHaveLength(6);
+    expect(at([0, 1, 4])).toEqual([[-0.333333, -0.666667, 0]]);
+    // What has points of its own stays, and what is on no part.
+    expect(offsetsOf(parts, { ...layer, own: true }, [0, 1])[0].length()).toBe(0);
+    expect(at([0, 8])).toEqual([[0, 0, 0]]);
   });
 
   it("is found by rays", () => {

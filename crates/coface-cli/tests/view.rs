@@ -4,7 +4,7 @@
 
 mod program;
 
-use program::{argument, coface};
+use program::{argument, coface, coface_reading};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -99,6 +99,10 @@ fn a_cut_has_a_domain_and_a_cover_a_picture() {
         let side = sides.iter().find(|side| side["name"] == format!("seam {}", place + 1));
         assert_eq!(layer.unwrap()["color"], side.unwrap()["color"]);
     }
+    // Sides of copies are arcs: they have points between their ends, all in the disk.
+    let sides = scene["panes"][1]["layers"].as_array().unwrap().iter();
+    let arcs = sides.filter(|layer| layer["name"].as_str().unwrap().starts_with("side"));
+    assert!(arcs.map(|layer| layer["lines"]["starts"].is_string()).any(|is_ragged| is_ragged));
     // Nine copies, each with its word.
     let words =
         scene["panes"][1]["layers"].as_array().unwrap().last().unwrap()["labels"].as_array().unwrap().len();
@@ -177,6 +181,34 @@ fn answers_about_other_models_are_refused() {
     assert!(
         coface(&["view", &small, "--with", &cover, "-o", argument(&page)]).fails_with(1).contains("vertex")
     );
+}
+
+#[test]
+fn standard_input_may_hold_splines() {
+    let folder = Folder::new();
+    let text = r#"{"order":4,"curves":[{"points":[[0,0],[4,0],[5,2],[4,4],[0,4]],"kinks":[0,4]}]}"#;
+    let page = folder.path("page.html");
+    let words = ["view", "-", "-o", argument(&page), "--json"];
+    let summary = coface_reading(&words, text.as_bytes()).json();
+    assert_eq!(names(&summary, "knots"), ["knots", "kinks", "control points"]);
+    let drawn = coface_reading(&["render", "-", "-q"], text.as_bytes());
+    let file = coface(&["render", &folder.file("set.json", text), "-q"]);
+    assert_eq!(drawn.stdout.replace("standard input", "set.json"), file.stdout);
+    // What is no set is a model.
+    let summary = coface_reading(&words, b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").json();
+    assert_eq!(summary["triangles"], 1);
+}
+
+#[test]
+fn answers_without_numbers_are_refused() {
+    let folder = Folder::new();
+    let model = folder.generated(&["csaszar"], "torus.obj");
+    let result = folder.file("result.json", "{\"simplices\": [[0, 1], [2, \"three\"]]}");
+    for verb in ["view", "render"] {
+        let run = coface(&[verb, &model, "--with", &result, "-o", argument(&folder.path("page.svg"))]);
+        let message = run.fails_with(1);
+        assert!(message.contains("simplices[1][1] is \"three\", not the number of a vertex"), "{message}");
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Layer } from "../scene/document";
+import { offsetsOf, type Parts } from "./parts";
 import type { Stage } from "./stage";
 
 /** So many arrowheads are on one line at most. */
@@ -13,7 +14,6 @@ const HEADS = 24;
 export class DrawnLayer {
   readonly object = new THREE.Group();
   private isMade = false;
-  private ball: THREE.Sphere | null = null;
 
   constructor(
     private readonly stage: Stage,
@@ -22,6 +22,8 @@ export class DrawnLayer {
     private readonly width = 4,
     /** Among layers at one place in the plane, the higher one is seen. */
     private readonly order = 1,
+    /** What it comes apart with. */
+    private readonly parts: Parts | null = null,
   ) {
     this.show(layer.on);
   }
@@ -36,12 +38,17 @@ export class DrawnLayer {
 
   /** A ball around everything in it. */
   get sphere(): THREE.Sphere {
-    if (!this.ball) {
-      const { layer } = this;
-      const used = [...layer.lines.items, ...layer.points, ...layer.triangles];
-      this.ball = new THREE.Sphere().setFromPoints(used.map((point) => new THREE.Vector3().fromArray(layer.positions, 3 * point)));
-    }
-    return this.ball;
+    const { layer } = this;
+    const used = [...layer.lines.items, ...layer.points, ...layer.triangles];
+    return new THREE.Sphere().setFromPoints(used.flatMap((point) => offsetsOf(this.parts, layer, [point]).map((offset) => this.at(point).add(offset))));
+  }
+
+  /** Follows the parts of the model, which have moved. */
+  rearrange(): void {
+    if (!this.isMade || this.layer.own) return;
+    this.clear();
+    this.isMade = this.object.visible;
+    if (this.isMade) this.make();
   }
 
   private make(): void {
@@ -66,18 +73,17 @@ export class DrawnLayer {
 
   private lines(): THREE.Object3D {
     const { starts, items } = this.layer.lines;
-    const places = new Float32Array(6 * items.length);
-    let next = 0;
+    const places: number[] = [];
+    const place = new THREE.Vector3();
     for (let line = 0; line + 1 < starts.length; line++) {
       for (let i = starts[line]; i + 1 < starts[line + 1]; i++) {
-        for (const point of [items[i], items[i + 1]]) {
-          places.set(this.layer.positions.subarray(3 * point, 3 * point + 3), next);
-          next += 3;
+        for (const offset of offsetsOf(this.parts, this.layer, [items[i], items[i + 1]])) {
+          for (const point of [items[i], items[i + 1]]) places.push(...this.at(point, place).add(offset).toArray());
         }
       }
     }
     const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(places.subarray(0, next));
+    geometry.setPositions(places);
     // Lines that are arrows leave room for their heads.
     const material = this.stage.lineMaterial(this.color, this.layer.arrows && this.isOfArrows ? 1.5 : this.width);
     // Lines on the surface are drawn in front of it.
@@ -94,11 +100,16 @@ export class DrawnLayer {
 
   private triangles(): THREE.Object3D {
     const { layer, color } = this;
-    const corners = new Float32Array(3 * layer.triangles.length);
+    const corners: number[] = [];
     const place = new THREE.Vector3();
-    layer.triangles.forEach((point, i) => this.at(point, place).toArray(corners, 3 * i));
+    for (let i = 0; i + 2 < layer.triangles.length; i += 3) {
+      const triangle = layer.triangles.subarray(i, i + 3);
+      for (const offset of offsetsOf(this.parts, layer, triangle)) {
+        for (const point of triangle) corners.push(...this.at(point, place).add(offset).toArray());
+      }
+    }
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
     const common = { color, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 };
     const material = this.stage.isFlat
       ? new THREE.MeshBasicMaterial({ ...common, transparent: true, opacity: 0.45, depthTest: false })
@@ -110,11 +121,13 @@ export class DrawnLayer {
 
   private points(): THREE.Object3D {
     const { layer, color, width } = this;
-    const places = new Float32Array(3 * layer.points.length);
+    const places: number[] = [];
     const place = new THREE.Vector3();
-    layer.points.forEach((point, i) => this.at(point, place).toArray(places, 3 * i));
+    for (const point of layer.points) {
+      for (const offset of offsetsOf(this.parts, layer, [point])) places.push(...this.at(point, place).add(offset).toArray());
+    }
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(places, 3));
     const size = layer.points.length > 1000 ? width : 2.5 * width;
     const marks = new THREE.Points(geometry, new THREE.PointsMaterial({ color, size, sizeAttenuation: false, depthTest: false, transparent: true }));
     marks.renderOrder = 200 + this.order;
@@ -141,7 +154,9 @@ export class DrawnLayer {
         const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.divideScalar(length));
         // Arrows that stand alone have their heads at their ends.
         const place = from.clone().lerp(to, isFull ? 1 - (0.5 * size) / length : 0.5);
-        matrices.push(new THREE.Matrix4().compose(place, turn, new THREE.Vector3(size, size, size)));
+        for (const offset of offsetsOf(this.parts, this.layer, [items[starts[line] + i], items[starts[line] + i + 1]])) {
+          matrices.push(new THREE.Matrix4().compose(place.clone().add(offset), turn, new THREE.Vector3(size, size, size)));
+        }
       }
     }
     const material = new THREE.MeshBasicMaterial({
@@ -161,6 +176,10 @@ export class DrawnLayer {
 
   dispose(): void {
     this.object.removeFromParent();
+    this.clear();
+  }
+
+  private clear(): void {
     this.object.traverse((part) => {
       if (part instanceof THREE.Mesh || part instanceof THREE.Points) {
         part.geometry.dispose();
@@ -169,5 +188,6 @@ export class DrawnLayer {
         material.dispose();
       }
     });
+    this.object.clear();
   }
 }

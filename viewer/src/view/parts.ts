@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { Ragged } from "../complex/complex";
-import { polygonOf, type Scene } from "../scene/document";
+import { polygonOf, type Layer, type Scene } from "../scene/document";
 import { eachSide } from "./edges";
 import { colorOf } from "./palette";
 
@@ -17,6 +17,7 @@ export class Parts {
   /** Three numbers a part. */
   private readonly middles: Float32Array;
   private readonly uniforms: Record<string, THREE.IUniform>;
+  private partsOfVertices: Uint32Array[] | null = null;
 
   private constructor(
     private readonly model: Scene,
@@ -69,6 +70,14 @@ export class Parts {
   offset(part: number): THREE.Vector3 {
     const middle = new THREE.Vector3().fromArray(this.middles, 3 * part);
     return middle.sub(this.uniforms.center.value as THREE.Vector3).multiplyScalar(this.share);
+  }
+
+  /** The parts that have all of these vertices. */
+  around(vertices: ArrayLike<number>): number[] {
+    const lists = (this.partsOfVertices ??= this.listsOfVertices());
+    let found = Array.from(lists[vertices[0]] ?? []);
+    for (let i = 1; i < vertices.length; i++) found = found.filter((part) => lists[vertices[i]].includes(part));
+    return found;
   }
 
   isShown(part: number): boolean {
@@ -150,6 +159,25 @@ export class Parts {
     return geometry;
   }
 
+  /** For each vertex the parts that it is a corner of, each once. */
+  private listsOfVertices(): Uint32Array[] {
+    const { cells, polygons, rims, polygonsOfRims, positions } = this.model;
+    const partsOfPolygons: number[][] = Array.from({ length: polygons.starts.length - 1 }, (_, polygon) => (this.areCells ? [] : [polygon]));
+    for (let cell = 0; this.areCells && cell + 1 < cells.starts.length; cell++) {
+      for (let i = cells.starts[cell]; i < cells.starts[cell + 1]; i++) partsOfPolygons[cells.items[i]].push(cell);
+    }
+    const found: Set<number>[] = Array.from({ length: positions.length / 3 }, () => new Set());
+    const add = (walks: Ragged, polygonOfWalk: (walk: number) => number) => {
+      for (let walk = 0; walk + 1 < walks.starts.length; walk++) {
+        const parts = partsOfPolygons[polygonOfWalk(walk)];
+        for (let i = walks.starts[walk]; i < walks.starts[walk + 1]; i++) for (const part of parts) found[walks.items[i]].add(part);
+      }
+    };
+    add(polygons, (walk) => walk);
+    add(rims, (rim) => polygonsOfRims[rim]);
+    return found.map((parts) => Uint32Array.from(parts));
+  }
+
   private sidesOfPolygons(): [number, number][][] {
     const { polygons, rims, polygonsOfRims } = this.model;
     const sides: [number, number][][] = Array.from({ length: polygons.starts.length - 1 }, () => []);
@@ -178,6 +206,18 @@ export class Parts {
     }
     return middles;
   }
+}
+
+const STILL = [new THREE.Vector3()];
+
+/**
+ * Where the points of a layer are seen that belong together: a side or a corner that parts have in common comes apart with them, and each
+ * part keeps its own. What has points of its own stays where it is.
+ */
+export function offsetsOf(parts: Parts | null, layer: Layer, points: ArrayLike<number>): THREE.Vector3[] {
+  if (!parts || layer.own || parts.share === 0) return STILL;
+  const around = parts.around(points);
+  return around.length === 0 ? STILL : around.filter((part) => parts.isShown(part)).map((part) => parts.offset(part));
 }
 
 const HEAD = "attribute vec3 middle;\nuniform float share;\nuniform vec3 center;\nuniform vec4 plane;\n";

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import type { Layer, Scene } from "../scene/document";
 import { loneEdges } from "./edges";
+import { offsetsOf } from "./parts";
 import type { Stage } from "./stage";
 import type { Surface } from "./surface";
 import { THEMES, type Theme } from "./palette";
@@ -54,21 +55,28 @@ export function svgText(
   for (let i = 0; i < lone.length; i += 2) addLine(surface.vertex(lone[i]), surface.vertex(lone[i + 1]), colors.curve, 2, near);
   layers.forEach(({ layer, color }, place) => {
     const at = (point: number) => new THREE.Vector3().fromArray(layer.positions, 3 * point);
+    // Once for each of the parts that have all of these points.
+    const copies = (points: ArrayLike<number>) =>
+      offsetsOf(surface.parts, layer, points).map((offset) => Array.from(points, (point) => at(point).add(offset)));
     const opacity = stage.isFlat ? ' fill-opacity="0.45"' : "";
     for (let t = 0; t + 2 < layer.triangles.length; t += 3) {
-      addTriangle([0, 1, 2].map((i) => at(layer.triangles[t + i])), color, near * (1 + 0.01 * place), opacity, stage.isFlat ? "none" : null);
+      for (const corners of copies(layer.triangles.subarray(t, t + 3))) {
+        addTriangle(corners, color, near * (1 + 0.01 * place), opacity, stage.isFlat ? "none" : null);
+      }
     }
     for (let line = 0; line + 1 < layer.lines.starts.length; line++) {
       for (let i = layer.lines.starts[line]; i + 1 < layer.lines.starts[line + 1]; i++) {
-        addLine(at(layer.lines.items[i]), at(layer.lines.items[i + 1]), color, 3.5, near * (2 + 0.01 * place));
+        for (const [from, to] of copies(layer.lines.items.subarray(i, i + 2))) addLine(from, to, color, 3.5, near * (2 + 0.01 * place));
       }
     }
     for (const point of layer.points) {
-      const place = stage.project(at(point));
-      parts.push({ depth: -Infinity, text: `<circle cx="${number(place.x)}" cy="${number(place.y)}" r="4" fill="${color}"/>` });
+      for (const [world] of copies([point])) {
+        const place = stage.project(world);
+        parts.push({ depth: -Infinity, text: `<circle cx="${number(place.x)}" cy="${number(place.y)}" r="4" fill="${color}"/>` });
+      }
     }
     for (const { point, text } of layer.labels) {
-      const place = stage.project(at(point));
+      const place = stage.project((copies([point])[0] ?? [at(point)])[0]);
       const plain = text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
       parts.push({
         depth: -Infinity,

@@ -1,6 +1,8 @@
-//! Universal covers as flat pictures: copies of the domain in the plane or in the disk of Poincare, with their deck transformations.
+//! Universal covers as flat pictures: copies of the domain in the plane or in the disk of Poincare, with their deck transformations. Edges in
+//! the disk are lines of the hyperbolic plane.
 
 use super::domain::Mesh;
+use super::geodesics::Disk;
 use super::results::{array, vertices};
 use super::{Layer, Pane};
 use serde_json::Value;
@@ -41,8 +43,19 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
             let word = if parity == 0 { "even" } else { "odd" };
             let mut layer = Layer::new("cover", format!("copies at {word} distance"));
             for (walk, &copy) in mesh.walks.iter().zip(&copy) {
-                if words[copy as usize].as_array().map_or(0, Vec::len) % 2 == parity {
-                    layer.push_fan(walk);
+                if words[copy as usize].as_array().map_or(0, Vec::len) % 2 != parity {
+                    continue;
+                }
+                let mut fan = Layer::default();
+                fan.push_fan(walk);
+                for triangle in fan.triangles {
+                    match is_disk {
+                        true => {
+                            let mut disk = Disk { positions: &mut pane.positions };
+                            disk.triangle(triangle, &mut layer.triangles);
+                        }
+                        false => layer.triangles.push(triangle),
+                    }
                 }
             }
             layer.color = Some(if parity == 0 { 5 } else { 4 });
@@ -73,16 +86,20 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
         .collect();
     for uses in sides.chunk_by(|a, b| a.0 == b.0) {
         let side = uses[0].0;
+        let line = match is_disk {
+            true => Disk { positions: &mut pane.positions }.line(side[0], side[1]),
+            false => side.to_vec(),
+        };
         if uses.len() == 2 && copy[uses[0].1] == copy[uses[1].1] {
             if mesh.walks.len() <= MOST_FACES {
-                edges.lines.push(&side);
+                edges.lines.push(&line);
             }
             continue;
         }
         let [a, b] = mesh.below(side);
         match letters.binary_search_by_key(&[a.min(b), a.max(b)], |letter| letter.0) {
-            Ok(found) => by_letter[letters[found].1].lines.push(&side),
-            Err(_) => seams.lines.push(&side),
+            Ok(found) => by_letter[letters[found].1].lines.push(&line),
+            Err(_) => seams.lines.push(&line),
         }
     }
     layers.push(edges);

@@ -9,12 +9,14 @@
 //! * Positions in the page have 32 bits; the middle of the model is taken away before, so that coordinates far from zero keep their
 //!   digits.
 
+mod answers;
 mod boundary;
 mod cochains;
 mod cover;
 mod document;
 mod domain;
 mod forest;
+mod geodesics;
 mod layers;
 mod layout;
 mod model;

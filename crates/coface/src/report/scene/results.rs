@@ -9,7 +9,7 @@ use super::{Layer, Scene};
 use crate::Error;
 use serde_json::Value;
 
-/// The vertices of a cell.
+/// The vertices of a cell, which have been [checked](super::answers::check) to be numbers.
 pub(super) fn vertices(cell: &Value) -> Vec<u32> {
     cell.as_array()
         .into_iter()
@@ -41,9 +41,10 @@ impl Scene {
     /// that they cut, covers, loops, sets of simplices, facts about the cells of an arrangement, forests, persistence diagrams.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for an object with nothing that could be shown, or that names vertices
-    /// or counts cells which the model does not have.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for an object with nothing that could be shown, that has no number
+    /// where one should be, or that names vertices or counts cells which the model does not have.
     pub fn add_result(&mut self, name: &str, result: &Value) -> Result<(), Error> {
+        super::answers::check(name, result)?;
         let before = (self.layers.len(), self.panes.len());
         let mut layers = Vec::new();
         generators(result, &mut layers);
