@@ -2,8 +2,10 @@
 
 use crate::failure::Failure;
 use crate::progress::Progress;
+use coface::io::yin::BoundaryDrawing;
 use coface::io::{self, Format, Model, ReadOptions};
 use coface::report::Producer;
+use std::io::Read;
 use std::path::Path;
 
 /// A model with where it came from.
@@ -20,6 +22,46 @@ pub(crate) fn name(path: &Path) -> String {
 
 fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
+}
+
+/// What `-` names, read to its end so that it can be looked at twice.
+pub(crate) enum Source<'a> {
+    File(&'a Path),
+    Bytes(Vec<u8>),
+}
+
+impl<'a> Source<'a> {
+    pub(crate) fn of(path: &'a Path) -> Result<Self, Failure> {
+        if !is_standard_input(path) {
+            return Ok(Self::File(path));
+        }
+        let mut bytes = Vec::new();
+        let fault = |error| Failure::new(format!("standard input: cannot be read: {error}"));
+        std::io::stdin().lock().read_to_end(&mut bytes).map_err(fault)?;
+        Ok(Self::Bytes(bytes))
+    }
+
+    /// The model in it, with its name.
+    pub(crate) fn model(&self, options: ReadOptions, progress: &Progress) -> Result<Loaded, Failure> {
+        match self {
+            Self::File(path) => read(path, options, progress),
+            Self::Bytes(bytes) => {
+                let name = name(Path::new("-"));
+                let model =
+                    io::read_with(&bytes[..], &options).map_err(|error| error.in_file(name.clone()))?;
+                let format = model.format().unwrap_or(Format::Json);
+                Ok(Loaded { name, format, model })
+            }
+        }
+    }
+
+    /// The boundary of a set of the plane in it.
+    pub(crate) fn boundary(&self, options: &ReadOptions) -> Result<BoundaryDrawing, coface::Error> {
+        match self {
+            Self::File(path) => io::read_boundary_path(path, options),
+            Self::Bytes(bytes) => io::read_boundary_with(&bytes[..], options),
+        }
+    }
 }
 
 /// Reads a file, or standard input for `-`.
@@ -41,7 +83,12 @@ pub(crate) fn produce(
     options: ReadOptions,
     progress: &Progress,
 ) -> Result<(String, Producer), Failure> {
-    let Loaded { name, model, .. } = read(path, options, progress)?;
+    identify(read(path, options, progress)?, progress)
+}
+
+/// Identifies the cells of a model.
+pub(crate) fn identify(loaded: Loaded, progress: &Progress) -> Result<(String, Producer), Failure> {
+    let Loaded { name, model, .. } = loaded;
     progress.stage("identifying cells");
     let producer = Producer::of(model).map_err(|error| error.in_file(name.clone()))?;
     Ok((name, producer))

@@ -15,6 +15,7 @@ mod output;
 mod progress;
 mod simplices;
 mod surface;
+mod target;
 mod text;
 
 use arguments::Arguments;

@@ -301,3 +301,37 @@ fn recorded_drawings_have_their_counts() {
         assert_eq!(value["products_zero"], json!(true));
     }
 }
+
+#[test]
+fn arrangements_are_written_to_be_looked_at() {
+    let folder = tempfile::tempdir().unwrap();
+    let flat = file(&folder, "flat.lines", &segments(&[&square(0.0, 0.0, 2.0), &square(1.0, 1.0, 2.0)]));
+    let sheets =
+        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 -1 -1\nv 1 3 -1\nv 1 3 1\nv 1 -1 1\nf 1 2 3 4\nf 5 6 7 8\n";
+    let sheets = file(&folder, "sheets.obj", sheets);
+    for input in [&flat, &sheets] {
+        for extension in ["vtu", "vtp", "gltf", "glb", "png", "svg"] {
+            let out = folder.path().join(format!("out.{extension}"));
+            let run = coface(&["arrange", argument(input), "-o", argument(&out), "-q"]);
+            assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{extension}");
+            let bytes = std::fs::read(&out).unwrap();
+            match extension {
+                "vtu" | "vtp" => {
+                    let report = coface(&["info", argument(&out), "--json"]).json();
+                    assert!(report["f_vector"][2].as_u64() >= Some(3), "{extension}");
+                }
+                "gltf" => assert!(serde_json::from_slice::<Value>(&bytes).unwrap()["meshes"].is_array()),
+                "glb" => assert!(bytes.starts_with(b"glTF")),
+                "png" => assert!(bytes.starts_with(b"\x89PNG")),
+                _ => assert!(bytes.starts_with(b"<svg") || bytes.starts_with(b"<?xml")),
+            }
+        }
+        let run = coface(&["arrange", argument(input), "-o", argument(&folder.path().join("out.docx"))]);
+        let message = run.fails_with(1);
+        assert!(
+            message.contains("\"docx\" is no format known here; end it in one of off")
+                && message.contains("png"),
+            "{message}"
+        );
+    }
+}

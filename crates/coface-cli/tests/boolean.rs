@@ -170,7 +170,7 @@ fn three_turned_cubes_have_seven_cells() {
 fn results_are_written_in_every_format_and_read_again() {
     let folder = Folder::new();
     let (a, b) = (folder.cube("a.obj", [0.0; 3], 1.0), folder.cube("b.obj", [0.5; 3], 1.0));
-    for extension in ["obj", "off", "ply", "stl", "vtk", "mesh", "msh", "json"] {
+    for extension in ["obj", "off", "ply", "stl", "vtk", "vtu", "vtp", "mesh", "msh", "json"] {
         let out = folder.path(&format!("union.{extension}"));
         let triangles = matches!(extension, "stl" | "mesh" | "msh");
         let mut options = vec!["-o", argument(&out)];

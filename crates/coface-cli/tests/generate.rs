@@ -390,5 +390,5 @@ fn wrong_parameters_say_what_is_possible() {
     let both = coface(&["generate", "torus", "--to", "off", "--json"]);
     assert!(both.fails_with(1).contains("cannot hold both"));
     let unknown = coface(&["generate", "torus", "-o", "a.docx"]);
-    assert!(unknown.fails_with(1).contains("the extension is no format"));
+    assert!(unknown.fails_with(1).contains("is no format known here; end it in one of off, obj"));
 }

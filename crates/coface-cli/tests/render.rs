@@ -4,7 +4,7 @@
 
 mod program;
 
-use program::{argument, coface};
+use program::{argument, coface, coface_reading};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
@@ -258,4 +258,13 @@ fn what_cannot_be_drawn_is_refused() {
         assert!(coface(&["render", argument(&path), "--diagram"]).fails_with(1).contains(name));
     }
     assert!(!out.exists());
+}
+
+#[test]
+fn a_drawing_that_bounds_nothing_shows_its_lines() {
+    let text =
+        "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0L4 1L2 5z' fill='none' stroke='#000'/></svg>";
+    let run = coface_reading(&["render", "-", "-q"], text.as_bytes());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert!(!run.stdout.contains("d=\"\"") && run.stdout.matches('L').count() > 2, "{}", run.stdout);
 }

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::input::{self, Loaded};
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
+use crate::target::unknown_extension;
 use crate::text;
 use clap::{Args, ValueEnum};
 use coface::arrangement::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
@@ -110,8 +111,7 @@ impl Congruence {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let class_format = self.classes.as_deref().map(ClassFormat::of).transpose()?;
         let output = common.output.as_deref().map(|path| {
-            let unknown =
-                || Failure::new(format!("{}: the extension is no format known here", path.display()));
+            let unknown = || unknown_extension(path, "");
             Ok::<_, Failure>((path, Format::from_path(path).ok_or_else(unknown)?))
         });
         let output = output.transpose()?;

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
+use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
 use coface::io::{self, CellData, Format, GroupKind, Model};
 use coface::report::{
@@ -25,7 +26,7 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, json, isosig, lines, geojson, wkt, svg, dat; vtu, vtp, glb, gltf
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, glb, gltf
     #[arg(long, value_name = "FORMAT", value_parser = target_of_name)]
     to: Option<Target>,
     /// Color vertices by component, by boundary, or by the JSON of another verb such as homology --generators; for obj, ply, vtk, vtu, vtp,
@@ -95,12 +96,10 @@ impl Convert {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let target = common.output.as_deref();
         let Some(format) = self.to.or_else(|| target.and_then(target_of_path)) else {
-            return Err(Failure::new(match target {
-                Some(path) => {
-                    format!("{}: the extension is no format known here; say it with --to", path.display())
-                }
-                None => "no format to write: give -o OUT, or --to FORMAT for standard output".to_owned(),
-            }));
+            return Err(match target {
+                Some(path) => unknown_extension(path, ", glb, gltf; or say it with --to"),
+                None => Failure::new("no format to write: give -o OUT, or --to FORMAT for standard output"),
+            });
         };
         if target.is_none() && common.json {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));

@@ -4,11 +4,11 @@ use super::view::read_result;
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::Function;
-use crate::input;
+use crate::input::{self, Source};
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use clap::Args;
-use coface::io::{self, Format};
+use coface::io::Format;
 use coface::report::{
     Camera, DiagramPoint, FlatPicture, Picture, PictureStyle, PlanarSet, Report, Scene, SetPicture,
     SetRequest, diagram_picture, matrix_picture,
@@ -110,7 +110,8 @@ impl Render {
             return Err(Failure::new("an angle of view is between 1 and 170 degrees"));
         }
         let progress = Progress::start(common.quiet);
-        let bytes = match self.flat(common, &progress)? {
+        let source = Source::of(&self.input)?;
+        let bytes = match self.flat(&source, common, &progress)? {
             Some(picture) => {
                 progress.stage("drawing");
                 match format {
@@ -118,7 +119,7 @@ impl Render {
                     PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
                 }
             }
-            None => self.scene(format, common, &progress)?,
+            None => self.scene(&source, format, common, &progress)?,
         };
         progress.stage("writing");
         match &common.output {
@@ -141,29 +142,40 @@ impl Render {
     }
 
     /// A picture that has no depth, if that is asked for or the input is a set of the plane.
-    fn flat(&self, common: &Common, progress: &Progress) -> Result<Option<FlatPicture>, Failure> {
+    fn flat(
+        &self,
+        source: &Source<'_>,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Option<FlatPicture>, Failure> {
         let name = input::name(&self.input);
         if self.matrix {
-            let (_, producer) = input::produce(&self.input, common.reading(), progress)?;
+            let (_, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
             let complex = producer.into_chain_complex().map_err(|error| error.in_file(name.clone()))?;
             return Ok(Some(matrix_picture(&format!("boundary matrices of {}", self.title()), &complex)));
         }
         if self.diagram {
-            let points = self.diagram_points(common, progress)?;
+            let points = self.diagram_points(source, common, progress)?;
             return Ok(Some(diagram_picture(&format!("persistence diagram of {}", self.title()), &points)?));
         }
         if self.forest {
             progress.stage(format!("reading {name}"));
-            let set = self.set(common).map_err(|error| error.in_file(name))?;
+            let set = self.set(source, common).map_err(|error| error.in_file(name))?;
             return Ok(Some(set.picture(SetPicture::Forest)?));
         }
         let is_in_space = self.from.is_some() || self.up.is_some() || self.perspective.is_some();
         let has_marks = !self.with.is_empty() || self.witness || self.dark || self.edges || self.no_edges;
-        if is_in_space || has_marks || self.input.as_os_str() == "-" || !self.may_be_a_set(common) {
+        if is_in_space || has_marks || !may_be_a_set(source, common) {
             return Ok(None);
         }
         // Whatever is no set is a model; whoever reads models says what is wrong.
-        let Ok(set) = self.set(common) else { return Ok(None) };
+        let Ok(set) = self.set(source, common) else { return Ok(None) };
+        // A drawing that bounds nothing still has lines to be seen.
+        if set.set().curve_count() == 0
+            && !matches!(format_of(source, common), Some(Format::Json | Format::Dat))
+        {
+            return Ok(None);
+        }
         Ok(Some(set.picture(SetPicture::Kinks)?))
     }
 
@@ -173,23 +185,17 @@ impl Render {
         name.map_or_else(|| input::name(&self.input), |name| name.to_string_lossy().into_owned())
     }
 
-    /// Whether the format of the input is one of those that hold sets of the plane.
-    fn may_be_a_set(&self, common: &Common) -> bool {
-        let format = common.format.or_else(|| Format::from_path(&self.input));
-        let formats = [Format::Json, Format::Dat, Format::Svg, Format::GeoJson, Format::Wkt];
-        format.is_none_or(|format| formats.contains(&format))
-    }
-
-    fn set(&self, common: &Common) -> Result<PlanarSet, coface::Error> {
-        let drawing = match self.input.as_os_str() == "-" {
-            true => io::read_boundary_with(std::io::stdin().lock(), &common.reading()),
-            false => io::read_boundary_path(&self.input, &common.reading()),
-        };
-        PlanarSet::of(&drawing?, &SetRequest::default())
+    fn set(&self, source: &Source<'_>, common: &Common) -> Result<PlanarSet, coface::Error> {
+        PlanarSet::of(&source.boundary(&common.reading())?, &SetRequest::default())
     }
 
     /// The classes of a diagram: those in a file, or those of a model.
-    fn diagram_points(&self, common: &Common, progress: &Progress) -> Result<Vec<DiagramPoint>, Failure> {
+    fn diagram_points(
+        &self,
+        source: &Source<'_>,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Vec<DiagramPoint>, Failure> {
         let extension = self.input.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let is_computed = self.function.is_some() || self.upper_star || common.format.is_some();
         if !is_computed && extension.eq_ignore_ascii_case("pers") {
@@ -201,7 +207,7 @@ impl Render {
         {
             return Ok(points);
         }
-        let (name, producer) = input::produce(&self.input, common.reading(), progress)?;
+        let (name, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
         let complex = producer.chain_complex()?;
         let function = Function::choose(self.function.as_deref(), producer.positions())?;
         let values = function.values(&producer, complex.cell_count(0))?;
@@ -218,8 +224,14 @@ impl Render {
     }
 
     /// The model in space.
-    fn scene(&self, format: PictureFormat, common: &Common, progress: &Progress) -> Result<Vec<u8>, Failure> {
-        let loaded = input::read(&self.input, common.reading(), progress)?;
+    fn scene(
+        &self,
+        source: &Source<'_>,
+        format: PictureFormat,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Vec<u8>, Failure> {
+        let loaded = source.model(common.reading(), progress)?;
         progress.stage("drawing");
         let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
         let mut scene = Scene::of(&self.title(), &loaded.model).map_err(in_file)?;
@@ -256,6 +268,21 @@ impl Render {
         }
         style
     }
+}
+
+/// The format that was said, or that the name or the content tells.
+fn format_of(source: &Source<'_>, common: &Common) -> Option<Format> {
+    common.format.or_else(|| match source {
+        Source::File(path) => Format::from_path(path),
+        Source::Bytes(bytes) => Format::from_content(bytes, true),
+    })
+}
+
+/// Whether the format of the input is one of those that hold sets of the plane.
+fn may_be_a_set(source: &Source<'_>, common: &Common) -> bool {
+    let format = format_of(source, common);
+    let formats = [Format::Json, Format::Dat, Format::Svg, Format::GeoJson, Format::Wkt];
+    format.is_none_or(|format| formats.contains(&format))
 }
 
 /// The format of a picture of this name; SVG without a name.

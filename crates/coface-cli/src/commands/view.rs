@@ -6,7 +6,7 @@ use crate::input;
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use clap::Args;
-use coface::io::{self, Format, Model};
+use coface::io::{Format, Model};
 use coface::report::{PlanarSet, Report, Scene, SetRequest};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -81,7 +81,8 @@ impl View {
 
     /// The name of the model for people, its scene, and the model itself if it can be examined: sets have their report already.
     fn read(&self, common: &Common, progress: &Progress) -> Result<(String, Scene, Option<Model>), Failure> {
-        let loaded = input::read(&self.input, common.reading(), progress);
+        let source = input::Source::of(&self.input)?;
+        let loaded = source.model(common.reading(), progress);
         progress.stage("drawing");
         let title = |name: &str| {
             Path::new(name).file_name().map_or(name.to_owned(), |name| name.to_string_lossy().into_owned())
@@ -96,10 +97,7 @@ impl View {
             }
             Err(_) => true,
         };
-        if may_be_set
-            && self.input.as_os_str() != "-"
-            && let Ok(drawing) = io::read_boundary_path(&self.input, &common.reading())
-        {
+        if may_be_set && let Ok(drawing) = source.boundary(&common.reading()) {
             let name = input::name(&self.input);
             let in_file = |error: coface::Error| error.in_file(name.clone());
             let set = PlanarSet::of(&drawing, &SetRequest::default()).map_err(in_file)?;

@@ -3,12 +3,13 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{SpaceOptions, check_format, named, rounding, say_remarks};
+pub(crate) use spatial::{SpaceOptions, in_space, named, rounding, say_remarks};
 
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
 use crate::progress::Progress;
+use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
 use coface::arrangement::boolean::InsideRule;
 use coface::io::{Format, Model};
@@ -21,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance.
 ///
 /// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
-/// .lines has the edges; .json the chain complex with positions.
+/// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.
 ///
 /// With --json: "dimension", "f_vector", "measures" (areas of the bounded faces, volumes of the bounded cells), "inside" (for each
 /// the inputs that contain it, numbered from 0), "products_zero" (the boundary of every boundary, found by multiplying),
@@ -113,7 +114,7 @@ impl Rule {
 
 impl Arrange {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let output = output_format(common)?;
+        let output = output_target(common)?;
         if let Some(path) = &self.provenance {
             check_json(path)?;
         }
@@ -145,16 +146,17 @@ pub(crate) fn dimension_of(models: &[(String, Model)], asked: Option<u8>) -> u8 
     asked.unwrap_or_else(|| if models.iter().all(|(_, model)| is_planar(model)) { 2 } else { 3 })
 }
 
+/// The file of -o with what it is.
+pub(crate) fn output_target(common: &Common) -> Result<Option<(&Path, Target)>, Failure> {
+    let Some(path) = common.output.as_deref() else { return Ok(None) };
+    Ok(Some((path, Target::of_path(path)?)))
+}
+
 /// The file of -o with its format.
 pub(crate) fn output_format(common: &Common) -> Result<Option<(&Path, Format)>, Failure> {
     let Some(path) = common.output.as_deref() else { return Ok(None) };
-    let unknown = || {
-        Failure::new(format!(
-            "{}: the extension is no format known here; name the file .json, .svg, .geojson, .wkt, .lines or as another format",
-            path.display()
-        ))
-    };
-    Ok(Some((path, Format::from_path(path).ok_or_else(unknown)?)))
+    let format = Format::from_path(path).ok_or_else(|| unknown_extension(path, ""));
+    Ok(Some((path, format?)))
 }
 
 /// Refuses a file that is not named as JSON.

@@ -5,8 +5,9 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
+use crate::target::{Target, write_seen};
 use crate::text;
-use coface::io::{Format, Model, replace_file};
+use coface::io::{Model, replace_file};
 use coface::report::{ArrangementRequest, DrawingArrangement, PlanarDrawing};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -14,7 +15,7 @@ use std::path::Path;
 pub(super) fn run(
     verb: &Arrange,
     common: &Common,
-    output: Option<(&Path, Format)>,
+    output: Option<(&Path, Target)>,
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
@@ -30,8 +31,10 @@ pub(super) fn run(
     progress.stage("multiplying boundaries and checking coordinates");
     let object = arranged.to_json()?;
     progress.stage("writing");
-    if let Some((path, format)) = output {
-        replace_file(path, |out| arranged.write(out, format))?;
+    match output {
+        Some((path, Target::Model(format))) => replace_file(path, |out| arranged.write(out, format))?,
+        Some((path, Target::Seen(seen))) => write_seen(path, &arranged.to_mesh()?, seen)?,
+        None => {}
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &arranged.provenance_to_json())?;

@@ -5,6 +5,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
+use crate::target::{Seen, Target, write_seen};
 use crate::text;
 use clap::{Args, ValueEnum};
 use coface::arrangement::spatial::NonPlanar;
@@ -52,8 +53,8 @@ impl SpaceOptions {
     }
 
     /// Whether faces are cut into triangles.
-    pub(crate) fn triangles(&self, scene: &SpatialScene, output: Option<(&Path, Format)>) -> bool {
-        let is_stl = output.is_some_and(|(_, format)| format == Format::Stl);
+    pub(crate) fn triangles(&self, scene: &SpatialScene, output: Option<(&Path, Target)>) -> bool {
+        let is_stl = output.is_some_and(|(_, target)| target == Target::Model(Format::Stl));
         self.triangles || (!self.polygons && (is_stl || scene.is_triangulated()))
     }
 }
@@ -63,9 +64,11 @@ pub(crate) fn named(models: &[(String, Model)]) -> impl Iterator<Item = (&str, &
     models.iter().map(|(name, model)| (name.as_str(), model))
 }
 
-/// Refuses formats of drawings in the plane.
-pub(crate) fn check_format((path, format): (&Path, Format)) -> Result<(), Failure> {
+/// Refuses formats of drawings in the plane; SVG is a picture of what is in space.
+pub(crate) fn in_space((path, target): (&Path, Target)) -> Result<(&Path, Target), Failure> {
+    let Some(format) = target.format() else { return Ok((path, target)) };
     match format {
+        Format::Svg => Ok((path, Target::Seen(Seen::Svg))),
         Format::Off
         | Format::Obj
         | Format::Ply
@@ -75,9 +78,9 @@ pub(crate) fn check_format((path, format): (&Path, Format)) -> Result<(), Failur
         | Format::Vtk
         | Format::VtkGrid
         | Format::VtkPolygons
-        | Format::Json => Ok(()),
+        | Format::Json => Ok((path, target)),
         _ => Err(Failure::new(format!(
-            "{}: that format holds no polygons in space; write .vtk, .ply, .obj, .off, .stl, .mesh, .msh or .json",
+            "{}: that format holds no polygons in space; write .vtk, .vtu, .vtp, .ply, .obj, .off, .stl, .mesh, .msh or .json, or .glb, .gltf, .png or .svg to look at",
             path.display()
         ))),
     }
@@ -86,7 +89,7 @@ pub(crate) fn check_format((path, format): (&Path, Format)) -> Result<(), Failur
 pub(super) fn run(
     verb: &Arrange,
     common: &Common,
-    output: Option<(&Path, Format)>,
+    output: Option<(&Path, Target)>,
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
@@ -100,22 +103,25 @@ pub(super) fn run(
             "--prune is for drawings in the plane; faces in space with one cell on both sides are kept",
         ));
     }
-    output.map_or(Ok(()), check_format)?;
+    let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let scene = SpatialScene::of(named(models), true)?;
     let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells))?;
     progress.stage("multiplying boundaries");
     let object = arrangement.to_json(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     progress.stage("writing");
-    if let Some((path, format)) = output {
-        let model = match format {
-            Format::Json => arrangement.to_chains()?,
-            _ => {
-                let triangles = verb.space.triangles(arrangement.scene(), output);
-                arrangement.to_mesh(triangles, matches!(format, Format::Obj | Format::Msh | Format::Medit))?
+    if let Some((path, target)) = output {
+        let triangles = verb.space.triangles(arrangement.scene(), output);
+        match target {
+            Target::Model(Format::Json) => {
+                io::write_path(&arrangement.to_chains()?, path, Some(Format::Json))?
             }
-        };
-        io::write_path(&model, path, Some(format))?;
+            Target::Model(format) => {
+                let has_groups = matches!(format, Format::Obj | Format::Msh | Format::Medit);
+                io::write_path(&arrangement.to_mesh(triangles, has_groups)?, path, Some(format))?;
+            }
+            Target::Seen(seen) => write_seen(path, &arrangement.to_mesh(triangles, false)?, seen)?,
+        }
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &arrangement.provenance())?;

@@ -3,7 +3,7 @@
 mod planar;
 mod spatial;
 
-use super::arrange::{CellOptions, Inputs, SpaceOptions, check_json, dimension_of, output_format, read_all};
+use super::arrange::{CellOptions, Inputs, SpaceOptions, check_json, dimension_of, output_target, read_all};
 use crate::arguments::{Arguments, Common};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -25,7 +25,8 @@ use std::path::PathBuf;
 ///
 /// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
 /// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json
-/// a chain complex with solids as cells, or with the cells of the arrangement if walls are kept.
+/// a chain complex with solids as cells, or with the cells of the arrangement if walls are kept; .glb, .gltf and .png, in space .svg too,
+/// are to be looked at.
 ///
 /// With --json: "measure" (the area or volume), "f_vector", "components", "closed", "manifold" with its witness; in the plane also
 /// "polygons", "holes", "measures", "pinches" (vertices where more than two edges of the boundary meet), "rounding"; in space also
@@ -86,7 +87,7 @@ impl Task {
 impl Boolean {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let (task, inputs) = self.task()?;
-        let output = output_format(common)?;
+        let output = output_target(common)?;
         if let Some(path) = &self.provenance {
             check_json(path)?;
         }

@@ -6,8 +6,9 @@ use crate::commands::arrange::Rule;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
+use crate::target::{Target, write_seen};
 use crate::text;
-use coface::io::{Format, Model, replace_file};
+use coface::io::{Model, replace_file};
 use coface::report::{BooleanRequest, PlanarDrawing, RegionBoolean};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -16,7 +17,7 @@ pub(super) fn run(
     verb: &Boolean,
     task: &Task,
     common: &Common,
-    output: Option<(&Path, Format)>,
+    output: Option<(&Path, Target)>,
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
@@ -36,8 +37,10 @@ pub(super) fn run(
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
     let object = result.to_json();
     progress.stage("writing");
-    if let Some((path, format)) = output {
-        replace_file(path, |out| result.write(out, format))?;
+    match output {
+        Some((path, Target::Model(format))) => replace_file(path, |out| result.write(out, format))?,
+        Some((path, Target::Seen(seen))) => write_seen(path, &result.to_mesh()?, seen)?,
+        None => {}
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &result.provenance_to_json())?;

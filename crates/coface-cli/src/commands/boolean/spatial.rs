@@ -2,10 +2,11 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
-use crate::commands::arrange::{Rule, check_format, named, rounding, say_remarks};
+use crate::commands::arrange::{Rule, in_space, named, rounding, say_remarks};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
+use crate::target::{Target, write_seen};
 use crate::text;
 use clap::{Args, ValueEnum};
 use coface::io::{self, Format, Model};
@@ -43,11 +44,11 @@ pub(super) fn run(
     verb: &Boolean,
     task: &Task,
     common: &Common,
-    output: Option<(&Path, Format)>,
+    output: Option<(&Path, Target)>,
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
-    output.map_or(Ok(()), check_format)?;
+    let output = output.map(in_space).transpose()?;
     if verb.has_features() {
         return Err(Failure::new(
             "--inputs features is for regions in the plane; in space each file is an input",
@@ -70,9 +71,13 @@ pub(super) fn run(
     let result = SolidBoolean::of(&arrangement, &request)?;
     let object = result.to_json()?;
     progress.stage("writing");
-    if let Some((path, format)) = output {
-        let model = if format == Format::Json { result.to_chains()? } else { result.to_mesh()? };
-        io::write_path(&model, path, Some(format))?;
+    match output {
+        Some((path, Target::Model(format))) => {
+            let model = if format == Format::Json { result.to_chains()? } else { result.to_mesh()? };
+            io::write_path(&model, path, Some(format))?;
+        }
+        Some((path, Target::Seen(seen))) => write_seen(path, &result.to_mesh()?, seen)?,
+        None => {}
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &result.provenance()?)?;
@@ -88,7 +93,7 @@ pub(super) fn run(
         }
         if output.is_some()
             && result.faces_cut() > 0
-            && output.is_some_and(|(_, format)| format != Format::Json)
+            && output.is_some_and(|(_, target)| target != Target::Model(Format::Json))
         {
             let count = text::count(result.faces_cut(), "face");
             remark(&format!("{count} with holes or slits, which the format has not, written as triangles"));

@@ -10,6 +10,7 @@ use crate::commands::convert::remark_on_losses;
 use crate::failure::Failure;
 use crate::output::{print_bytes, print_json, print_text};
 use crate::progress::Progress;
+use crate::target::unknown_extension;
 use crate::text;
 use clap::{Args, Subcommand};
 use coface::cellular::PlacedCells;
@@ -134,10 +135,7 @@ impl Generate {
         let target = common.output.as_deref();
         let format = self.to.or_else(|| target.and_then(Format::from_path));
         if let (Some(path), None) = (target, format) {
-            let path = path.display();
-            return Err(Failure::new(format!(
-                "{path}: the extension is no format known here; say it with --to"
-            )));
+            return Err(unknown_extension(path, "; or say it with --to"));
         }
         if target.is_none() && self.to.is_some() && common.json {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));

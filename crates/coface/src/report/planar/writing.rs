@@ -43,11 +43,7 @@ impl DrawingArrangement {
         }
         let [rings, polygons] = arrangement.face_polygons();
         let outline = Outline { rings, polygons };
-        let loose: Vec<[u32; 2]> = (0..arrangement.edge_count())
-            .map(EdgeId::new)
-            .filter(|&edge| arrangement.is_bridge(edge))
-            .map(|edge| arrangement.ends(edge).map(VertexId::to_u32))
-            .collect();
+        let loose = self.bridges();
         if is_drawing(format) {
             let areas = arrangement.areas();
             let names = self.drawing.region_names();
@@ -60,6 +56,24 @@ impl DrawingArrangement {
         }
         let model = mesh(&outline, &positions, &loose)?;
         io::write(&model, out, format)
+    }
+
+    /// The faces as polygons, and edges in no face's rim; a face with holes or corners that touch is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) if a face cannot be cut with rounded coordinates.
+    pub fn to_mesh(&self) -> Result<Model, Error> {
+        let [rings, polygons] = self.arrangement.face_polygons();
+        mesh(&Outline { rings, polygons }, self.arrangement.positions(), &self.bridges())
+    }
+
+    /// The ends of the edges with one face on both sides.
+    fn bridges(&self) -> Vec<[u32; 2]> {
+        (0..self.arrangement.edge_count())
+            .map(EdgeId::new)
+            .filter(|&edge| self.arrangement.is_bridge(edge))
+            .map(|edge| self.arrangement.ends(edge).map(VertexId::to_u32))
+            .collect()
     }
 }
 
@@ -89,6 +103,14 @@ impl RegionBoolean {
             return write_drawing(&self.outline, positions, &[], out, format, &properties);
         }
         io::write(&mesh(&self.outline, &positions, &[])?, out, format)
+    }
+
+    /// The result as polygons; one with holes is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) if a polygon cannot be cut with rounded coordinates.
+    pub fn to_mesh(&self) -> Result<Model, Error> {
+        mesh(&self.outline, &self.positions, &[])
     }
 }
 
