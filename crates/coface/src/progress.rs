@@ -133,6 +133,11 @@ pub(crate) fn stage(name: &str, total: usize) -> Steps {
     begin(name, Unit::Items, total as u64)
 }
 
+/// Begins a stage unless there are so few items that nobody would see it: for what is done often, and mostly to little.
+pub(crate) fn stage_of_many(name: &str, total: usize) -> Steps {
+    if total < 16 * BATCH { Steps(None) } else { stage(name, total) }
+}
+
 /// Begins a stage of so many bytes.
 pub(crate) fn stage_of_bytes(name: &str, total: u64) -> Steps {
     begin(name, Unit::Bytes, total)

@@ -1,5 +1,6 @@
 //! Lists of lists in one flat array.
 
+use crate::progress::stage_of_many;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 
@@ -114,7 +115,8 @@ impl RaggedArray {
             starts[i] += starts[i - 1];
         }
         let mut items = vec![0; count as usize];
-        for (position, key) in keys.enumerate() {
+        let steps = stage_of_many("grouping", items.len());
+        for (position, key) in steps.each(keys.enumerate()) {
             let place = &mut starts[key as usize + 1];
             items[*place as usize] = position as u32;
             *place += 1;

@@ -6,6 +6,7 @@
 
 use super::CellShape;
 use crate::algebra::RaggedArray;
+use crate::progress::stage;
 use crate::surface::edge_identification::{is_sound, polygon_fault};
 use crate::surface::range_sort::{RangedRecords, RecordSource, equal_ranges, split_by};
 use crate::{Error, ErrorKind};
@@ -253,10 +254,12 @@ pub(crate) fn identify_faces(
     // Second pass, first half: sort each range, list its faces. A placed record is its local face and its word.
     let range_sizes = records.range_sizes();
     let mut placed = vec![0u64; record_count];
+    let steps = stage("identifying faces", 2 * range_sizes.len());
     let found: Vec<RangeFaces> = split_by(&mut placed, range_sizes.iter().copied())
         .into_par_iter()
         .enumerate()
         .map_init(Vec::new, |keys, (r, placed)| {
+            steps.advance(1);
             sort_range(&input, records.base(r), records.segments(r), keys, placed)
         })
         .collect();
@@ -285,6 +288,7 @@ pub(crate) fn identify_faces(
         ))
         .enumerate()
         .for_each(|(r, (ends, face_cells))| {
+            steps.advance(1);
             let (first_record, first_face, first_cell) = firsts[r];
             let mut count = 0;
             for &key in &placed[first_record..first_record + range_sizes[r]] {

@@ -1,6 +1,7 @@
 //! The manifold test in dimension three: faces by their cells, edges and vertices by their links.
 
 use super::CellMesh;
+use crate::progress::stage;
 use crate::surface::manifold::{Scratch, VertexCorners, is_connected, is_one_fan};
 use crate::{CellId, EdgeId, FaceId, VertexId};
 use rayon::prelude::*;
@@ -195,8 +196,10 @@ impl CellMesh {
         let blocks = |count: usize| {
             (0..count.div_ceil(BLOCK)).into_par_iter().map(move |i| i * BLOCK..((i + 1) * BLOCK).min(count))
         };
+        let steps = stage("walking around edges and vertices", self.edge_count() + self.vertex_count());
         let non_manifold_edges: Vec<EdgeId> = blocks(self.edge_count())
             .flat_map_iter(|edges| {
+                steps.advance(edges.len());
                 let (mut link, mut scratch) = (Vec::new(), Scratch::default());
                 edges.filter(move |&e| !self.edge_link_is_fan(e, &mut link, &mut scratch)).map(EdgeId::new)
             })
@@ -210,6 +213,7 @@ impl CellMesh {
         let corners = VertexCorners::new(skeleton);
         let non_manifold_vertices: Vec<VertexId> = blocks(self.vertex_count())
             .flat_map_iter(|vertices| {
+                steps.advance(vertices.len());
                 let mut scratch = Scratch::default();
                 let (singular, euler, on_boundary, corners) = (&singular, &euler, &on_boundary, &corners);
                 let is_bad = move |&v: &usize| {

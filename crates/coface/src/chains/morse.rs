@@ -3,7 +3,7 @@
 use super::flow::{Flow, Sweep};
 use crate::algebra::{Integer, SparseVector, WideMatrix, linear_combination};
 use crate::chains::{AcyclicMatching, ChainComplex};
-use crate::progress::stage;
+use crate::progress::{Steps, stage};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -128,11 +128,21 @@ impl<'a> MorseComplex<'a> {
         degree: usize,
         chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
     ) -> Vec<SparseVector> {
-        let cells = self.matching.critical_cells(degree);
         let chains = chains.into_iter();
         let steps = stage("growing chains", chains.size_hint().0);
+        self.inclusions_told(degree, chains, &steps)
+    }
+
+    /// The same, each chain a step.
+    pub(crate) fn inclusions_told<'c>(
+        &self,
+        degree: usize,
+        chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
+        steps: &Steps,
+    ) -> Vec<SparseVector> {
+        let cells = self.matching.critical_cells(degree);
         let mut flow = (degree > 0 && !cells.is_empty())
-            .then(|| Flow::new(&self.complex, &self.matching, degree, &steps));
+            .then(|| Flow::new(&self.complex, &self.matching, degree, steps));
         let image = |chain: &[(u32, Integer)]| {
             let mut image: SparseVector =
                 chain.iter().map(|(i, x)| (cells[*i as usize], x.clone())).collect();
@@ -146,7 +156,7 @@ impl<'a> MorseComplex<'a> {
             steps.advance(1);
             image
         };
-        chains.map(image).collect()
+        chains.into_iter().map(image).collect()
     }
 
     /// The projection of a chain of this degree, given on the cells of the complex, to the Morse complex: on the numbers

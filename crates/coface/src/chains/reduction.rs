@@ -2,6 +2,7 @@
 
 use super::{ChainComplex, MorseComplex};
 use crate::algebra::{Integer, SparseMatrix, SparseVector, WideMatrix, linear_combination};
+use crate::progress::{Steps, stage};
 use std::borrow::Cow;
 
 /// A chain complex reduced by acyclic matchings, each taken in the Morse complex of the one before, until none finds a
@@ -77,10 +78,20 @@ impl<'a> Reduction<'a> {
     /// # Panics
     /// If a number is not below the count of cells.
     pub fn inclusions(&self, degree: usize, chains: Vec<SparseVector>) -> Vec<SparseVector> {
-        self.levels
-            .iter()
-            .rev()
-            .fold(chains, |chains, level| level.inclusions(degree, chains.iter().map(Vec::as_slice)))
+        let steps = stage("growing chains", chains.len() * self.levels.len());
+        self.inclusions_told(degree, chains, &steps)
+    }
+
+    /// The same, each chain a step for each matching.
+    pub(crate) fn inclusions_told(
+        &self,
+        degree: usize,
+        chains: Vec<SparseVector>,
+        steps: &Steps,
+    ) -> Vec<SparseVector> {
+        self.levels.iter().rev().fold(chains, |chains, level| {
+            level.inclusions_told(degree, chains.iter().map(Vec::as_slice), steps)
+        })
     }
 
     /// The projection of a chain of the original complex to the reduced one, and the homotopy, a chain of one degree

@@ -6,6 +6,7 @@
 use super::Positions;
 use crate::VertexId;
 use crate::algebra::RaggedArray;
+use crate::progress::stage_of_many;
 use rayon::prelude::*;
 
 /// A sum of many numbers whose rounding errors are carried along.
@@ -44,9 +45,11 @@ impl Sum {
         terms: impl Fn(usize) -> [f64; N] + Sync,
     ) -> [f64; N] {
         const BLOCK: usize = 1 << 12;
+        let steps = stage_of_many("measuring", count);
         let blocks: Vec<[Self; N]> = (0..count.div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| {
+                steps.advance(BLOCK.min(count - block * BLOCK));
                 let mut sums = [Self::default(); N];
                 for i in block * BLOCK..((block + 1) * BLOCK).min(count) {
                     sums.iter_mut().zip(terms(i)).for_each(|(sum, term)| sum.add(term));

@@ -5,6 +5,7 @@ use super::tree::{CALL_LIMIT, ROOT, Tree};
 use super::tree_walk::Walk;
 use super::{Simplex, SimplicialComplex};
 use crate::algebra::{RaggedArray, Sign};
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::fmt;
@@ -71,6 +72,7 @@ impl FrozenComplex {
         let (starts, positions) = lists.occurrences();
         let total = AtomicUsize::new(0);
         let part_count = (positions.len() >> 14).clamp(1, 64);
+        let steps = stage("growing faces from vertices", positions.len());
         let parts: Vec<Result<Part<'_>, Error>> = (0..part_count)
             .into_par_iter()
             .map(|part| {
@@ -87,6 +89,7 @@ impl FrozenComplex {
                 for (own, rank) in ranks.enumerate() {
                     let group = &positions[starts[rank] as usize..starts[rank + 1] as usize];
                     walk.grow_from_vertex(own as u32, group)?;
+                    steps.advance(group.len());
                 }
                 let part = walk.into_growth();
                 part.report()?;

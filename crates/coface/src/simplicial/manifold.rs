@@ -11,6 +11,7 @@ use super::{FrozenComplex, Simplex, SimplicialComplex, Verdict};
 use crate::Error;
 use crate::algebra::{RaggedArray, UnionFind, smith_form};
 use crate::chains::{ChainComplex, MorseComplex};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::fmt;
 
@@ -334,10 +335,12 @@ fn test(cells: &Cells<'_>) -> Result<ManifoldCertificate, Box<ManifoldVerdict>> 
     let mut unknown: Option<ManifoldWitness> = None;
     for codimension in 4..=n {
         let links = Links::new(cells, codimension);
+        let steps = stage("recognizing links", 0);
         let first_bad = |bad: &(dyn Fn(Recognition) -> bool + Sync)| {
-            (0..links.count())
-                .into_par_iter()
-                .find_first(|&cell| bad(links.recognize(cells, cell, unknown.is_none())))
+            (0..links.count()).into_par_iter().find_first(|&cell| {
+                steps.advance(1);
+                bad(links.recognize(cells, cell, unknown.is_none()))
+            })
         };
         if let Some(cell) = first_bad(&|found| found != Recognition::Certified) {
             let no_cell = if links.recognize(cells, cell, unknown.is_none()) == Recognition::WrongHomology {

@@ -2,6 +2,7 @@
 
 use super::dual_graph::contradictions;
 use super::{BoundaryLoop, Components, PolygonMesh, SurfaceOrientation, SurfaceVerdict};
+use crate::progress::{Steps, stage};
 use crate::{EdgeId, VertexId};
 use std::fmt;
 
@@ -257,12 +258,22 @@ impl PolygonMesh {
     /// # Ok(()) }
     /// ```
     pub fn survey(&self) -> SurfaceSurvey {
+        let steps = stage("examining the surface", 5);
+        fn done<T>(steps: &Steps, found: T) -> T {
+            steps.advance(1);
+            found
+        }
         let (components, (verdict, (orientation, boundary_loops))) = rayon::join(
-            || self.components(),
+            || done(&steps, self.components()),
             || {
                 rayon::join(
-                    || self.manifold_verdict(),
-                    || rayon::join(|| self.orientation(), || self.boundary_loops()),
+                    || done(&steps, self.manifold_verdict()),
+                    || {
+                        rayon::join(
+                            || done(&steps, self.orientation()),
+                            || done(&steps, self.boundary_loops()),
+                        )
+                    },
                 )
             },
         );

@@ -3,6 +3,7 @@
 use super::PolygonMesh;
 use crate::VertexId;
 use crate::algebra::UnionFind;
+use crate::progress::stage_of_many;
 
 /// The connected components of a mesh; each isolated vertex is one.
 ///
@@ -17,7 +18,8 @@ impl Components {
     /// The components of a graph on `vertex_count` vertices with these edges, two ends by two.
     pub(crate) fn of_graph(vertex_count: usize, ends: &[u32]) -> Self {
         let mut partition = UnionFind::new(vertex_count);
-        for &[a, b] in ends.as_chunks::<2>().0 {
+        let steps = stage_of_many("joining components", ends.len() / 2);
+        for &[a, b] in steps.each(ends.as_chunks::<2>().0) {
             partition.unite(a, b);
             if partition.class_count() == 1 {
                 break;

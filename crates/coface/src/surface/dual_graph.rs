@@ -4,6 +4,7 @@
 //! wall agree when they induce opposite orientations on it.
 
 use crate::algebra::{ParityUnion, ParityUnionFind, Sign};
+use crate::progress::stage_of_many;
 use rayon::prelude::*;
 
 /// The top cells of a mesh and the walls between them.
@@ -53,7 +54,8 @@ pub(crate) fn coherence(graph: &impl DualGraph) -> Coherence {
         return found;
     }
     let mut classes = ParityUnionFind::new(graph.node_count());
-    for wall in 0..graph.wall_count() {
+    let steps = stage_of_many("orienting cells", graph.wall_count());
+    for wall in steps.each(0..graph.wall_count()) {
         if let &[f, g] = graph.nodes_at(wall)
             && classes.unite(f >> 1, g >> 1, relative_sign(f, g)) == ParityUnion::Contradicts
         {

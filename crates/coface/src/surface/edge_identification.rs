@@ -7,6 +7,7 @@
 
 use super::range_sort::{RangedRecords, RecordSource, equal_ranges, split_by};
 use crate::algebra::RaggedArray;
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -71,11 +72,13 @@ pub(crate) fn identify_edges(
     let range_sizes = sides.range_sizes();
     let mut keys = vec![0u64; side_count];
     let mut bucket_ends = vec![0u32; vertex_count];
+    let steps = stage("identifying edges", 2 * range_count);
     let counted: Vec<RangeCount> = split_by(&mut keys, range_sizes.iter().copied())
         .into_par_iter()
         .zip(bucket_ends.par_chunks_mut(RANGE))
         .enumerate()
         .map(|(r, (keys, ends))| {
+            steps.advance(1);
             sort_range(sides.base(r), sides.segments(r), keys, ends, polygons, corner_count)
         })
         .collect();
@@ -105,6 +108,7 @@ pub(crate) fn identify_edges(
         .zip(bucket_ends.par_chunks(RANGE))
         .enumerate()
         .for_each(|(r, (((ends, starts), faces), bucket_ends))| {
+            steps.advance(1);
             let (first_key, first_edge, first_face) = firsts[r];
             let keys = &keys[first_key..first_key + range_sizes[r]];
             let (mut edge, mut face, mut at) = (0, 0, 0);

@@ -5,6 +5,7 @@
 //! independent of each other.
 
 use crate::Error;
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -47,11 +48,13 @@ impl<const N: usize> RangedRecords<N> {
             total += size;
         }
         let mut records = vec![[0; N]; total];
+        let steps = stage("sorting cells by their vertices", total);
         let chunks: Vec<Result<Chunk, Error>> = split_by(&mut records, sizes.iter().copied())
             .into_par_iter()
             .enumerate()
             .map(|(chunk, records)| {
                 source.check(chunk)?;
+                steps.advance(records.len());
                 let mut starts = vec![0u32; range_count + 1];
                 source.for_each(chunk, |record| starts[(record[0] >> range_bits) as usize + 1] += 1);
                 let mut total = 0;

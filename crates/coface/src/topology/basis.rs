@@ -5,6 +5,7 @@ use super::shortening;
 use super::{AbelianGroup, Bounding, Coefficients, Generator, Homology, HomologyClass};
 use crate::algebra::{Integer, SparseVector, combination, linear_combination};
 use crate::chains::{Chain, ChainComplex, Reduction};
+use crate::progress::stage;
 use crate::{CellId, Error, ErrorKind};
 use rayon::prelude::*;
 
@@ -68,10 +69,12 @@ impl<'a> HomologyBasis<'a> {
     pub fn unshortened(complex: &'a ChainComplex) -> Self {
         let reduction = Reduction::new(complex);
         let degrees = adapted_bases(&reduction);
+        let total: usize = degrees.iter().map(|basis| basis.generators().len()).sum();
+        let steps = stage("growing generators", total * reduction.level_count());
         let generators = degrees.par_iter().enumerate().map(|(degree, basis)| {
             let positions = basis.generators();
             let reduced = basis.elements[positions.clone()].to_vec();
-            let images = reduction.inclusions(degree, reduced);
+            let images = reduction.inclusions_told(degree, reduced, &steps);
             let generator = |(position, image): (usize, SparseVector)| Generator {
                 order: basis.order(position).cloned(),
                 chain: to_chain(complex, degree, image),

@@ -4,6 +4,7 @@ use super::HomologyBasis;
 use super::basis::to_vector;
 use super::shortening::length;
 use crate::algebra::{Integer, SparseMatrix, SparseVector, WideMatrix};
+use crate::progress::stage;
 
 /// Exchanges generators of degree 1 against shorter loops, as long as the 1-skeleton is a graph.
 ///
@@ -31,7 +32,9 @@ pub(super) fn exchange_loops(basis: &mut HomologyBasis<'_>) {
     let mut is_used = vec![false; graph.starts.len() - 1];
     let tree_count = (WORK / (graph.arcs.len() + is_used.len()).max(1)).clamp(1, MOST_TREES);
     let mut vain_count = 0;
+    let steps = stage("comparing loops", tree_count);
     for _ in 0..tree_count {
+        steps.advance(1);
         let Some(root) = exchanges.next_root(basis, &graph, &mut is_used) else { break };
         let tree = Tree::new(&graph, root, &marks);
         let mut is_shorter = false;

@@ -4,6 +4,7 @@ use super::HomologyBasis;
 use super::basis::to_vector;
 use super::short_loops::exchange_loops;
 use crate::algebra::{Integer, SparseMatrix, SparseVector, combination, linear_combination};
+use crate::progress::{stage, stage_of_many};
 
 /// Makes the generators of one degree shorter, in the number of cells with multiplicity, and keeps them a basis.
 ///
@@ -13,11 +14,15 @@ pub(super) fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
     if degree == 0 || basis.generators(degree).is_empty() {
         return;
     }
+    let steps = stage("shortening generators", 4);
     relax(basis, degree);
+    steps.advance(1);
     if degree == 1 {
         exchange_loops(basis);
     }
+    steps.advance(1);
     descend(basis, degree);
+    steps.advance(1);
     combine(basis, degree);
 }
 
@@ -98,10 +103,12 @@ fn nearest_boundary(boundaries: &SparseMatrix, cycle: &[(u32, Integer)]) -> Spar
     let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
     let mut size = square(&gradient);
     let first = size;
+    let steps = stage("finding the nearest boundary", MOST_STEPS);
     for _ in 0..MOST_STEPS {
         if size <= first * 1e-24 || size == 0.0 {
             break;
         }
+        steps.advance(1);
         let image = apply(&direction);
         let step = size / square(&image);
         solution.iter_mut().zip(&direction).for_each(|(x, d)| *x += step * d);
@@ -165,8 +172,14 @@ impl Descent<'_> {
             self.offer_cofaces(*cell as usize, &mut queue);
         }
         let (mut at, mut is_shorter) = (0, false);
+        let steps = stage_of_many("shortening a generator", self.boundaries.column_count());
         while let Some(&cell) = queue.get(at) {
             at += 1;
+            if at < self.boundaries.column_count() {
+                steps.pass(at);
+            } else {
+                steps.advance(0);
+            }
             self.is_waiting[cell as usize] = false;
             let Some(factor) = self.best_factor(cell) else { continue };
             is_shorter = true;

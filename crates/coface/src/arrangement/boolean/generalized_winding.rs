@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::VertexId;
 use crate::geometry::{Positions, Sum, cross, determinant, dot};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -55,7 +56,9 @@ pub fn generalized_winding_numbers(
             format!("there is no point v{corner}; there are {}", positions.len()),
         ));
     }
+    let steps = stage("summing angles", points.len());
     let number = |i: usize| {
+        steps.advance(1);
         let here = point(points, i as u32);
         let mut sum = Sum::default();
         for triangle in triangles {

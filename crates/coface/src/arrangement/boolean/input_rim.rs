@@ -2,6 +2,7 @@
 
 use crate::algebra::{Column, SparseMatrix};
 use crate::chains::ChainComplex;
+use crate::progress::stage;
 use crate::{CellId, Error, ErrorKind};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -56,7 +57,9 @@ impl InputRim {
         let columns =
             (0..inputs.column_count()).into_par_iter().with_min_len(inputs.column_count().div_ceil(4));
         let no_sums = || vec![0i64; ridges.row_count()];
+        let steps = stage("checking that inputs are closed", inputs.column_count());
         let rims = columns.map_init(no_sums, |sum, input| {
+            steps.advance(1);
             let open = boundary(ridges, inputs.column(input), sum);
             if open.is_empty() {
                 return None;

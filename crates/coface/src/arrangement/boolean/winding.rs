@@ -3,6 +3,7 @@
 use super::InputRim;
 use crate::algebra::SparseMatrix;
 use crate::chains::ChainComplex;
+use crate::progress::stage;
 use crate::{CellId, Error, ErrorKind};
 
 /// Where a facet has the exterior, or one cell on both sides.
@@ -156,7 +157,9 @@ impl WindingNumbers {
             (back == EXTERIOR) != (front == EXTERIOR)
         });
         let mut frontier: Vec<u32> = outer.collect();
+        let steps = stage("counting windings", cell_count);
         while !frontier.is_empty() {
+            steps.advance(0);
             for facet in frontier.drain(..) {
                 let [back, front] = sides[facet as usize];
                 let knows = |cell: u32| cell == EXTERIOR || is_known[cell as usize];
@@ -183,6 +186,7 @@ impl WindingNumbers {
                 is_known[to as usize] = true;
                 queue.push(to);
             }
+            steps.advance(queue.len());
             for cell in queue.drain(..) {
                 frontier.extend_from_slice(boundaries.column(cell as usize).rows());
             }

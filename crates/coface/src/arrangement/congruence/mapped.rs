@@ -4,6 +4,7 @@ use super::CellClasses;
 use super::classes::NONE;
 use super::rewrap::Piece;
 use crate::algebra::{ColumnBlock, RaggedArray, Sign, SparseMatrix, joined_columns};
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -76,9 +77,14 @@ impl Mapped {
     /// Each facet replaced by its image.
     pub(super) fn by_lists(boundary: &SparseMatrix, lower: &CellClasses) -> Result<Self, Error> {
         let cell_count = boundary.column_count();
+        let steps = stage("mapping boundaries", cell_count);
         let blocks: Vec<ColumnBlock> = (0..cell_count.div_ceil(BLOCK))
             .into_par_iter()
-            .map(|block| mapped_block(boundary, lower, block * BLOCK..((block + 1) * BLOCK).min(cell_count)))
+            .map(|block| {
+                let cells = block * BLOCK..((block + 1) * BLOCK).min(cell_count);
+                steps.advance(cells.len());
+                mapped_block(boundary, lower, cells)
+            })
             .collect::<Result<_, _>>()?;
         let (starts, rows, entries) = joined_columns(cell_count, blocks)?;
         Ok(Self { starts, rows, entries, owners: Vec::new() })
@@ -162,9 +168,11 @@ impl Mapped {
             slices.push(slice);
             rest = others;
         }
+        let steps = stage("comparing boundaries", cell_count);
         let found: Vec<Vec<[u32; 2]>> = slices
             .into_par_iter()
             .map(|run| {
+                steps.advance(run.len());
                 let mut found = Vec::new();
                 for bucket in run.chunk_by_mut(|&a, &b| keys[a as usize] == keys[b as usize]) {
                     self.repetitions(bucket, &mut found);

@@ -2,6 +2,7 @@
 
 use crate::VertexId;
 use crate::geometry::Positions;
+use crate::progress::{Steps, stage};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -27,12 +28,14 @@ struct Point {
 pub(super) struct NearPoints<'a> {
     positions: &'a Positions,
     tolerance: f64,
+    /// Points, as often as they are compared with others.
+    steps: Steps,
 }
 
 impl<'a> NearPoints<'a> {
     /// Pairs of near points that connect all points that are joined by chains of near ones.
     pub(super) fn connecting(positions: &'a Positions, tolerance: f64) -> Vec<[u32; 2]> {
-        Self { positions, tolerance }.pairs()
+        Self { positions, tolerance, steps: stage("finding near points", 0) }.pairs()
     }
 
     fn pairs(&self) -> Vec<[u32; 2]> {
@@ -95,6 +98,7 @@ impl<'a> NearPoints<'a> {
 
     /// Each with each.
     fn compare(&self, points: &[Point], pairs: &mut Vec<[u32; 2]>) {
+        self.steps.advance(points.len());
         let (mut few, mut many) = ([0; FEW], Vec::new());
         let classes = match few.get_mut(..points.len()) {
             Some(few) => few,

@@ -3,6 +3,7 @@
 use super::near_points::{NearPoints, is_near};
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::geometry::Positions;
+use crate::progress::stage;
 use crate::{Error, VertexId};
 use rayon::prelude::*;
 
@@ -172,11 +173,13 @@ fn represented(
     representative: Representative,
 ) -> Result<VertexCongruence, Error> {
     let members = RaggedArray::grouped(class_count, class_of.iter().copied());
+    let steps = stage("placing classes", class_count);
     let blocks: Vec<(Vec<f64>, f64)> = (0..class_count.div_ceil(BLOCK))
         .into_par_iter()
         .map(|block| {
             let (mut flat, mut largest): (Vec<f64>, f64) = (Vec::new(), 0.0);
             for class in block * BLOCK..((block + 1) * BLOCK).min(class_count) {
+                steps.pass(class);
                 let class = members.list(class);
                 represent(positions, class, representative, &mut flat);
                 if class.len() > 1 {
@@ -227,7 +230,9 @@ fn greedy(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
     let chains = RaggedArray::grouped(chain_count, chain_of.iter().copied());
     // The vertex that opened the class of each.
     let mut opener: Vec<u32> = (0..positions.len() as u32).collect();
+    let steps = stage("opening classes", positions.len());
     for chain in chains.iter().filter(|chain| chain.len() > 1) {
+        steps.advance(chain.len());
         open_classes(positions, tolerance, chain, &mut opener);
     }
     let (mut class_of, mut count) = (vec![0; positions.len()], 0);

@@ -4,6 +4,7 @@ use super::PlanarOptions;
 use super::segment_tree::{Part, SegmentTree};
 use crate::Error;
 use crate::geometry::predicates::{PlanarLine, PlanarPoint, orientation};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -73,7 +74,9 @@ impl Meetings {
     /// When there must be more cells than the options allow.
     pub(super) fn of(soup: &Soup, tree: &SegmentTree, options: &PlanarOptions) -> Result<Self, Error> {
         let parts = tree.parts();
+        let steps = stage("finding crossings", parts.len());
         let search = |&part: &Part| {
+            steps.advance(1);
             let mut found = Self::default();
             tree.search(part, |pair, lines| found.meet(soup, pair, lines));
             found

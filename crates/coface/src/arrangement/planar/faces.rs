@@ -2,6 +2,7 @@
 
 use crate::algebra::{RaggedArray, UnionFind};
 use crate::geometry::predicates::{PlanarLine, direction_turn};
+use crate::progress::stage;
 use std::sync::atomic::AtomicU32;
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -59,7 +60,9 @@ impl Orbits {
         let tails = ends.iter().flat_map(|&ends| ends);
         let mut rotation = RaggedArray::grouped(vertex_count, tails);
         let next: Vec<AtomicU32> = (0..2 * ends.len()).map(|_| AtomicU32::new(0)).collect();
+        let steps = stage("ordering edges around vertices", 0);
         rotation.change_lists(|leaving, scratch| {
+            steps.pass(leaving.first().map_or(0, |&halfedge| halfedge as usize >> 1));
             if leaving.len() > 1 {
                 order(leaving, scratch);
             }
@@ -70,7 +73,9 @@ impl Orbits {
                 after = halfedge;
             }
         });
+        drop(steps);
         let next: Vec<u32> = next.into_iter().map(AtomicU32::into_inner).collect();
+        let _steps = stage("walking around faces", 0);
         let ((orbits, orbit_of), mut components) =
             rayon::join(|| walks(&next), || components(vertex_count, ends));
         let component_of = components.class_numbers();

@@ -13,6 +13,7 @@ use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::chains::{ChainComplex, ChainMap};
 use crate::geometry::Positions;
 use crate::geometry::predicates::{SpatialPoint, plane_axis};
+use crate::progress::stage;
 use crate::{CellId, EdgeId, Error, FaceId, VertexId};
 use std::cmp::Ordering;
 
@@ -120,19 +121,23 @@ impl SpatialArrangement {
     ) -> Result<Self, Error> {
         let cut = CutTriangles::new(positions, triangles, &CutOptions { max_cells: options.max_cells })?;
         let predicates = cut.predicates();
+        let steps = stage("sorting faces around edges", cut.complex().edge_count());
         let (ordered, patches_of_face) =
-            rayon::join(|| cut.ordered_faces(&predicates), || patches.of_faces(&cut));
+            rayon::join(|| cut.ordered_faces(&predicates, &steps), || patches.of_faces(&cut));
+        drop(steps);
         let ordered = ordered?;
         let around = ordered.around();
+        let steps = stage("finding and merging cells", cut.complex().edge_count());
         let (parts, merged) = rayon::join(
-            || CellParts::new(&ordered, &predicates),
+            || CellParts::new(&ordered, &predicates, &steps),
             || {
                 let of_face = &patches_of_face;
                 let rules =
                     SameOrigin::new(&cut, &predicates, &patches, of_face, around, options.merge_coplanar);
-                merge(cut.complex(), around, &rules)
+                merge(cut.complex(), around, &rules, &steps)
             },
         );
+        drop(steps);
         let parts = parts?;
         let mut is_omitted = Vec::new();
         let mut coarse_positions = None;

@@ -10,6 +10,7 @@ use super::shells::Shells;
 use crate::algebra::{RaggedArray, Sign, SparseMatrix};
 use crate::chains::ChainComplex;
 use crate::geometry::{Positions, Scaled, Sum};
+use crate::progress::{Steps, stage};
 use crate::{CellId, EdgeId, Error, FaceId};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -89,12 +90,13 @@ impl OrderedFaces {
     pub(super) fn new(
         complex: impl Into<Arc<PolygonalComplex>>,
         predicates: &impl SpatialPredicates,
+        steps: &Steps,
     ) -> Result<Self, Error> {
         let complex = complex.into();
         let (planes, sides) =
             rayon::join(|| FacePlanes::new(&complex, predicates), || SidesAtEdges::new(&complex));
         let planes = planes?;
-        let order = RadialOrder::new(&complex, predicates, &planes, sides)?;
+        let order = RadialOrder::new(&complex, predicates, &planes, sides, steps)?;
         Ok(Self { complex, planes, order })
     }
 
@@ -109,10 +111,14 @@ impl CellParts {
     ///
     /// # Errors
     /// `InvalidInput` naming faces that cross.
-    pub(super) fn new(ordered: &OrderedFaces, predicates: &impl SpatialPredicates) -> Result<Self, Error> {
+    pub(super) fn new(
+        ordered: &OrderedFaces,
+        predicates: &impl SpatialPredicates,
+        steps: &Steps,
+    ) -> Result<Self, Error> {
         let OrderedFaces { complex, planes, order } = ordered;
         let shells = Shells::new(complex, predicates, planes, order);
-        let parents = parents(complex, predicates, planes, &shells)?;
+        let parents = parents(complex, predicates, planes, &shells, steps)?;
         let mut cell_of_shell = vec![EXTERIOR; shells.shell_count];
         let mut own_shells = Vec::new();
         for (shell, cell) in cell_of_shell.iter_mut().enumerate() {
@@ -164,8 +170,11 @@ impl SpatialCells {
         complex: impl Into<Arc<PolygonalComplex>>,
         predicates: &impl SpatialPredicates,
     ) -> Result<Self, Error> {
-        let ordered = OrderedFaces::new(complex, predicates)?;
-        let parts = CellParts::new(&ordered, predicates)?;
+        let complex = complex.into();
+        let steps = stage("sorting faces around edges", complex.edge_count());
+        let ordered = OrderedFaces::new(complex, predicates, &steps)?;
+        drop(steps);
+        let parts = CellParts::new(&ordered, predicates, &stage("finding cells", 0))?;
         Ok(Self::from_parts(ordered, parts))
     }
 

@@ -6,6 +6,7 @@ use super::predicates::{GivenPoints, SpatialPredicates};
 use crate::algebra::{RaggedArray, Sign};
 use crate::geometry::triangulation::{TriangulationFault, triangulate, triangulate_sides};
 use crate::geometry::{Positions, Scaled, cross, dot};
+use crate::progress::stage;
 use crate::{Error, VertexId};
 use rayon::prelude::*;
 
@@ -68,9 +69,11 @@ impl PolygonTriangles {
             RaggedArray::grouped(polygons.polygon_count(), polygons.polygon_of_walk().iter().copied());
         let scaled = Scaled::new(polygons.positions());
         let cutter = Cutter { points: &points, positions: polygons.positions(), scaled, non_planar };
+        let steps = stage("triangulating polygons", polygons.polygon_count());
         let found: Vec<Result<Outcome, Error>> = (0..polygons.polygon_count())
             .into_par_iter()
             .map_init(Vec::new, |sides, polygon| {
+                steps.advance(1);
                 sides.clear();
                 for &walk in walks_of_polygon.list(polygon) {
                     let walk = polygons.walks().list(walk as usize);

@@ -3,6 +3,7 @@
 use super::PolygonalComplex;
 use super::polygonal_complex::sign_of;
 use crate::algebra::{ParityUnion, ParityUnionFind, RaggedArray, Sign};
+use crate::progress::Steps;
 use rayon::prelude::*;
 
 /// A complex whose cells are sums of those of a finer one, with those sums.
@@ -32,13 +33,14 @@ pub(super) trait MergeRules: Sync {
 /// be left out. `around` has the packed sides of faces around each edge.
 ///
 /// A face is never closed to a surface without boundary, a closed line of vertices that may be left out stays as it is, and so do
-/// vertices without which two edges would have the same ends. `None` when nothing is to be done.
+/// vertices without which two edges would have the same ends. Each edge is a step. `None` when nothing is to be done.
 pub(super) fn merge(
     complex: &PolygonalComplex,
     around: &RaggedArray,
     rules: &impl MergeRules,
+    steps: &Steps,
 ) -> Option<Merged> {
-    let (is_inside_face, mut classes) = removable_edges(complex, around, rules);
+    let (is_inside_face, mut classes) = removable_edges(complex, around, rules, steps);
     let (is_left_out, is_unused) = removable_vertices(complex, &is_inside_face, rules);
     if !is_inside_face.iter().any(|&inside| inside) && !is_left_out.iter().chain(&is_unused).any(|&out| out) {
         return None;
@@ -97,6 +99,7 @@ fn removable_edges(
     complex: &PolygonalComplex,
     around: &RaggedArray,
     rules: &impl MergeRules,
+    steps: &Steps,
 ) -> (Vec<bool>, ParityUnionFind) {
     let pair = |edge: usize| match *around.list(edge) {
         [s, t] => {
@@ -109,6 +112,7 @@ fn removable_edges(
     let mut is_removed: Vec<bool> = (0..around.len())
         .into_par_iter()
         .map(|edge| {
+            steps.pass(edge);
             pair(edge).is_some_and(|(faces, sign)| faces[0] == faces[1] || rules.may_merge(faces, sign))
         })
         .collect();

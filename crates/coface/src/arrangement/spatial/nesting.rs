@@ -5,6 +5,7 @@ use super::face_planes::FacePlanes;
 use super::predicates::SpatialPredicates;
 use super::shells::Shells;
 use crate::Error;
+use crate::progress::Steps;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -25,6 +26,7 @@ pub(super) fn parents(
     predicates: &impl SpatialPredicates,
     planes: &FacePlanes,
     shells: &Shells,
+    steps: &Steps,
 ) -> Result<Vec<Option<u32>>, Error> {
     let count = shells.outer.len();
     if count < 2 {
@@ -34,6 +36,7 @@ pub(super) fn parents(
     let around: Vec<Result<Vec<u32>, Error>> = (0..count)
         .into_par_iter()
         .map(|component| {
+            steps.advance(0);
             let ray = Ray { complex, predicates, planes, near: shells.anchors[component] };
             shells_around(&ray, &columns, shells, component as u32)
         })

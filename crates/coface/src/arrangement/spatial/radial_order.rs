@@ -6,6 +6,7 @@ use super::polygonal_complex::sign_of;
 use super::predicates::SpatialPredicates;
 use crate::Error;
 use crate::algebra::{RaggedArray, Sign};
+use crate::progress::Steps;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -176,12 +177,13 @@ impl RadialOrder {
     /// Sorts the faces around each edge, given by their sides, by signs of determinants only.
     ///
     /// # Errors
-    /// `InvalidInput` naming an edge and two faces that leave it in the same direction.
+    /// `InvalidInput` naming an edge and two faces that leave it in the same direction. Each edge is a step.
     pub(super) fn new(
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
         planes: &FacePlanes,
         sides: SidesAtEdges,
+        steps: &Steps,
     ) -> Result<Self, Error> {
         let SidesAtEdges { starts, mut items } = sides;
         let mut blocks = Vec::with_capacity(complex.edge_count() / EDGES + 1);
@@ -204,6 +206,7 @@ impl RadialOrder {
         let faults: Vec<(usize, [u32; 2])> = blocks
             .into_par_iter()
             .map(|(first, block, own)| {
+                steps.advance(block.len() - 1);
                 let (mut wings, mut faults) = (Vec::new(), Vec::new());
                 for (edge, ends) in (first..).zip(block.windows(2)) {
                     let range = (ends[0] - block[0]) as usize..(ends[1] - block[0]) as usize;

@@ -3,6 +3,7 @@
 use super::{LarModel, Operator, Shared};
 use crate::Error;
 use crate::algebra::{RaggedArray, UnionFind};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -67,7 +68,9 @@ impl LarModel {
         let ridges = self.facets(degree - 1)?;
         let search = Search { model: self, degree, found: &found, ridges: &ridges };
         const BLOCK: usize = 1 << 12;
+        let steps = stage("proving facets", found.len().div_ceil(BLOCK));
         let block = |block: usize| {
+            steps.advance(1);
             let mut scratch = Scratch::default();
             (block * BLOCK..((block + 1) * BLOCK).min(found.len()))
                 .find_map(|cell| search.fault(cell, &mut scratch))

@@ -1,6 +1,7 @@
 //! Cells as lists of vertices.
 
 use crate::algebra::{RaggedArray, SparseMatrix};
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -223,7 +224,9 @@ fn check_lists(
     check: impl Fn(usize, &[u32]) -> Result<(), Error> + Sync,
 ) -> Result<(), Error> {
     const BLOCK: usize = 1 << 12;
+    let steps = stage("checking cells", lists.len().div_ceil(BLOCK));
     let block = |block: usize| {
+        steps.advance(1);
         let mut sorted = Vec::new();
         (block * BLOCK..((block + 1) * BLOCK).min(lists.len())).find_map(|i| {
             let list = lists.list(i);

@@ -1,5 +1,6 @@
 //! Pixels.
 
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use std::ops::Range;
 
@@ -75,7 +76,9 @@ impl Canvas {
         let (width, height) = (self.width / factor, self.height / factor);
         let count = (factor * factor) as u32;
         let mut bytes = Vec::with_capacity(3 * width * height);
+        let steps = stage("averaging pixels", height);
         for rows in self.pixels.chunks_exact(self.width * factor).take(height) {
+            steps.advance(1);
             // Red and blue in one sum, with room above each; factors are small.
             let mut sums = vec![[0u32; 2]; width];
             for row in rows.chunks_exact(self.width) {

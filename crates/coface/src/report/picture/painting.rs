@@ -3,6 +3,7 @@
 use super::raster::{NOTHING, Raster};
 use super::scene_picture::Facet;
 use super::sight::finer;
+use crate::progress::stage;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -19,7 +20,8 @@ pub(super) fn painting_order(facets: &[Facet], raster: &mut Raster, factor: usiz
         is_seen[number as usize] = true;
     }
     let mut demands: Vec<(u32, u32)> = Vec::new();
-    for (number, facet) in (0..).zip(facets).filter(|(number, _)| is_seen[*number as usize]) {
+    let steps = stage("finding what is before what", facets.len());
+    for (number, facet) in steps.each((0..).zip(facets)).filter(|(number, _)| is_seen[*number as usize]) {
         let mut last = NOTHING;
         raster.visit(facet.corners.map(|corner| finer(corner, factor)), |raster, at, depth| {
             let front = raster.seen[at];

@@ -7,6 +7,7 @@ use super::raster::{Ink, NOTHING, Raster};
 use super::sight::Sight;
 use super::style::{PictureStyle, SAMPLES, check_size};
 use crate::Error;
+use crate::progress::stage;
 use crate::report::{Layer, Scene};
 
 /// With more triangles than this, edges are not drawn unless that is asked for.
@@ -107,7 +108,8 @@ impl<'a> Picture<'a> {
             });
             facets.push(Facet { corners, color });
         };
-        for &triangle in self.scene.triangles() {
+        let steps = stage("shading triangles", self.scene.triangles().len());
+        for &triangle in steps.each(self.scene.triangles()) {
             add(triangle.map(|vertex| self.scene.positions()[vertex as usize]), self.theme.surface, 0.0);
         }
         for (layer, color) in shown(self.scene) {
@@ -153,7 +155,8 @@ impl<'a> Picture<'a> {
         for (edges, width, color, forward) in
             [(&self.edges, EDGE_WIDTH, self.theme.edge, 1.0), (&self.wires, WIRE_WIDTH, self.theme.ink, 1.5)]
         {
-            for edge in edges {
+            let steps = stage("drawing edges", edges.len());
+            for edge in steps.each(edges) {
                 let ends = edge.map(|vertex| scaled(self.place(vertex), forward));
                 raster.line(ends, width * factor, ink(color));
             }
@@ -188,7 +191,8 @@ impl<'a> Picture<'a> {
     pub(super) fn raster(&self, factor: usize) -> Raster {
         let [width, height] = self.size.map(|side| side * factor);
         let mut raster = Raster::new(width, height, packed(self.theme.background));
-        for (number, facet) in (0..).zip(&self.facets) {
+        let steps = stage("drawing triangles", self.facets.len());
+        for (number, facet) in steps.each((0..).zip(&self.facets)) {
             let corners = facet.corners.map(|corner| super::sight::finer(corner, factor));
             raster.triangle(corners, Ink { color: packed(facet.color), number });
         }

@@ -7,6 +7,7 @@ use super::scene_picture::{
     DOT_WIDTH, EDGE_WIDTH, HIDDEN_SHARE, HIDDEN_WIDTH, LINE_WIDTH, POINT_WIDTH, TEXT_SIZE, WIRE_WIDTH, shown,
 };
 use super::sight::Sight;
+use crate::progress::stage;
 use std::fmt::Write;
 
 /// Pixels of the depth buffer to one of the picture, in each direction.
@@ -121,7 +122,8 @@ impl Picture<'_> {
 fn paths(sight: &Sight<'_>, lines: impl Iterator<Item = [[f64; 3]; 2]>) -> [String; 2] {
     let mut paths = [String::new(), String::new()];
     let mut ends = [[f64::NAN; 2]; 2];
-    for line in lines {
+    let steps = stage("drawing lines", 0);
+    for line in steps.each(lines) {
         sight.parts(line, |[[ax, ay, _], [bx, by, _]], is_seen| {
             let place = usize::from(!is_seen);
             let path = &mut paths[place];

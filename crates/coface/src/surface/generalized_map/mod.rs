@@ -12,6 +12,7 @@ pub use slicing::{PathKind, Slice};
 use super::{SurfaceComponent, SurfaceType};
 use crate::algebra::{Sign, UnionFind};
 use crate::chains::TwoSkeleton;
+use crate::progress::stage_of_many;
 use crate::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
 
 /// A compact surface made of polygons whose sides are glued in pairs: orientable or not, with boundary or without,
@@ -97,7 +98,8 @@ impl GeneralizedMap {
             ));
         }
         let mut face_of = Vec::with_capacity(count);
-        for (face, rim) in skeleton.faces().iter().enumerate() {
+        let steps = stage_of_many("walking around faces", skeleton.faces().len());
+        for (face, rim) in steps.each(skeleton.faces().iter().enumerate()) {
             if rim.is_empty() {
                 return Err(Error::new(
                     ErrorKind::NonManifold,

@@ -5,6 +5,7 @@ use super::isometry::{Isometry, Point, minkowski};
 use super::springs::Springs;
 use super::universal_cover::UniversalCover;
 use crate::algebra::Sign;
+use crate::progress::stage;
 use crate::topology::hodge::{CholeskyFactor, MOST_FILL};
 use crate::{Error, ErrorKind};
 use faer::sparse::Triplet;
@@ -141,7 +142,9 @@ fn relaxed(springs: &Springs, polygon: &RegularPolygon) -> Result<Vec<Point>, Er
         terms.sum()
     };
     let mut current = energy(&places);
+    let told = stage("laying a cover out", MOST_STEPS);
     for _ in 0..MOST_STEPS {
+        told.advance(1);
         let (step, decrease) = newton_step(springs, polygon, &places)?;
         let longest = step.chunks_exact(2).map(|step| step[0].hypot(step[1])).fold(0.0, f64::max);
         let moved = |share: f64| -> Vec<Point> {

@@ -5,6 +5,7 @@ use super::isometry::{Isometry, Point};
 use super::springs::Springs;
 use crate::algebra::{Integer, RaggedArray, Sign, UnionFind, Word};
 use crate::chains::TwoSkeleton;
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::topology::{Ball, CutSurface, NormalForm, SurfaceGroup};
 use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
@@ -332,7 +333,8 @@ impl Glued {
         let crossings: Vec<NormalForm> =
             domain.crossings.iter().map(|word| domain.group.normal_form(word)).collect();
         let mut neighbors = vec![NONE; crossings.len()];
-        for copy in 0..copies {
+        let steps = stage("finding neighbors of copies", copies);
+        for copy in steps.each(0..copies) {
             for ((neighbor, crossing), &letter) in
                 neighbors.iter_mut().zip(&crossings).zip(&letter_of_crossing)
             {

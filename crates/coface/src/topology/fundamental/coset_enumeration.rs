@@ -2,6 +2,7 @@
 
 use super::Presentation;
 use crate::algebra::Word;
+use crate::progress::stage;
 use std::collections::VecDeque;
 
 /// No coset yet.
@@ -61,7 +62,9 @@ impl CosetTable {
         let mut relators: Vec<&Word> = presentation.relators().iter().collect();
         relators.sort_by_key(|relator| relator.len());
         let mut coset = 0;
+        let steps = stage("enumerating cosets", 0);
         while coset < table.parents.len() {
+            steps.advance(1);
             for relator in &relators {
                 if table.parents[coset] != coset as u32 {
                     break;

@@ -4,6 +4,7 @@ use super::Presentation;
 use super::word_table::{UNIT, WordTable};
 use crate::algebra::{RaggedArray, Sign, UnionFind, Word};
 use crate::chains::TwoSkeleton;
+use crate::progress::stage;
 use crate::topology::AbelianGroup;
 use crate::{EdgeId, Error, ErrorKind, VertexId};
 use std::collections::{BTreeSet, VecDeque};
@@ -211,7 +212,10 @@ impl<'a> Words<'a> {
 
     /// Lets faces give words to edges as long as there is a face with one unknown step.
     fn propagate(&mut self) {
-        while let Some(face) = self.ready.pop_front() {
+        let steps = stage("walking around faces", 0);
+        for walked in 0.. {
+            let Some(face) = self.ready.pop_front() else { break };
+            steps.pass(walked);
             if self.unknown[face as usize] != 1 {
                 continue;
             }
@@ -318,7 +322,8 @@ impl<'a> Words<'a> {
         let mut order: Vec<usize> = (0..relators.len()).collect();
         order.sort_by_key(|&i| std::cmp::Reverse(self.table.len(relators[i].1)));
         let mut is_needed = vec![true; relators.len()];
-        for i in order {
+        let steps = stage("leaving out relators", order.len());
+        for i in steps.each(order) {
             let face = relators[i].0 as usize;
             is_needed[i] = match sides[face] {
                 _ if is_crowded[face] => true,

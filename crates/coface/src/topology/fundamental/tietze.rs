@@ -4,6 +4,7 @@ use super::Presentation;
 use super::moves::{TietzeMove, Work, rotated};
 use crate::Error;
 use crate::algebra::Word;
+use crate::progress::stage;
 use std::collections::{BTreeMap, HashMap};
 use std::time::{Duration, Instant};
 
@@ -215,8 +216,10 @@ impl Search {
     fn run(&mut self) {
         let roomy = 4 * self.work.length + 1000;
         // How much all relators together may grow by one elimination.
+        let steps = stage("simplifying a presentation", 0);
         for growth in [0, 16, 256, 4096] {
             loop {
+                steps.advance(1);
                 let mut changed = self.drop_duplicates();
                 changed |= self.eliminate(growth, roomy);
                 changed |= self.shorten(false);
@@ -321,7 +324,9 @@ impl Search {
             })
             .collect();
         order.sort_by_key(|&i| self.work.relators[i].len());
+        let steps = stage("shortening relators", order.len());
         for by in order {
+            steps.advance(1);
             let length = self.work.relators[by].len();
             if self.is_over() {
                 break;

@@ -6,6 +6,7 @@ use super::least_squares::ExactProjection;
 use crate::Error;
 use crate::algebra::Integer;
 use crate::chains::{ChainComplex, Cochain, MorseComplex};
+use crate::progress::stage;
 use crate::topology::HomologyBasis;
 
 /// The harmonic cochain of an integral cohomology class, with measures of what rounding left.
@@ -182,7 +183,9 @@ impl<'a> HodgeSpace<'a> {
             }
         };
         let mut space = Self { metric, degree, exact, basis: Vec::new(), orthonormal: Vec::new() };
+        let steps = stage("solving for harmonic cochains", basis.cocycles(degree).len());
         for cocycle in basis.cocycles(degree).iter().filter(|cocycle| cocycle.order().is_none()) {
+            steps.advance(1);
             space.add_class(cocycle.cochain())?;
         }
         Ok(space)

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Field, Integer, Odd, large_primes, smith_form};
 use crate::chains::MorseComplex;
+use crate::progress::stage;
 
 /// Cells of `degree - 1` whose coboundaries are a basis, over the rational numbers, of all coboundaries of that degree;
 /// rising. The answer is exact.
@@ -37,7 +38,9 @@ fn independent_columns(columns: &[Vec<(u32, Integer)>], row_count: usize, prime:
     let field = Odd::new(prime);
     let mut reduced: Vec<Option<Vec<(u32, u32)>>> = vec![None; row_count];
     let mut independent = Vec::new();
+    let steps = stage("finding independent columns", columns.len());
     for (j, column) in columns.iter().enumerate() {
+        steps.advance(1);
         let mut rest: Vec<(u32, u32)> =
             column.iter().filter_map(|(row, x)| Some((*row, field.class(x)?))).collect();
         while let Some(&(first, x)) = rest.first() {

@@ -2,6 +2,7 @@
 
 use super::MetricComplex;
 use super::cholesky::{CholeskyFactor, MOST_FILL};
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use faer::sparse::Triplet;
 
@@ -69,7 +70,9 @@ impl ExactProjection {
         let mut exact = vec![0.0; values.len()];
         let Some(factor) = &self.factor else { return Ok((exact, potential)) };
         let mut last = f64::INFINITY;
+        let steps = stage("solving for a potential", 0);
         loop {
+            steps.advance(1);
             let rest: Vec<f64> = values.iter().zip(&exact).map(|(x, y)| x - y).collect();
             let down = metric.down(self.degree, &rest);
             // The codifferential carries the weights of its cells; the normal equations have none there.

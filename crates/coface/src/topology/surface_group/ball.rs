@@ -2,6 +2,7 @@
 
 use super::{NormalForm, SurfaceGroup};
 use crate::algebra::{Integer, Word};
+use crate::progress::stage;
 use crate::{Error, ErrorKind};
 use std::collections::HashMap;
 
@@ -112,7 +113,9 @@ impl Ball {
             })
             .collect();
         let (mut at, mut level_end) = (0, 1);
+        let steps = stage("finding words", 0);
         while at < ball.elements.len() {
+            steps.pass(at);
             if at == level_end {
                 ball.starts.push(at);
                 level_end = ball.elements.len();

@@ -3,6 +3,7 @@
 use super::{ClosedWalk, Slicing, SurfaceHomology};
 use crate::algebra::{Integer, SkewForm, SparseMatrix, smith_form_with_transforms};
 use crate::chains::Cochain;
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{CellId, Error, ErrorKind};
 
@@ -71,7 +72,9 @@ impl CocycleBasis {
             loops.iter().map(|walk| slicing.values(walk)).collect::<Result<_, _>>()?;
         let mut on_edge = vec![0i64; map.skeleton().edge_count()];
         let mut pairing = Vec::with_capacity(loops.len());
+        let steps = stage("counting crossings of loops", values.len());
         for terms in &values {
+            steps.advance(1);
             terms.iter().for_each(|&(edge, value)| on_edge[edge as usize] = value);
             let value = |&step: &u32| {
                 let value = on_edge[(step >> 1) as usize];

@@ -8,6 +8,7 @@ use super::shortest_cycle::search;
 use super::shortest_paths::checked_lengths;
 use super::{CycleKind, EdgeRole, TreeCotree};
 use crate::algebra::{RaggedArray, Sign, UnionFind};
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{EdgeId, Error, FaceId, HalfedgeId, VertexId};
 use std::fmt;
@@ -185,10 +186,12 @@ impl CutGraph {
     ) -> Result<Self, Error> {
         let lengths = checked_lengths(map, lengths)?;
         let mut graph = Self::of_edges(map, self.is_cut.clone(), &lengths)?;
+        let steps = stage("shortening seams", rounds.saturating_mul(graph.seams.len()));
         for _ in 0..rounds {
             let mut is_better = false;
             let mut i = 0;
             while i < graph.seams.len() {
+                steps.advance(1);
                 if let Some(better) = graph.with_shorter_seam(map, &lengths, i)? {
                     graph = better;
                     is_better = true;

@@ -2,6 +2,7 @@
 
 use super::{EdgeRole, TreeCotree};
 use crate::algebra::{Sign, Word};
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{EdgeId, FaceId, HalfedgeId};
 
@@ -164,7 +165,8 @@ impl CutSurface {
             cut.domains.push(FundamentalDomain::new(map, trees, component, sides));
         }
         let mut counts = vec![[0; 2]; cut.domains.len()];
-        for edge in (0..map.skeleton().edge_count()).map(EdgeId::new) {
+        let steps = stage("counting edges of domains", map.skeleton().edge_count());
+        for edge in steps.each((0..map.skeleton().edge_count()).map(EdgeId::new)) {
             counts[cut.component(map, map.first_side(edge))][0] += 1;
         }
         for &component in &cut.components {
@@ -327,7 +329,11 @@ impl Walker<'_> {
         let mut sides = Vec::new();
         let mut corners = Vec::new();
         let mut at = start;
+        let steps = stage("walking around a domain", 0);
+        let mut walked = 0;
         loop {
+            walked += 1;
+            steps.pass(walked);
             if !is_last {
                 sides.push(packed(at));
             }

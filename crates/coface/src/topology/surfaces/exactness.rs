@@ -3,6 +3,7 @@
 use super::ClosedWalk;
 use crate::algebra::{Integer, RaggedArray};
 use crate::chains::{Cochain, Coefficient, TwoSkeleton};
+use crate::progress::stage;
 use crate::{CellId, Error, ErrorKind, FaceId, VertexId};
 
 /// Whether a cochain of degree 1 is closed, and whether it is exact: the coboundary of a function on the vertices.
@@ -126,7 +127,8 @@ fn decide<C: Coefficient>(
         let value = &values[(step >> 1) as usize];
         if step & 1 == 0 { sum.plus(value) } else { sum.plus(&value.negated()) }
     };
-    for face in 0..face_count {
+    let summing = stage("summing around faces", face_count);
+    for face in summing.each(0..face_count) {
         let rim = skeleton.faces().list(face).iter();
         let sum = rim.copied().try_fold(zero.clone(), |sum, step| plus_step(&sum, step))?;
         if !is_zero(&sum) {
@@ -138,7 +140,10 @@ fn decide<C: Coefficient>(
     let steps_at = RaggedArray::grouped(vertex_count, ends.iter().copied());
     let mut tree = vec![NONE; vertex_count];
     let mut potential: Vec<Option<C>> = vec![None; vertex_count];
+    drop(summing);
     let mut queue = Vec::new();
+    let steps = stage("spreading a potential", vertex_count);
+    let mut reached = 0;
     for root in 0..vertex_count {
         if potential[root].is_some() {
             continue;
@@ -149,6 +154,8 @@ fn decide<C: Coefficient>(
         while at < queue.len() {
             let vertex = queue[at] as usize;
             at += 1;
+            reached += 1;
+            steps.pass(reached);
             let here = potential[vertex].clone().expect("vertices of the queue have a potential");
             for &step in steps_at.list(vertex) {
                 let there = ends[(step ^ 1) as usize] as usize;

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Integer, RaggedArray};
 use crate::chains::Cochain;
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::topology::hodge::{CholeskyFactor, MOST_FILL};
 use crate::{EdgeId, Error, ErrorKind, FaceId, IdVec};
@@ -199,6 +200,12 @@ pub fn harmonic_forms(
         let values = values.into_iter().collect();
         Ok(HarmonicForm { values, potential, closed_residual, coclosed_residual })
     };
+    let steps = stage("solving for harmonic forms", cocycles.len());
+    let form = |cocycle: &Cochain<Integer>| {
+        let form = form(cocycle);
+        steps.advance(1);
+        form
+    };
     cocycles.iter().map(form).collect()
 }
 
@@ -241,6 +248,7 @@ impl Laplacian {
                 entries.push(Triplet::new(a.max(b), a.min(b), -weight));
             }
         }
+        let _steps = stage("factorizing the Laplacian", 0);
         let factor = CholeskyFactor::new(count, entries, MOST_FILL)?;
         Ok(Self { equations, factor, count })
     }

@@ -1,6 +1,7 @@
 //! Short loops at one vertex: shortest paths up to a radius, and the edges that close them up.
 
 use crate::algebra::RaggedArray;
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{EdgeId, FaceId, HalfedgeId};
 use std::cmp::{Ordering, Reverse};
@@ -103,11 +104,17 @@ impl<'a> RootSearch<'a> {
         self.distances[root as usize] = 0.0;
         self.touched.push(root);
         self.heap.push(Reverse(Reached(0.0, root)));
+        // Searches for all roots are told by whoever starts them.
+        let is_long = self.steps.len() > 1 << 14;
+        let steps = is_long.then(|| stage("finding shortest paths", 0));
         while let Some(Reverse(Reached(distance, vertex))) = self.heap.pop() {
             if std::mem::replace(&mut self.is_settled[vertex as usize], true) {
                 continue;
             }
             self.reached.push(vertex);
+            if let Some(steps) = &steps {
+                steps.pass(self.reached.len());
+            }
             for &step in self.steps_at.list(vertex as usize) {
                 let next = ends[(step ^ 1) as usize];
                 let through = distance + self.lengths[(step >> 1) as usize];

@@ -5,6 +5,7 @@ use super::shortest_paths::checked_lengths;
 use super::{ClosedWalk, SurfaceHomology, SurfaceHomotopy, TreeCotree};
 use crate::algebra::RaggedArray;
 use crate::chains::TwoSkeleton;
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{Error, ErrorKind, VertexId};
 
@@ -153,7 +154,9 @@ pub(super) fn search(
     let mut best: Option<ShortestCycle> = None;
     let mut search = RootSearch::new(map, &lengths);
     let mut count = 0usize;
+    let steps = stage("searching for a shortest cycle", roots.len());
     for &root in roots {
+        steps.advance(1);
         let component = trees.component_of_vertex(VertexId::from_u32(root));
         if component.is_none_or(|component| trees.components()[component].generators().is_empty()) {
             continue;

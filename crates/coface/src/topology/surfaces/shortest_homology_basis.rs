@@ -3,6 +3,7 @@
 use super::root_search::RootSearch;
 use super::shortest_paths::checked_lengths;
 use super::{ClosedWalk, ShortestCycle, SurfaceHomology, TreeCotree};
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{Error, ErrorKind, VertexId};
 
@@ -62,7 +63,9 @@ pub fn shortest_homology_basis(
     let mut classes: Vec<Bits> = vec![Bits::default(); map.skeleton().vertex_count()];
     let ends = map.skeleton().edge_ends();
     let mut reached = 0usize;
+    let told = stage("searching for a shortest basis", map.skeleton().vertex_count());
     for root in 0..map.skeleton().vertex_count() as u32 {
+        told.advance(1);
         let Some(component) = trees.component_of_vertex(VertexId::from_u32(root)) else { continue };
         let basis = &mut basis[component];
         let (first, count) = (basis.first, basis.members.len());

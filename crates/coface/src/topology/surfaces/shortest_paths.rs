@@ -1,6 +1,7 @@
 //! Shortest paths along the edges of a surface.
 
 use crate::algebra::{RaggedArray, UnionFind};
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{EdgeId, Error, ErrorKind, VertexId};
 use std::cmp::{Ordering, Reverse};
@@ -51,6 +52,8 @@ impl ShortestPaths {
             steps: vec![u32::MAX; vertex_count],
         };
         let mut heap = BinaryHeap::new();
+        let steps = stage("finding shortest paths", vertex_count);
+        let mut settled = 0;
         for root in base.into_iter().chain(first_vertices(map)) {
             if found.distances[root.index()].is_finite() {
                 continue;
@@ -61,6 +64,10 @@ impl ShortestPaths {
             while let Some(Reverse(Reached { distance, vertex })) = heap.pop() {
                 if distance > found.distances[vertex as usize] {
                     continue;
+                }
+                settled += 1;
+                if settled <= vertex_count {
+                    steps.pass(settled);
                 }
                 for &step in steps_at.list(vertex as usize) {
                     let next = ends[(step ^ 1) as usize] as usize;
@@ -82,7 +89,8 @@ pub(super) fn first_vertices(map: &GeneralizedMap) -> Vec<VertexId> {
     let vertex_count = map.skeleton().vertex_count();
     let mut partition = UnionFind::new(vertex_count);
     let mut has_edge = vec![false; vertex_count];
-    for &[a, b] in map.skeleton().edge_ends().as_chunks::<2>().0 {
+    let steps = stage("joining components", map.skeleton().edge_count());
+    for &[a, b] in steps.each(map.skeleton().edge_ends().as_chunks::<2>().0) {
         partition.unite(a, b);
         has_edge[a as usize] = true;
         has_edge[b as usize] = true;

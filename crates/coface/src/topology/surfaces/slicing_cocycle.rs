@@ -3,6 +3,7 @@
 use super::ClosedWalk;
 use crate::algebra::{Integer, Sign};
 use crate::chains::Cochain;
+use crate::progress::stage;
 use crate::surface::{FaceOrientation, GeneralizedMap};
 use crate::{CellId, EdgeId, Error, ErrorKind, HalfedgeId};
 
@@ -146,7 +147,8 @@ impl<'a> Slicing<'a> {
         let mut touching = Vec::new();
         let start = self.left_of(first);
         let mut left = start;
-        for (i, &step) in steps.iter().enumerate() {
+        let told = stage("walking along a loop", steps.len());
+        for (i, &step) in told.each(steps.iter().enumerate()) {
             left = self.corner(step, left, steps[(i + 1) % steps.len()], &mut touching);
         }
         if left != start {

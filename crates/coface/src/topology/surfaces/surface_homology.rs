@@ -3,6 +3,7 @@
 use super::{ClosedWalk, TreeCotree};
 use crate::algebra::Integer;
 use crate::chains::{Chain, Cochain};
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::topology::Bounding;
 use crate::{CellId, EdgeId, Error, ErrorKind, FaceId, HalfedgeId};
@@ -67,8 +68,9 @@ impl<'a> SurfaceHomology<'a> {
             .enumerate()
             .flat_map(|(i, component)| component.generators().iter().map(move |&edge| (edge, i)))
             .collect();
+        let told = stage("finding what generators cross", generators.len());
         let (crossings, relation): (Vec<_>, Vec<_>) =
-            generators.iter().map(|&(edge, _)| crossing(map, trees, edge)).unzip();
+            told.each(&generators).map(|&(edge, _)| crossing(map, trees, edge)).unzip();
         let edge_count = map.skeleton().edge_count();
         let mut starts = vec![0u32; edge_count + 1];
         crossings.iter().flatten().for_each(|&(edge, _): &(u32, i64)| starts[edge as usize + 1] += 1);
@@ -97,7 +99,8 @@ impl<'a> SurfaceHomology<'a> {
             ClosedWalk::new(self.map.skeleton(), self.trees.simple_loop(self.map, edge))
                 .expect("an edge closed up along a tree is a closed walk")
         };
-        self.generators.iter().map(walk).collect()
+        let steps = stage("closing generators up", self.generators.len());
+        steps.each(&self.generators).map(walk).collect()
     }
 
     /// The coefficient of each generator in the relation of its component: zero unless that is closed and not
@@ -319,7 +322,8 @@ impl<'a> SurfaceHomology<'a> {
         let mut coefficients: Vec<Option<Integer>> = vec![None; map.skeleton().face_count()];
         let two = Integer::from(2);
         let mut way = Vec::new();
-        for face in 0..coefficients.len() {
+        let steps = stage("filling a cycle", coefficients.len());
+        for face in steps.each(0..coefficients.len()) {
             // Up to a face whose coefficient is known, and down again.
             let mut at = FaceId::new(face);
             let mut above = loop {

@@ -2,6 +2,7 @@
 
 use super::shortest_paths::{ShortestPaths, checked_lengths, first_vertices};
 use crate::algebra::{RaggedArray, Sign, UnionFind};
+use crate::progress::stage;
 use crate::surface::GeneralizedMap;
 use crate::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
 
@@ -100,6 +101,8 @@ impl TreeCotree {
         let mut is_crossed = vec![false; map.skeleton().edge_count()];
         let mut seen = vec![false; map.skeleton().face_count()];
         let mut queue = Vec::new();
+        let steps = stage("walking over faces", map.skeleton().face_count());
+        let mut reached = 0;
         for &first in &roots {
             seen[first.index()] = true;
             queue.push(first);
@@ -114,9 +117,12 @@ impl TreeCotree {
                     }
                 }
                 at += 1;
+                reached += 1;
+                steps.pass(reached);
             }
             queue.clear();
         }
+        drop(steps);
         Self::with_cotree(map, &roots, is_crossed, None)
     }
 
@@ -217,6 +223,8 @@ impl TreeCotree {
         let mut steps = vec![NONE; skeleton.vertex_count()];
         let mut vertex_components = vec![NONE; skeleton.vertex_count()];
         let mut queue = Vec::new();
+        let growing = stage("growing a spanning tree", skeleton.vertex_count());
+        let mut reached = 0;
         for (component, &base) in bases.iter().enumerate() {
             vertex_components[base.index()] = component as u32;
             queue.push(base.to_u32());
@@ -232,9 +240,12 @@ impl TreeCotree {
                     }
                 }
                 at += 1;
+                reached += 1;
+                growing.pass(reached);
             }
             queue.clear();
         }
+        drop(growing);
         let mut components: Vec<TreeCotreeComponent> = bases
             .iter()
             .map(|&base| TreeCotreeComponent {
@@ -246,6 +257,8 @@ impl TreeCotree {
             .collect();
         let mut face_components = vec![NONE; skeleton.face_count()];
         let mut queue = Vec::new();
+        let growing = stage("growing a spanning tree of the dual graph", skeleton.face_count());
+        let mut reached = 0;
         for (&root, has_boundary) in roots.iter().zip(has_boundary) {
             let side = map.sides_of(root).next().expect("a face has sides");
             let component = vertex_components[map.source(side).index()];
@@ -267,6 +280,8 @@ impl TreeCotree {
                     }
                 }
                 at += 1;
+                reached += 1;
+                growing.pass(reached);
             }
             queue.clear();
         }
@@ -393,7 +408,8 @@ impl TreeCotree {
         const UNKNOWN: u8 = 2;
         let mut signs = vec![UNKNOWN; map.skeleton().face_count()];
         let mut way = Vec::new();
-        for face in 0..signs.len() {
+        let steps = stage("orienting faces along a tree", signs.len());
+        for face in steps.each(0..signs.len()) {
             let mut at = FaceId::new(face);
             // Up to a face whose sign is known, and down again.
             while signs[at.index()] == UNKNOWN {

@@ -2,6 +2,7 @@
 
 use super::CartesianGrid;
 use crate::geometry::predicates::orientation;
+use crate::progress::stage;
 use crate::yin::YinSet;
 use crate::yin::curve::bernstein::{is_straight, value};
 use crate::yin::curve::monotone_breaks;
@@ -52,7 +53,8 @@ pub(super) fn arcs_of(set: &YinSet, grid: &CartesianGrid) -> Vec<CutArc> {
         let curve = set.curve(own);
         arcs.clear();
         let mut tracer = Tracer { grid, arcs: &mut arcs, curve: own as u32, piece: 0 };
-        for piece in 0..curve.piece_count() {
+        let steps = stage("cutting a curve along a grid", curve.piece_count());
+        for piece in steps.each(0..curve.piece_count()) {
             tracer.piece = piece as u32;
             tracer.piece(curve.piece(piece));
         }

@@ -4,6 +4,7 @@ use super::arcs::arcs_of;
 use super::integrals::Integrals;
 use super::{CartesianGrid, CutArc};
 use crate::geometry::Sum;
+use crate::progress::stage;
 use crate::yin::YinSet;
 use crate::{Error, ErrorKind};
 
@@ -106,7 +107,9 @@ impl<'a> CutCells<'a> {
             Self { set, grid, arcs, cells: Vec::new(), coverage: Vec::with_capacity(columns * rows) };
         let integrals = Integrals::new(set.order().degree());
         let mut first = 0;
+        let steps = stage("cutting rows of cells", rows);
         for row in 0..rows {
+            steps.advance(1);
             let count = found.arcs[first..].partition_point(|arc| arc.cell[1] as usize <= row);
             found.sweep(row, [first, first + count], &integrals);
             first += count;

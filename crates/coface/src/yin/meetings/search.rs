@@ -5,6 +5,7 @@ use super::part_tree::PartTree;
 use super::piece_pair::PairSolver;
 use super::polynomial::is_apart;
 use crate::Error;
+use crate::progress::stage;
 use crate::yin::set::CurveArena;
 use rayon::prelude::*;
 
@@ -73,10 +74,12 @@ impl Meetings {
         let tree = PartTree::new(pieces);
         let parts = pieces.parts();
         let resolution = pieces.frame.resolution;
-        let candidates: Vec<Vec<[u32; 4]>> = tree
-            .tasks()
+        let tasks = tree.tasks();
+        let steps = stage("finding pieces that are near", tasks.len());
+        let candidates: Vec<Vec<[u32; 4]>> = tasks
             .par_iter()
             .map(|&task| {
+                steps.advance(1);
                 let mut near = Vec::new();
                 tree.search(task, |i, j| {
                     let [a, b] = [i, j].map(|part| pieces.part_points(part as usize));

@@ -3,6 +3,7 @@
 use super::fronts::Fronts;
 use super::{TrackingCounts, TrackingOptions};
 use crate::Error;
+use crate::progress::stage;
 use crate::yin::{YinFault, YinSet};
 
 /// A curve that became too short to have a shape.
@@ -108,7 +109,9 @@ impl YinSet {
         let mut fronts = Fronts::new(self);
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
+        let told = stage("moving", steps);
         for at in 0..steps {
+            told.advance(1);
             let time = options.start + at as f64 * step;
             let end_time = time + step;
             let in_step = |error: Error| in_step(&error, at + 1, end_time);

@@ -9,6 +9,7 @@ use super::super::vertices::{Place, split_into_classes};
 use super::chains::{Break, Chains, Rings};
 use crate::algebra::UnionFind;
 use crate::geometry::predicates::PlanarPoint;
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -203,9 +204,12 @@ impl Chains {
         let special = SpecialCorners::new(rings.soup.points.len(), special);
         let events = Events { rings, meetings, special };
         let mut within = events.within_sides();
-        let equal: Vec<Vec<[u32; 2]>> = parts_by_side(&mut within)
+        let parts = parts_by_side(&mut within);
+        let steps = stage("sorting crossings along sides", parts.len());
+        let equal: Vec<Vec<[u32; 2]>> = parts
             .into_par_iter()
             .map(|part| {
+                steps.advance(1);
                 let (mut sorted, mut equal) = (Vec::new(), Vec::new());
                 for own in part.chunk_by_mut(|a, b| a >> 32 == b >> 32).filter(|own| own.len() > 1) {
                     events.put_along_side(own, &mut sorted, &mut equal);

@@ -12,6 +12,7 @@ use crate::arrangement::spatial::cells::OrderedFaces;
 use crate::arrangement::spatial::{PolygonalComplex, SpatialCells, SpatialPredicates};
 use crate::geometry::Positions;
 use crate::geometry::predicates::{SpatialPlane, SpatialPoint};
+use crate::progress::{Steps, stage};
 use crate::{Error, ErrorKind, FaceId, VertexId};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -100,11 +101,15 @@ impl CutTriangles {
         check_input(positions, triangles)?;
         let most = options.max_cells.unwrap_or(1 << 29).min(1 << 29);
         let check = |count: usize| check_size(count, most);
+        let making = stage("making sheets", 0);
         let (sheets, tree) = Sheets::new(positions, triangles);
+        drop(making);
         let meetings = Meetings::new(&sheets, &tree, check)?;
         drop(tree);
         let point = |place: &Place| place.point(&sheets);
+        let rounding = stage("rounding points", 0);
         let mut points: Vec<SpatialPoint> = meetings.places.par_iter().map(point).collect();
+        drop(rounding);
         let triples = triples(&sheets, &meetings, &points, |count| check(meetings.places.len() + count))?;
         let mut places = meetings.places.clone();
         // Places rise: those of three sheets come last.
@@ -121,10 +126,12 @@ impl CutTriangles {
         };
         let lines = Lines::new(&on, &meetings);
         check(vertices.count() + lines.ends.len())?;
+        let steps = stage("dividing sheets", sheets.count());
         let (supports, faces) = rayon::join(
             || lines.supports(&sheets, &meetings),
-            || Faces::new(&Fragmenting::new(on, &lines, &meetings), &meetings.overlapping),
+            || Faces::new(&Fragmenting::new(on, &lines, &meetings), &meetings.overlapping, &steps),
         );
+        drop(steps);
         check(vertices.count() + lines.ends.len() + faces.sides.len())?;
         let mut flat = Vec::with_capacity(3 * vertices.count());
         flat.extend_from_slice(sheets.points.as_flattened());
@@ -175,8 +182,9 @@ impl CutTriangles {
     pub(in crate::arrangement::spatial) fn ordered_faces(
         &self,
         predicates: &impl SpatialPredicates,
+        steps: &Steps,
     ) -> Result<OrderedFaces, Error> {
-        OrderedFaces::new(Arc::clone(&self.complex), predicates)
+        OrderedFaces::new(Arc::clone(&self.complex), predicates, steps)
     }
 
     /// Exact decisions about the vertices.
@@ -298,17 +306,28 @@ struct Faces {
 }
 
 impl Faces {
-    fn new(all: &Fragmenting<'_>, overlapping: &[u32]) -> Self {
+    /// Each sheet is a step.
+    fn new(all: &Fragmenting<'_>, overlapping: &[u32], steps: &Steps) -> Self {
         let sheets = all.on.sheets;
         let whole: Vec<Option<[u32; 3]>> = (0..sheets.count() as u32)
             .into_par_iter()
             .with_min_len(1 << 10)
-            .map(|sheet| all.is_whole(sheet).then(|| all.whole(sheet)))
+            .map(|sheet| {
+                let whole = all.is_whole(sheet).then(|| all.whole(sheet));
+                if whole.is_some() {
+                    steps.advance(1);
+                }
+                whole
+            })
             .collect();
         let divided: Vec<u32> =
             (0..).zip(&whole).filter(|(_, whole)| whole.is_none()).map(|(sheet, _)| sheet).collect();
-        let fragments: Vec<Vec<Vec<u32>>> =
-            divided.par_iter().with_min_len(16).map(|&sheet| all.fragments(sheet)).collect();
+        let fragments_of = |&sheet: &u32| {
+            let fragments = all.fragments(sheet);
+            steps.advance(1);
+            fragments
+        };
+        let fragments: Vec<Vec<Vec<u32>>> = divided.par_iter().with_min_len(16).map(fragments_of).collect();
         let mut fragments = fragments.into_iter();
         let (mut starts, mut items) =
             (Vec::with_capacity(whole.len() + 1), Vec::with_capacity(3 * whole.len()));

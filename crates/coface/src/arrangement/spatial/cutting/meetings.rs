@@ -4,6 +4,7 @@ use super::sheets::{Sheets, View};
 use crate::Error;
 use crate::geometry::BoxTree;
 use crate::geometry::predicates::{PlaneFilter, SpatialPoint, orientation, spatial_orientation};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -80,11 +81,13 @@ impl Meetings {
         let pairs = Pairs { sheets };
         let mut all = Self::default();
         let mut sorted_size = 0;
+        let steps = stage("meeting pairs of sheets", tree.group_count());
         for start in (0..tree.group_count()).step_by(BLOCK) {
             let groups: Vec<usize> = (start..(start + BLOCK).min(tree.group_count())).collect();
             let found: Vec<Self> = groups
                 .par_iter()
                 .map(|&group| {
+                    steps.advance(1);
                     let mut own = Self::default();
                     let mut plane: Option<Plane> = None;
                     tree.pairs_of_group(group, |f, g| {

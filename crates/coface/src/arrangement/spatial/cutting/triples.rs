@@ -5,6 +5,7 @@ use super::sheets::Sheets;
 use crate::Error;
 use crate::geometry::predicates::SpatialPoint;
 use crate::geometry::{AxisBox, BoxTree, boxes_meet};
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -41,12 +42,15 @@ pub(super) fn triples(
     }
     let (crowded, small): (Vec<_>, Vec<_>) = ranges.into_iter().partition(|range| range.len() > CROWDED);
     let mut found: Vec<[u32; 3]> = Vec::new();
+    let steps = stage("finding points of three sheets", small.len() + crowded.len());
     for block in small.chunks(1 << 12) {
+        steps.advance(block.len());
         let own: Vec<Vec<[u32; 3]>> = block.par_iter().map(|range| crossing.within(range)).collect();
         own.iter().for_each(|own| found.extend_from_slice(own));
         check(found.len())?;
     }
     for range in crowded {
+        steps.advance(1);
         crossing.add_within_crowded(&range, &mut found, &check)?;
     }
     found.par_sort_unstable();

@@ -3,6 +3,7 @@
 use super::meetings::Place;
 use super::sheets::{Sheets, compare_places};
 use crate::geometry::predicates::SpatialPoint;
+use crate::progress::stage;
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -30,7 +31,12 @@ impl Vertices {
         let mut vertices = Self { given, points: Vec::new(), places: Vec::new() };
         let mut vertex_of_place = vec![0; places.len()];
         let runs: Vec<&[u32]> = order.chunk_by(|&a, &b| rounded(a) == rounded(b)).collect();
-        let classes: Vec<Vec<Vec<u32>>> = runs.into_par_iter().map(|run| classes(run, points)).collect();
+        let steps = stage("comparing points", runs.len());
+        let classes_of = |(number, run): (usize, &[u32])| {
+            steps.pass(number);
+            classes(run, points)
+        };
+        let classes: Vec<Vec<Vec<u32>>> = runs.into_par_iter().enumerate().map(classes_of).collect();
         for class in classes.into_iter().flatten() {
             let point = &points[class[0] as usize];
             let corner = if point.is_exactly_rounded() { sheets.vertex_at(point.rounded()) } else { None };
