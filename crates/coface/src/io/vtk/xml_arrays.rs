@@ -81,7 +81,7 @@ impl Storage<'_> {
         let components = natural(node, "NumberOfComponents", Some(usual))?;
         let Some(number) = number_type(node)? else { return Ok(None) };
         let count = rows.saturating_mul(components);
-        let numbers = self.numbers(node, count, number).map_err(|fault| within(fault, node, &name))?;
+        let numbers = self.numbers(node, count, number).map_err(|fault| within(&fault, node, &name))?;
         Ok(Some(Array { name, components: components as usize, numbers }))
     }
 
@@ -97,7 +97,7 @@ impl Storage<'_> {
         if natural(node, "NumberOfComponents", Some(1))? > 1 {
             return Ok(None);
         }
-        let numbers = self.numbers(node, rows, number).map_err(|fault| within(fault, node, name))?;
+        let numbers = self.numbers(node, rows, number).map_err(|fault| within(&fault, node, name))?;
         Ok(Some(numbers).filter(Numbers::is_integral))
     }
 
@@ -198,7 +198,7 @@ impl Storage<'_> {
 }
 
 /// The fault of an array, at its line.
-fn within(fault: Error, node: Node<'_, '_>, name: &str) -> Error {
+fn within(fault: &Error, node: Node<'_, '_>, name: &str) -> Error {
     let start = node.children().find(Node::is_text).unwrap_or(node).range().start;
     let line = u64::from(node.document().text_pos_at(start).row) + fault.line().unwrap_or(1) - 1;
     let message = format!("in the array \"{}\": {}", name.escape_debug(), fault.message());

@@ -45,7 +45,7 @@ impl Disk<'_> {
         match [ab, bc, ca] {
             [None, None, None] => triangles.push([a, b, c]),
             [Some(p), Some(q), Some(r)] => {
-                [[a, p, r], [p, b, q], [r, q, c], [p, q, r]].into_iter().for_each(next)
+                [[a, p, r], [p, b, q], [r, q, c], [p, q, r]].into_iter().for_each(next);
             }
             [Some(p), None, None] => [[a, p, c], [p, b, c]].into_iter().for_each(next),
             [None, Some(q), None] => [[b, q, a], [q, c, a]].into_iter().for_each(next),
