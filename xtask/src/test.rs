@@ -1,5 +1,6 @@
 //! `cargo xtask test`: everything that a change must pass.
 
+use crate::python::python;
 use crate::tally::Tally;
 use crate::viewer::viewer;
 use crate::{cargo, root};
@@ -23,6 +24,7 @@ pub(crate) fn run() -> ExitCode {
     run_counted(&mut tally, "tests", cargo(&["test", "--workspace", "--no-fail-fast"]));
     graphblas(&mut tally);
     viewer(&mut tally);
+    python(&mut tally);
     guide(&mut tally);
     readme(&mut tally);
     skips(&mut tally);

@@ -102,6 +102,7 @@ from coface._doors import (  # isort: skip
     to_trimesh,
 )
 from coface._plot import plot
+from coface._plot import plot_method as _plot_method
 
 __all__ = [
     "BoundaryOfBoundaryError",
@@ -189,5 +190,5 @@ __all__ = [
 for _shown in (Complex, Model, Surface):
     setattr(_shown, "_repr_html_", _repr_html)
 for _drawn in (ChainComplex, Complex, Model, Persistence, PlanarArrangement, PlanarBoolean, Surface, YinSet):
-    setattr(_drawn, "plot", plot)
+    setattr(_drawn, "plot", _plot_method)
 del _shown, _drawn

@@ -112,6 +112,11 @@ def plot(
     return _titled(axes, title)
 
 
+def plot_method(self: Any, **options: Any) -> Any:
+    """Draw this with matplotlib: :func:`plot` with the same options."""
+    return plot(self, **options)
+
+
 def _titled(axes: Any, title: str | None) -> Any:
     if title is not None:
         axes.set_title(title)
@@ -184,7 +189,7 @@ def _model(
         shaded = _shaded(shapes, shade if len(shade) == len(shapes) else np.repeat(shade, len(shapes), axis=0))
         if not wanted:
             # Faces without seams: each has its own color around it.
-            line: dict[str, Any] = {"edgecolors": shaded, "linewidths": 0.2}
+            line = {"edgecolors": shaded, "linewidths": 0.2}
         axes.add_collection3d(Poly3DCollection(shapes, facecolors=shaded, zorder=1, **line))
     pairs = steps(model)
     if len(pairs):
