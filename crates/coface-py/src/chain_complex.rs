@@ -13,7 +13,7 @@ use coface::io::{self, Structure};
 use coface::topology::{Coefficients, HomologyBasis, homology};
 use coface::{CellId, Error};
 use pyo3::prelude::*;
-use pyo3::types::{PyInt, PyString, PyTuple};
+use pyo3::types::{PyString, PyTuple};
 use std::any::Any;
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ use std::sync::Arc;
 /// Homology(Z, Z)
 /// >>> coface.Complex([[0, 1, 2]]).chain_complex().boundary(2).toarray().T
 /// array([[ 1, -1,  1]], dtype=int32)
-#[pyclass(frozen, module = "coface", name = "ChainComplex", subclass)]
+#[pyclass(frozen, module = "coface", name = "ChainComplex")]
 pub(crate) struct ChainComplex {
     pub(crate) complex: Arc<chains::ChainComplex>,
     pub(crate) naming: Arc<Naming>,
@@ -282,7 +282,7 @@ fn as_column<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
 /// The ring that users name: ``"z"``, ``"q"``, ``"f2"``, ``"z/4"``, or a modulus.
 pub(crate) fn ring(value: &Bound<'_, PyAny>) -> PyResult<Coefficients> {
     let py = value.py();
-    if value.is_instance_of::<PyInt>() {
+    if value.hasattr("__index__")? {
         let modulus: i64 = value.extract()?;
         return match modulus {
             0 => Ok(Coefficients::Integers),

@@ -38,7 +38,7 @@ use std::sync::{Arc, OnceLock};
 /// >>> strip.link([1]).simplices(1)
 /// array([[0, 2],
 ///        [2, 3]])
-#[pyclass(frozen, module = "coface", name = "Complex", subclass)]
+#[pyclass(frozen, module = "coface", name = "Complex")]
 pub(crate) struct Complex {
     pub(crate) tree: Arc<SimplicialComplex>,
     frozen: OnceLock<Arc<FrozenComplex>>,

@@ -12,6 +12,7 @@ mod complex;
 mod congruence;
 mod errors;
 mod generate;
+mod grids;
 mod homology;
 // The pages and the words of reports are those of the program.
 #[allow(dead_code, reason = "the program uses more of it")]
@@ -23,6 +24,8 @@ mod memory;
 mod model;
 mod persistence;
 mod pi1;
+mod pictures;
+mod products;
 mod report;
 mod source;
 mod surface;
@@ -76,11 +79,30 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_curve, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_yin_set, module)?)?;
+    module.add_function(wrap_pyfunction!(products::classes, module)?)?;
+    module.add_function(wrap_pyfunction!(products::harmonic, module)?)?;
+    module.add_function(wrap_pyfunction!(products::decompose, module)?)?;
+    module.add_function(wrap_pyfunction!(products::laplacian, module)?)?;
+    module.add_function(wrap_pyfunction!(products::matching, module)?)?;
+    module.add_function(wrap_pyfunction!(products::invariant_factors, module)?)?;
+    module.add_function(wrap_pyfunction!(products::cup_products, module)?)?;
+    module.add_function(wrap_pyfunction!(products::intersection_form, module)?)?;
+    module.add_function(wrap_pyfunction!(products::long_exact_sequence, module)?)?;
+    module.add_function(wrap_pyfunction!(products::induced_map, module)?)?;
+    module.add_function(wrap_pyfunction!(products::is_exact, module)?)?;
+    module.add_class::<grids::CuboidGrid>()?;
+    module.add_class::<grids::SimplicialGrid>()?;
+    module.add_function(wrap_pyfunction!(grids::extruded, module)?)?;
+    module.add_function(wrap_pyfunction!(grids::product, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::render, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::matrix_svg, module)?)?;
     module.add_function(wrap_pyfunction!(model::read, module)?)?;
     module.add_function(wrap_pyfunction!(model::_model, module)?)?;
     module.add_function(wrap_pyfunction!(chain_complex::_chains, module)?)?;
     module.add_function(wrap_pyfunction!(generate::generate, module)?)?;
     module.add_function(wrap_pyfunction!(generate::families, module)?)?;
     module.add_function(wrap_pyfunction!(view::_page, module)?)?;
+    // What is public is for the package to say.
+    module.delattr("__all__")?;
     Ok(())
 }

@@ -44,7 +44,7 @@ use std::sync::Arc;
 /// Model(4 vertices, 2 faces)
 /// >>> square.report().euler_characteristic
 /// 1
-#[pyclass(frozen, module = "coface", name = "Model", subclass)]
+#[pyclass(frozen, module = "coface", name = "Model")]
 pub(crate) struct Model {
     pub(crate) source: Arc<Source>,
 }

@@ -85,13 +85,4 @@ impl Naming {
             Names::Simplices(complex) => complex.numbers(degree, number).to_vec(),
         }
     }
-
-    /// Whether the lists of [`Self::vertices`] are vertices.
-    pub(crate) fn by_vertices(&self) -> bool {
-        match &self.names {
-            Names::Own => false,
-            Names::Source(source) => source.producer().is_ok_and(Producer::names_cells_by_vertices),
-            Names::Simplices(_) => true,
-        }
-    }
 }

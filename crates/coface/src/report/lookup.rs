@@ -66,6 +66,7 @@ impl Producer {
         let cells = |name: &Vec<u32>| match &found[&name[..]] {
             none if none.is_empty() => {
                 Err(Error::new(ErrorKind::NotInComplex, format!("there is no cell {name:?} in the model"))
+                    .with_cells([&name[..]])
                     .with_cure("name cells by the vertex numbers of the model, from 0"))
             }
             cells => Ok(cells.clone()),

@@ -92,6 +92,7 @@ pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> 
                 "the set is no complex: the face {missing:?} of a member is missing, and files hold complexes"
             ),
         )
+        .with_cells([missing.numbers()])
         .with_cure("take its closure, or print the set with --json"));
     }
     let maximal = set.maximal_simplices();

@@ -202,6 +202,7 @@ impl SimplexSet {
             ErrorKind::NotAComplex,
             format!("the set of simplices is not a complex: it holds {simplex} without its face {face}"),
         )
+        .with_cells([simplex.numbers(), face.numbers()])
         .with_cure("take its closure first"))
     }
 
@@ -256,6 +257,7 @@ impl SimplexSet {
                     self.levels.len() - 1
                 ),
             )
+            .with_cells([witness.numbers()])
             .with_cure("take the boundary of a part all of whose facets have one dimension"));
         }
         let Some(top) = self.levels.last() else { return Ok(Vec::new()) };
@@ -471,6 +473,7 @@ impl SimplicialComplex {
             ErrorKind::NotInComplex,
             format!("the {word} {}{more} {verb} not in the complex", names.join(", ")),
         )
+        .with_cells(absent.iter().map(|simplex| simplex.numbers()))
         .with_cure("name simplices of the complex by the numbers of its vertices"))
     }
 }

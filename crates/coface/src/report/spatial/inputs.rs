@@ -220,5 +220,6 @@ fn refusal(name: &str, rim: &InputRim, arranged: &Arranged) -> Error {
             "close it, or let generalized winding numbers decide what is inside (--open winding)",
         )
     };
-    Error::new(ErrorKind::NotACycle, fault).with_cure(cure).in_file(name.to_owned())
+    let steps = vertices.windows(2).map(|step| [step[0].to_u32(), step[1].to_u32()]);
+    Error::new(ErrorKind::NotACycle, fault).with_cells(steps).with_cure(cure).in_file(name.to_owned())
 }

@@ -92,6 +92,7 @@ impl PolygonMesh {
                 ErrorKind::NonManifold,
                 format!("edge e{edge} = {{{a}, {b}}} lies in no face, so the mesh is no surface"),
             )
+            .with_cells([[a.to_u32(), b.to_u32()]])
             .with_cure("remove the edge"));
         }
         HalfedgeMesh::from_polygons(self.vertex_count(), self.polygons())
@@ -318,6 +319,7 @@ fn edge_fault(polygons: &RaggedArray) -> Error {
                 listed.join(", ")
             ),
         )
+        .with_cells([[a, b]])
         .with_cure("remove faces there, or cut the mesh along the edge");
     }
     let incoherent = edges().find(|edge| matches!(edge, [f, g] if f.2 == g.2));
@@ -329,6 +331,7 @@ fn edge_fault(polygons: &RaggedArray) -> Error {
         ErrorKind::NonManifold,
         format!("faces {} and {} both run from v{a} to v{b}, so they do not agree there", named(f), named(g)),
     )
+    .with_cells([[a, b]])
     .with_cure("turn faces around so that all agree, which orienting the mesh does if it is orientable")
 }
 
@@ -342,7 +345,9 @@ fn fan_fault(vertex_count: usize, polygons: &RaggedArray, vertex: VertexId) -> E
         }
         Err(error) => return error,
     };
-    Error::new(ErrorKind::NonManifold, message).with_cure("split the vertex, one copy for each fan")
+    Error::new(ErrorKind::NonManifold, message)
+        .with_cells([[vertex.to_u32()]])
+        .with_cure("split the vertex, one copy for each fan")
 }
 
 #[cfg(test)]

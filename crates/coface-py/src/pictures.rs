@@ -1,0 +1,114 @@
+//! Still pictures: models, boundary matrices.
+
+use crate::chain_complex::ChainComplex;
+use crate::errors::invalid;
+use crate::json::from_python;
+use crate::model::source_of;
+use crate::work::run;
+use coface::report::{Camera, Picture, PictureStyle, Report, Scene, matrix_picture};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+/// A still picture of a model, hidden lines removed.
+///
+/// Parameters
+/// ----------
+/// model : Model, Complex or ChainComplex
+///     What is shown.
+/// format : {"svg", "png"}
+///     The format.
+/// results : sequence of dict
+///     Answers to be shown over it, as ``to_dict()`` gives them.
+/// size : (int, int)
+///     Width and height in pixels.
+/// camera : (float, float, float), optional
+///     The direction from which it is seen.
+/// up : (float, float, float), optional
+///     What is up.
+/// perspective : float, optional
+///     The angle of view in degrees; parallel if left out.
+/// edges : bool, optional
+///     Whether edges are drawn; where they can be told apart, if left out.
+/// dark : bool
+///     Whether the background is dark.
+/// witness : bool
+///     Whether what is wrong is marked.
+/// title : str
+///     What it is called.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// bytes
+///     The content of the file.
+#[pyfunction]
+#[pyo3(signature = (model, format="svg", *, results=Vec::new(), size=(1200, 900), camera=None, up=None, perspective=None, edges=None, dark=false, witness=false, title="model", progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn render<'py>(
+    py: Python<'py>,
+    model: &Bound<'py, PyAny>,
+    format: &str,
+    results: Vec<Bound<'py, PyAny>>,
+    size: (usize, usize),
+    camera: Option<[f64; 3]>,
+    up: Option<[f64; 3]>,
+    perspective: Option<f64>,
+    edges: Option<bool>,
+    dark: bool,
+    witness: bool,
+    title: &str,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    if !matches!(format, "svg" | "png") {
+        return Err(invalid(py, format!("the format is {format:?}"), "give \"svg\" or \"png\""));
+    }
+    if perspective.is_some_and(|angle| !(1.0..=170.0).contains(&angle)) {
+        return Err(invalid(py, "an angle of view is between 1 and 170 degrees", "give such an angle"));
+    }
+    let source = source_of(model)?;
+    let results = results.iter().map(from_python).collect::<PyResult<Vec<_>>>()?;
+    let bytes = run(py, progress, || {
+        let mut scene = Scene::of(title, &source.model)?;
+        for result in &results {
+            scene.add_result("the answer", result)?;
+        }
+        if witness {
+            scene = scene.with_report(Report::of(source.model.clone())?.to_json(100));
+        }
+        let mut style = PictureStyle::default();
+        style.size = [size.0, size.1];
+        style.is_dark = dark;
+        style.edges = edges;
+        if camera.is_some() || up.is_some() || perspective.is_some() {
+            let mut eye = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
+            eye.from = camera.unwrap_or(eye.from);
+            eye.up = up.unwrap_or(eye.up);
+            eye.field_of_view = perspective;
+            style.camera = Some(eye);
+        }
+        let picture = Picture::new(&scene, &style)?;
+        if format == "png" { picture.png() } else { Ok(picture.svg().into_bytes()) }
+    })?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// The boundary matrices of a complex as a picture: blue entries are positive, orange ones negative.
+///
+/// Parameters
+/// ----------
+/// complex : ChainComplex
+///     The complex.
+/// title : str
+///     What it is called.
+///
+/// Returns
+/// -------
+/// str
+///     SVG.
+#[pyfunction]
+#[pyo3(signature = (complex, title="boundary matrices"))]
+pub(crate) fn matrix_svg(py: Python<'_>, complex: &Bound<'_, ChainComplex>, title: &str) -> PyResult<String> {
+    let complex = complex.get();
+    run(py, None, || matrix_picture(title, &complex.complex).svg(None))
+}
