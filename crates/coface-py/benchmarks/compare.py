@@ -186,7 +186,8 @@ def persistence_gudhi(mesh: Any) -> Any:
 
     values = heights(mesh)
     tree = gudhi.SimplexTree()
-    tree.insert_batch(np.arange(len(values), dtype=np.int32)[None], values)
+    # A row as the transpose of a column: of other layouts gudhi 3.13 reads other values.
+    tree.insert_batch(np.ascontiguousarray(np.arange(len(values), dtype=np.int32).reshape(-1, 1).T), values)
     faces = np.sort(mesh[1], axis=1)
     edges = np.unique(np.concatenate([faces[:, [0, 1]], faces[:, [0, 2]], faces[:, [1, 2]]]), axis=0)
     tree.insert_batch(np.ascontiguousarray(edges.T).astype(np.int32), values[edges].max(axis=1))
