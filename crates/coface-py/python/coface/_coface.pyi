@@ -69,7 +69,7 @@ class Chain:
 
 @final
 class ChainComplex:
-    plot: Any
+    def plot(self, **options: Any) -> Any: ...
     @staticmethod
     def from_boundaries(boundaries: Sequence[Any]) -> ChainComplex: ...
     @staticmethod
@@ -133,7 +133,7 @@ class Cocycles:
 
 @final
 class Complex:
-    plot: Any
+    def plot(self, **options: Any) -> Any: ...
     def __new__(cls, facets: Any = None, *, progress: _Progress = ...) -> Complex: ...
     @property
     def f_vector(self) -> tuple[int, ...]: ...
@@ -449,7 +449,7 @@ class LarModel:
 
 @final
 class Model:
-    plot: Any
+    def plot(self, **options: Any) -> Any: ...
     def __new__(cls, vertices: ArrayLike | None = None, faces: Any = None) -> Model: ...
     @staticmethod
     def from_arrays(vertices: ArrayLike | None = None, faces: Any = None, cells: Mapping[str, Any] | None = None, *, vertex_count: int | None = None) -> Model: ...
@@ -521,6 +521,7 @@ class Model:
 
 @final
 class Persistence:
+    def plot(self, **options: Any) -> Any: ...
     @property
     def prime(self) -> int: ...
     @property
@@ -542,6 +543,7 @@ class Persistence:
 
 @final
 class PlanarArrangement:
+    def plot(self, **options: Any) -> Any: ...
     @property
     def f_vector(self) -> list[int]: ...
     @property
@@ -582,6 +584,7 @@ class PlanarArrangement:
 
 @final
 class PlanarBoolean:
+    def plot(self, **options: Any) -> Any: ...
     @property
     def measure(self) -> float: ...
     @property
@@ -788,6 +791,7 @@ class SpatialArrangement:
 
 @final
 class Surface:
+    def plot(self, **options: Any) -> Any: ...
     def __new__(cls, model: Any, *, boundary: bool = False, progress: _Progress = ...) -> Surface: ...
     @property
     def f_vector(self) -> tuple[int, int, int]: ...
@@ -850,6 +854,7 @@ class Verdict:
 
 @final
 class YinSet:
+    def plot(self, **options: Any) -> Any: ...
     @property
     def bounding_box(self) -> list[list[float]] | None: ...
     @property
