@@ -251,7 +251,7 @@ pub(crate) fn grid<'py, T: numpy::Element>(
     values: Vec<T>,
     width: usize,
 ) -> PyResult<Bound<'py, PyArray2<T>>> {
-    let rows = if width == 0 { 0 } else { values.len() / width };
+    let rows = values.len().checked_div(width).unwrap_or(0);
     PyArray1::from_vec(py, values).reshape([rows, width])
 }
 

@@ -624,7 +624,6 @@ impl Model {
 
     /// The permutations ``(next, twin)`` of a model of halfedges; ``None`` of other models.
     #[getter]
-    #[expect(clippy::type_complexity, reason = "two arrays")]
     fn halfedges<'py>(
         &self,
         py: Python<'py>,
@@ -660,7 +659,6 @@ impl Model {
 
     /// The named groups of the file: a list of (name, kind, members), kinds being ``vertices``, ``lines``, ``faces``, ``cells``.
     #[getter]
-    #[expect(clippy::type_complexity, reason = "a list of triples")]
     fn groups<'py>(&self, py: Python<'py>) -> Vec<(String, &'static str, Bound<'py, PyArray1<i64>>)> {
         let groups = self.model().groups().iter();
         groups

@@ -211,7 +211,6 @@ impl Persistence {
     }
 
     /// The vertices of the cells that make and end the classes of a degree: a list of pairs.
-    #[expect(clippy::type_complexity, reason = "a list of pairs of lists")]
     fn simplices(&self, degree: usize) -> Vec<(Vec<u32>, Option<Vec<u32>>)> {
         if degree >= self.diagram.degree_count() {
             return Vec::new();

@@ -205,7 +205,6 @@ fn dense(cochain: &Cochain<f64>, count: usize) -> Vec<f64> {
 ///     Orthogonal parts that add up to the cochain.
 #[pyfunction]
 #[pyo3(signature = (complex, degree, values, *, weights=None, progress=None))]
-#[expect(clippy::type_complexity, reason = "three arrays")]
 pub(crate) fn decompose<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,
@@ -276,7 +275,6 @@ pub(crate) fn laplacian<'py>(
 ///     Faces of the degree and the cells of the next one that they are matched with.
 #[pyfunction]
 #[pyo3(signature = (complex, degree, *, progress=None))]
-#[expect(clippy::type_complexity, reason = "two arrays")]
 pub(crate) fn matching<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,

@@ -898,7 +898,6 @@ impl Surface {
     /// list of (float, numpy.ndarray)
     ///     Lengths and vertices, the first one again at the end. Without positions each edge has the length 1.
     #[pyo3(signature = (kind="non-contractible", *, through=None, progress=None))]
-    #[expect(clippy::type_complexity, reason = "a list of pairs")]
     fn shortest_cycles<'py>(
         &self,
         py: Python<'py>,
