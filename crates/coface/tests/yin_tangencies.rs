@@ -113,3 +113,60 @@ fn a_knot_on_a_side_is_proven() {
     assert_eq!((join.set().curve_counts(), join.set().betti_closed().unwrap()), ([2, 0], [1, 0]));
     assert!(combine([&a, &b], "a & b").set().is_empty());
 }
+
+/// The mirror image of [`touching`] in the line, as the upper side of a set that hangs down from it.
+fn hanging(height: f64) -> YinSet {
+    let heights = [3.0, -2.0, -4.0, 24.0].map(|height| height / 4.0);
+    over([3, 2, 1, 0].map(|j: usize| [j as f64, 2.0 * j as f64 - heights[j] + height]), [0.0, -60.0])
+}
+
+/// Two cubics that touch at a third of one and two thirds of the other.
+#[test]
+fn curves_that_touch_at_simple_fractions_are_proven_to() {
+    for quarters in 0..4 {
+        let [a, b] = [raised(0.0), hanging(0.0)].map(|set| turned(&set, quarters));
+        let meet = combine([&a, &b], "a & b");
+        assert!(meet.set().is_empty() && meet.report().is_empty(), "{:?}", meet.report());
+        let join = combine([&b, &a], "a | b");
+        assert!(join.report().is_empty(), "{:?}", join.report());
+        assert_eq!((join.set().curve_counts(), join.set().validate().unwrap()), ([2, 0], None));
+        assert_eq!((join.set().betti_open().unwrap(), join.set().betti_closed().unwrap()), ([2, 0], [1, 0]));
+    }
+    // Nearly so is not so, and is said.
+    for height in [2f64.powi(-47), -(2f64.powi(-47))] {
+        let join = combine([&raised(0.0), &hanging(height)], "a | b");
+        assert!(!join.report().is_empty(), "{height}");
+    }
+    // Farther away they are apart, or cross twice.
+    let apart = combine([&raised(0.0), &hanging(-(2f64.powi(-20)))], "a | b");
+    assert!(apart.report().is_empty());
+    assert_eq!(apart.set().betti_closed().unwrap(), [2, 0]);
+    let lens = combine([&raised(0.0), &hanging(2f64.powi(-20))], "a & b");
+    assert!(lens.report().is_empty());
+    assert_eq!(lens.set().curve_counts(), [1, 0]);
+}
+
+/// A set below half of the lower side of another.
+#[test]
+fn a_part_of_a_cubic_is_proven_to_be_one() {
+    // Halves of multiples of eight are exact.
+    let whole = touching().map(|point| point.map(|x| 32.0 * x));
+    let middle = |p: [f64; 2], q: [f64; 2]| [0, 1].map(|k| 0.5 * (p[k] + q[k]));
+    let [a, b, c] = [0, 1, 2].map(|j| middle(whole[j], whole[j + 1]));
+    let half = [whole[0], a, middle(a, b), middle(middle(a, b), middle(b, c))];
+    let upper = over(whole, [0.0, 1000.0]);
+    for quarters in 0..4 {
+        let lower = over([3, 2, 1, 0].map(|j: usize| half[j]), [0.0, -1000.0]);
+        let sets = [&upper, &lower].map(|set| turned(set, quarters));
+        let join = combine([&sets[0], &sets[1]], "a | b");
+        assert!(join.report().is_empty(), "{:?}", join.report());
+        assert_eq!((join.set().curve_counts(), join.set().validate().unwrap()), ([1, 0], None));
+        let meet = combine([&sets[0], &sets[1]], "a & b");
+        assert!(meet.set().is_empty() && meet.report().is_empty(), "{:?}", meet.report());
+    }
+    // One unit in the last place beside it, it is not proven.
+    let beside =
+        [3, 2, 1, 0].map(|j: usize| [half[j][0], if j == 1 { half[j][1].next_up() } else { half[j][1] }]);
+    let join = combine([&upper, &over(beside, [0.0, -1000.0])], "a | b");
+    assert!(!join.report().is_empty());
+}

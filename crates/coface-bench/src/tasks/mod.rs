@@ -19,6 +19,7 @@ mod reading;
 mod simplicial;
 mod solids;
 mod surfaces;
+mod tracking;
 mod yin;
 
 use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
@@ -88,6 +89,7 @@ pub(crate) const ALL: &[Task] = &[
     yin::NESTED,
     kinks::EDIT,
     yin::FIT,
+    tracking::TASK,
     solids::INTERSECTION,
     solids::UNION,
     info::TASK,

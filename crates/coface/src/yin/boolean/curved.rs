@@ -2,7 +2,7 @@
 
 use super::Combination;
 use crate::arrangement::planar::{JordanFault, JordanRings};
-use crate::yin::overlay::CurvedOverlay;
+use crate::yin::overlay::{CurvedOverlay, NEARNESS_CURE};
 use crate::yin::set::CurveArena;
 use crate::yin::{Assumption, UncertifiedDecision, YinSet};
 use crate::{Error, ErrorKind};
@@ -65,7 +65,7 @@ fn combine_at(
             "how curves run cannot be decided at resolution {:e}: in the result {fault}",
             found.resolution
         ))
-        .with_cure("move one of the sets a little, or fit curves with other knots there"));
+        .with_cure(NEARNESS_CURE));
     }
     Ok(found)
 }

@@ -3,7 +3,7 @@
 use crate::geometry::predicates::Dyadic;
 
 /// The coefficients of a polynomial, the constant one first.
-type Coefficients = Vec<Dyadic>;
+pub(super) type Coefficients = Vec<Dyadic>;
 
 /// Whether two cubic pieces that begin in one point have, for certain, no other common point up to a parameter of the first.
 ///
@@ -20,6 +20,11 @@ pub(super) fn has_no_other_point(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4], reach: f6
     }
     let of_a = [0, 1].map(|axis| power_coefficients(a.map(|point| point[axis]), origin[axis]));
     let of_b = [0, 1].map(|axis| power_coefficients(b.map(|point| point[axis]), origin[axis]));
+    is_alone(&of_a, &of_b, reach)
+}
+
+/// The same for cubics by their power coefficients, the constant ones zero; up to a parameter of the first in both directions.
+pub(super) fn is_alone(of_a: &[Coefficients; 2], of_b: &[Coefficients; 2], reach: f64) -> bool {
     // The coefficients of both polynomials in s; the constant ones are polynomials in t.
     let coefficient = |axis: usize, power: usize| -> Coefficients {
         if power == 0 { of_a[axis].iter().map(|c| -c).collect() } else { vec![of_b[axis][power].clone()] }
@@ -56,7 +61,7 @@ pub(super) fn has_no_other_point(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4], reach: f6
 }
 
 /// The power coefficients of a cubic from those in the Bernstein basis, less a constant.
-fn power_coefficients(controls: [f64; 4], constant: f64) -> Coefficients {
+pub(super) fn power_coefficients(controls: [f64; 4], constant: f64) -> Coefficients {
     let constant = Dyadic::from(constant);
     let mut differences: Vec<Dyadic> = controls.iter().map(|&x| &Dyadic::from(x) - &constant).collect();
     [1.0, 3.0, 3.0, 1.0]

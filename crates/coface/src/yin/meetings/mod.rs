@@ -8,8 +8,9 @@
 //! * A curved piece and a segment that touch, in general position, are proven to: exact arithmetic counts their common points. It also
 //!   tells whether they pass each other or cross twice where they come nearer than the resolution, down to 2^-45 of the extent; below
 //!   that they are one point, as rounding of results is of that size. Two cubic pieces that touch in a common
-//!   end are proven to have nothing else in common there. Other curved pieces that touch are not proven to: that they are within the
-//!   resolution of each other is certain, and the report names the place.
+//!   end are proven to have nothing else in common there, and so are two that touch where both parameters are fractions with
+//!   denominators up to 4096; a piece that is a part of another between such parameters is proven to be. Other curved pieces that touch
+//!   are not proven to: that they are within the resolution of each other is certain, and the report names the place.
 //! * A **part** of a piece is monotone in both coordinates. A piece that is a segment is one part, and segments meet each other
 //!   exactly.
 //! * A **meeting** is a common point of two pieces, or of a piece with itself at two parameters. An **overlap** is an arc that two
@@ -33,6 +34,7 @@ mod roots;
 mod search;
 mod segments;
 mod side_by_side;
+mod simple_fractions;
 mod sturm;
 #[cfg(test)]
 mod tests;

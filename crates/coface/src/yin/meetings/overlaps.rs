@@ -1,6 +1,7 @@
 //! Arcs that two pieces have in common.
 
 use super::polynomial::{dot, is_apart, is_near, minus, size};
+use super::simple_fractions::{Fraction, is_part};
 use super::{Overlap, Pieces, Polynomial};
 
 /// How many times the resolution the ends of an overlap are apart at least.
@@ -8,7 +9,8 @@ const LEAST_LENGTH: f64 = 16.0;
 
 /// The overlaps of two pieces, of which one at least is no segment.
 ///
-/// Equal control points, in the same or the opposite order, are one arc for certain. Else ends of one that are within the resolution
+/// Equal control points, in the same or the opposite order, are one arc for certain, and a cubic that is a part of another between
+/// parameters that are simple fractions. Else ends of one that are within the resolution
 /// of the other are the ends of a common arc when at more places between them than two different algebraic curves of these degrees
 /// can share, the product of the degrees, the pieces are within the resolution of each other.
 pub(super) fn overlaps_of(pieces: &Pieces<'_>, pair: [u32; 2]) -> Vec<Overlap> {
@@ -72,7 +74,23 @@ pub(super) fn overlaps_of(pieces: &Pieces<'_>, pair: [u32; 2]) -> Vec<Overlap> {
             found.push(Overlap { pieces: pair, ranges, is_certified: false });
         }
     }
+    found.iter_mut().for_each(|overlap| certify(pieces, overlap));
     found
+}
+
+/// Tells whether what two cubic pieces have in common is one cubic for certain: the parameters of one at the ends of the other, if it went on
+/// so far, are simple fractions then.
+fn certify(pieces: &Pieces<'_>, overlap: &mut Overlap) {
+    /// Fractions are looked for so near to what was found.
+    const NEAR: f64 = 1e-9;
+    let given = overlap.pieces.map(|piece| pieces.given(piece as usize));
+    let cubic = |k: usize| <[[f64; 2]; 4]>::try_from(&given[k][..]).ok();
+    let (Some(a), Some(b)) = (cubic(0), cubic(1)) else { return };
+    let [of_a, of_b] = overlap.ranges;
+    let opposite = |s: f64| of_a[0] + (s - of_b[0]) * (of_a[1] - of_a[0]) / (of_b[1] - of_b[0]);
+    let ends = [0.0, 1.0].map(|s| Fraction::near(opposite(s), NEAR));
+    let [Some(from), Some(to)] = ends else { return };
+    overlap.is_certified = is_part(&a, &b, [from, to]);
 }
 
 /// Whether pieces stay within the resolution of each other between parameters.

@@ -9,6 +9,7 @@ use super::roots::{IMAGE, Transversal, transversal_root};
 use super::search::Found;
 use super::segments::{enclosure, meet_segments};
 use super::side_by_side::{SideBySide, side_by_side};
+use super::simple_fractions::{Fraction, comes_to, meet_alone};
 use super::{Meeting, Overlap, Pieces, Polynomial};
 use crate::geometry::predicates::orientation;
 
@@ -329,10 +330,43 @@ impl<'a> PairSolver<'a> {
         })
     }
 
+    /// The one meeting of a cluster of two cubic pieces at parameters that are simple fractions, where it is proven that there is no
+    /// other.
+    fn simple_touching(&self, pair: [u32; 2], group: &Cluster, at: [f64; 2]) -> Option<Meeting> {
+        let fraction = |k: usize| {
+            let [low, high] = group.ranges[k];
+            let found = Fraction::near(at[k], high - low)?;
+            // What reaches to an end is common in that end.
+            let ends = [(low <= 0.0).then_some(0.0), (high >= 1.0).then_some(1.0)];
+            ends.into_iter().flatten().all(|end| found.value() == end).then_some(found)
+        };
+        let found = [fraction(0)?, fraction(1)?];
+        let given = pair.map(|piece| self.pieces.given(piece as usize));
+        let cubic = |k: usize| <[[f64; 2]; 4]>::try_from(&given[k][..]).ok();
+        let values = found.map(Fraction::value);
+        let reach = group.ranges[0].map(|t| (t - values[0]).abs());
+        // More than rounding can take away.
+        let reach = 1.001 * reach[0].max(reach[1]) + 1e-15;
+        meet_alone([&cubic(0)?, &cubic(1)?], found, reach).then(|| {
+            let is_end = |t: f64| t == 0.0 || t == 1.0;
+            let point = match values.iter().position(|&t| is_end(t)) {
+                Some(k) => self.pieces.ends(pair[k] as usize)[values[k] as usize],
+                None => {
+                    let own = self.pieces.polynomial(pair[0] as usize);
+                    self.pieces.frame.to_world(own.at(values[0]))
+                }
+            };
+            let parameters = values
+                .map(|t| if is_end(t) { [t; 2] } else { [t.next_down().max(0.0), t.next_up().min(1.0)] });
+            Meeting { pieces: pair, parameters, at: values, point, is_certified: true }
+        })
+    }
+
     /// The meetings of a cluster, where exact arithmetic tells them.
     fn exact(&self, pair: [u32; 2], group: &Cluster, at: [f64; 2]) -> Option<Vec<Meeting>> {
         let Some(straight) = (0..2).find(|&k| self.pieces.is_straight(pair[k] as usize)) else {
-            return self.common_end(pair, group).map(|meeting| vec![meeting]);
+            let proven = self.common_end(pair, group).or_else(|| self.simple_touching(pair, group, at));
+            return proven.map(|meeting| vec![meeting]);
         };
         let curved = 1 - straight;
         let frame = self.pieces.frame;
@@ -417,7 +451,7 @@ impl<'a> PairSolver<'a> {
     }
 
     /// Moves a crossing to an end of a piece that is within the resolution. It stays certified when the ends of both pieces are there
-    /// and equal, and when the end of one is on the other, which is a segment.
+    /// and equal, and when the end of one is on the other for certain.
     fn snap(&self, meeting: &mut Meeting, parameters: [[f64; 2]; 2]) {
         let ends: [Option<usize>; 2] = [0, 1].map(|k| {
             let piece = self.pieces.polynomial(meeting.pieces[k] as usize);
@@ -440,11 +474,23 @@ impl<'a> PairSolver<'a> {
             }
             [Some(end), None] | [None, Some(end)] => {
                 let other = meeting.pieces[usize::from(points[0].is_some())] as usize;
-                let [a, b] = self.pieces.ends(other);
-                meeting.is_certified &= self.pieces.is_straight(other) && orientation(a, b, end).is_eq();
+                let at = meeting.at[usize::from(points[0].is_some())];
+                meeting.is_certified &= self.comes_to(other, at, end);
                 meeting.point = end;
             }
         }
+    }
+
+    /// Whether a piece comes to a point near a parameter for certain: a segment, or a cubic where that is a simple fraction.
+    fn comes_to(&self, piece: usize, at: f64, point: [f64; 2]) -> bool {
+        /// A fraction is looked for so near to the root.
+        const NEAR: f64 = 1e-9;
+        if self.pieces.is_straight(piece) {
+            let [a, b] = self.pieces.ends(piece);
+            return orientation(a, b, point).is_eq();
+        }
+        let cubic = <[[f64; 2]; 4]>::try_from(&self.pieces.given(piece)[..]).ok();
+        cubic.zip(Fraction::near(at, NEAR)).is_some_and(|(cubic, at)| comes_to(&cubic, at, point))
     }
 
     /// Whether a point of a piece is within the resolution of an end, and the way to it too.

@@ -110,6 +110,9 @@ impl Chains<'_> {
     }
 }
 
+/// What a user can do where curves run nearer to each other than can be decided.
+pub(in crate::yin) const NEARNESS_CURE: &str = "move one of the sets by a known vector longer than that, fit curves with other knots there, or take chords for curves, which are exact: --order 2 --flatten LENGTH";
+
 /// The error for what the resolution does not tell.
 pub(super) fn undecided(
     boundaries: &Boundaries<'_>,
@@ -135,5 +138,5 @@ pub(super) fn undecided(
         "{what} near ({x}, {y}) cannot be decided at resolution {:e}: {names}",
         boundaries.resolution
     ))
-    .with_cure("move one of the sets a little, or fit curves with other knots there")
+    .with_cure(NEARNESS_CURE)
 }

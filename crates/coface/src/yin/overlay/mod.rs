@@ -21,4 +21,5 @@ mod nesting;
 mod nodes;
 mod outline;
 
+pub(in crate::yin) use chains::NEARNESS_CURE;
 pub(in crate::yin) use curved_overlay::CurvedOverlay;
