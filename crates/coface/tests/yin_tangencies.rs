@@ -145,28 +145,3 @@ fn curves_that_touch_at_simple_fractions_are_proven_to() {
     assert!(lens.report().is_empty());
     assert_eq!(lens.set().curve_counts(), [1, 0]);
 }
-
-/// A set below half of the lower side of another.
-#[test]
-fn a_part_of_a_cubic_is_proven_to_be_one() {
-    // Halves of multiples of eight are exact.
-    let whole = touching().map(|point| point.map(|x| 32.0 * x));
-    let middle = |p: [f64; 2], q: [f64; 2]| [0, 1].map(|k| 0.5 * (p[k] + q[k]));
-    let [a, b, c] = [0, 1, 2].map(|j| middle(whole[j], whole[j + 1]));
-    let half = [whole[0], a, middle(a, b), middle(middle(a, b), middle(b, c))];
-    let upper = over(whole, [0.0, 1000.0]);
-    for quarters in 0..4 {
-        let lower = over([3, 2, 1, 0].map(|j: usize| half[j]), [0.0, -1000.0]);
-        let sets = [&upper, &lower].map(|set| turned(set, quarters));
-        let join = combine([&sets[0], &sets[1]], "a | b");
-        assert!(join.report().is_empty(), "{:?}", join.report());
-        assert_eq!((join.set().curve_counts(), join.set().validate().unwrap()), ([1, 0], None));
-        let meet = combine([&sets[0], &sets[1]], "a & b");
-        assert!(meet.set().is_empty() && meet.report().is_empty(), "{:?}", meet.report());
-    }
-    // One unit in the last place beside it, it is not proven.
-    let beside =
-        [3, 2, 1, 0].map(|j: usize| [half[j][0], if j == 1 { half[j][1].next_up() } else { half[j][1] }]);
-    let join = combine([&upper, &over(beside, [0.0, -1000.0])], "a | b");
-    assert!(!join.report().is_empty());
-}

@@ -19,7 +19,6 @@ mod reading;
 mod simplicial;
 mod solids;
 mod surfaces;
-mod tracking;
 mod yin;
 
 use crate::measure::{Measurement, own_high_water_mark, own_processor_seconds};
@@ -89,7 +88,6 @@ pub(crate) const ALL: &[Task] = &[
     yin::NESTED,
     kinks::EDIT,
     yin::FIT,
-    tracking::TASK,
     solids::INTERSECTION,
     solids::UNION,
     info::TASK,

@@ -9,7 +9,7 @@ use super::roots::{IMAGE, Transversal, transversal_root};
 use super::search::Found;
 use super::segments::{enclosure, meet_segments};
 use super::side_by_side::{SideBySide, side_by_side};
-use super::simple_fractions::{Fraction, comes_to, meet_alone};
+use super::simple_fractions::{Fraction, meet_alone};
 use super::{Meeting, Overlap, Pieces, Polynomial};
 use crate::geometry::predicates::orientation;
 
@@ -451,7 +451,7 @@ impl<'a> PairSolver<'a> {
     }
 
     /// Moves a crossing to an end of a piece that is within the resolution. It stays certified when the ends of both pieces are there
-    /// and equal, and when the end of one is on the other for certain.
+    /// and equal, and when the end of one is on the other, which is a segment.
     fn snap(&self, meeting: &mut Meeting, parameters: [[f64; 2]; 2]) {
         let ends: [Option<usize>; 2] = [0, 1].map(|k| {
             let piece = self.pieces.polynomial(meeting.pieces[k] as usize);
@@ -474,23 +474,11 @@ impl<'a> PairSolver<'a> {
             }
             [Some(end), None] | [None, Some(end)] => {
                 let other = meeting.pieces[usize::from(points[0].is_some())] as usize;
-                let at = meeting.at[usize::from(points[0].is_some())];
-                meeting.is_certified &= self.comes_to(other, at, end);
+                let [a, b] = self.pieces.ends(other);
+                meeting.is_certified &= self.pieces.is_straight(other) && orientation(a, b, end).is_eq();
                 meeting.point = end;
             }
         }
-    }
-
-    /// Whether a piece comes to a point near a parameter for certain: a segment, or a cubic where that is a simple fraction.
-    fn comes_to(&self, piece: usize, at: f64, point: [f64; 2]) -> bool {
-        /// A fraction is looked for so near to the root.
-        const NEAR: f64 = 1e-9;
-        if self.pieces.is_straight(piece) {
-            let [a, b] = self.pieces.ends(piece);
-            return orientation(a, b, point).is_eq();
-        }
-        let cubic = <[[f64; 2]; 4]>::try_from(&self.pieces.given(piece)[..]).ok();
-        cubic.zip(Fraction::near(at, NEAR)).is_some_and(|(cubic, at)| comes_to(&cubic, at, point))
     }
 
     /// Whether a point of a piece is within the resolution of an end, and the way to it too.

@@ -95,15 +95,6 @@ pub(super) fn meet_alone([a, b]: [&[[f64; 2]; 4]; 2], [at_a, at_b]: [Fraction; 2
     is_alone(&of_a, &of_b, reach)
 }
 
-/// Whether a cubic piece comes, for certain, to a point at a parameter.
-pub(super) fn comes_to(controls: &[[f64; 2]; 4], at: Fraction, point: [f64; 2]) -> bool {
-    let cube = power(&at.parts()[1], 3);
-    (0..2).all(|axis| {
-        let own = &coefficients_from(axis_of(controls, axis), at)[0];
-        (own - &(&cube * &Dyadic::from(point[axis]))).sign().is_eq()
-    })
-}
-
 /// Whether the second cubic piece is, for certain, the part of the first between two parameters: $B(s) = A(p + s (q - p))$ for all s.
 pub(super) fn is_part(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4], [from, to]: [Fraction; 2]) -> bool {
     // Over one denominator the step from one to the other is a whole number of units.
@@ -119,57 +110,4 @@ pub(super) fn is_part(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4], [from, to]: [Fractio
             (&left - &right).sign().is_eq()
         })
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fractions_are_found_near_numbers() {
-        let near =
-            |x: f64, distance: f64| Fraction::near(x, distance).map(|at| [at.numerator, at.denominator]);
-        assert_eq!(near(1.0 / 3.0 + 1e-7, 1e-6), Some([1.0, 3.0]));
-        assert_eq!(near(0.625, 1e-12), Some([5.0, 8.0]));
-        assert_eq!(
-            (near(0.0, 1e-12), near(1.0, 1e-12), near(-0.5, 1e-12)),
-            (Some([0., 1.]), Some([1., 1.]), Some([-1., 2.]))
-        );
-        assert_eq!(near(std::f64::consts::FRAC_1_PI, 1e-12), None);
-        assert_eq!(near(f64::NAN, 1.0), None);
-    }
-
-    /// The cubic $9 (t - 1/3)^2 (t + 1)$ over the x-axis, and its mirror image run through backward.
-    const UPPER: [[f64; 2]; 4] = [[0.0, 3.0], [3.0, -2.0], [6.0, -4.0], [9.0, 24.0]];
-
-    #[test]
-    fn mirror_images_touch_alone() {
-        let lower = [3, 2, 1, 0].map(|j: usize| [UPPER[j][0], -UPPER[j][1]]);
-        let at = |p: f64, q: f64| Fraction { numerator: p, denominator: q };
-        // Heights are three times the Bernstein coefficients over three: the root is at a third.
-        let [third, rest] = [at(1.0, 3.0), at(2.0, 3.0)];
-        assert!(meet_alone([&UPPER, &lower], [third, rest], 1e-3));
-        assert!(!meet_alone([&UPPER, &lower], [third, at(1.0, 2.0)], 1e-3));
-        // One unit in the last place more, and they do not meet there.
-        let moved = lower.map(|[x, y]| [x, if y == 4.0 { y.next_up() } else { y }]);
-        assert!(!meet_alone([&UPPER, &moved], [third, rest], 1e-3));
-        // A curve is not alone on itself.
-        assert!(!meet_alone([&UPPER, &UPPER], [third, third], 1e-3));
-    }
-
-    #[test]
-    fn parts_are_told_from_what_is_near() {
-        let whole = UPPER.map(|point| point.map(|x| 64.0 * x));
-        let middle = |p: [f64; 2], q: [f64; 2]| [0, 1].map(|k| 0.5 * (p[k] + q[k]));
-        let [a, b, c] = [0, 1, 2].map(|j| middle(whole[j], whole[j + 1]));
-        let half = [whole[0], a, middle(a, b), middle(middle(a, b), middle(b, c))];
-        let at = |x: f64| Fraction::near(x, 0.0).expect("a simple fraction");
-        assert!(is_part(&whole, &half, [at(0.0), at(0.5)]));
-        assert!(is_part(&half, &whole, [at(0.0), at(2.0)]));
-        let back = [3, 2, 1, 0].map(|j: usize| half[j]);
-        assert!(is_part(&whole, &back, [at(0.5), at(0.0)]));
-        assert!(!is_part(&whole, &half, [at(0.0), at(0.25)]));
-        let moved = half.map(|[x, y]| [x, y.next_up()]);
-        assert!(!is_part(&whole, &moved, [at(0.0), at(0.5)]));
-    }
 }
