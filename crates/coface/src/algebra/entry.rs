@@ -20,6 +20,8 @@ pub trait Entry: Clone + Default + Eq + fmt::Debug + fmt::Display + Send + Sync 
     fn negated(&self) -> Self;
     /// Whether this is below 0.
     fn is_negative(&self) -> bool;
+    /// Whether this is 1 or -1.
+    fn is_unit(&self) -> bool;
 }
 
 mod sealed {
@@ -52,6 +54,10 @@ impl Entry for i32 {
     fn is_negative(&self) -> bool {
         *self < 0
     }
+
+    fn is_unit(&self) -> bool {
+        matches!(*self, 1 | -1)
+    }
 }
 
 impl Entry for Integer {
@@ -77,5 +83,9 @@ impl Entry for Integer {
 
     fn is_negative(&self) -> bool {
         self.signum() < 0
+    }
+
+    fn is_unit(&self) -> bool {
+        Integer::is_unit(self)
     }
 }

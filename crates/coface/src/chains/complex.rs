@@ -1,11 +1,13 @@
 //! Chain complexes with a basis of cells in each degree.
 
-use crate::algebra::SparseMatrix;
+use crate::algebra::{Entry, Integer, SparseMatrix, WideMatrix};
 use crate::{Error, ErrorKind};
 
 /// A finite chain complex of free abelian groups, each with a basis of cells.
 ///
 /// For each degree k a number of cells and, for k at least 1, the boundary matrix from k-chains to (k-1)-chains.
+/// Incidences of cells are small: entries have 32 bits. What is left of a complex after a reduction can have entries of any size, a
+/// [`WideComplex`].
 ///
 /// # Examples
 /// A triangle's rim: three vertices and three edges.
@@ -20,11 +22,14 @@ use crate::{Error, ErrorKind};
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ChainComplex {
+pub struct ChainComplex<E: Entry = i32> {
     cell_counts: Vec<usize>,
     /// The matrix of degree k is at position k - 1.
-    boundaries: Vec<SparseMatrix>,
+    boundaries: Vec<SparseMatrix<E>>,
 }
+
+/// A chain complex with incidences of any size.
+pub type WideComplex = ChainComplex<Integer>;
 
 impl ChainComplex {
     /// The complex with these boundary matrices, of degrees 1, 2, ...; column j of the matrix of degree k is the
@@ -41,28 +46,10 @@ impl ChainComplex {
             return Err(Error::new(ErrorKind::Shape, "a chain complex needs a boundary matrix")
                 .with_cure("make a complex without cells of positive degree by ChainComplex::of_points"));
         };
-        let mut cell_counts = vec![first.row_count()];
-        for (k, matrix) in boundaries.iter().enumerate() {
-            if matrix.row_count() != cell_counts[k] {
-                return Err(Error::new(
-                    ErrorKind::Shape,
-                    format!(
-                        "the boundary matrix of degree {} has {} rows, but there are {} cells of degree {k}",
-                        k + 1,
-                        matrix.row_count(),
-                        cell_counts[k]
-                    ),
-                ));
-            }
-            cell_counts.push(matrix.column_count());
-        }
+        let cell_counts = cell_counts_of(first.row_count(), &boundaries)?;
         for (k, pair) in boundaries.windows(2).enumerate() {
             if let Some(cell) = pair[0].first_nonzero_product_column(&pair[1])? {
-                return Err(Error::new(
-                    ErrorKind::BoundaryOfBoundary,
-                    format!("the boundary of the boundary of cell {cell} of degree {} is not zero", k + 2),
-                )
-                .with_cure("check the signs of its faces"));
+                return Err(no_cycle(cell, k + 2));
             }
         }
         Ok(Self { cell_counts, boundaries })
@@ -80,6 +67,60 @@ impl ChainComplex {
     /// The complex of `count` points: cells of degree 0 only. No point gives the empty complex.
     pub fn of_points(count: usize) -> Self {
         Self { cell_counts: if count == 0 { Vec::new() } else { vec![count] }, boundaries: Vec::new() }
+    }
+}
+
+impl WideComplex {
+    /// The complex of this many vertices and these boundary matrices, of degrees 1, 2, ..., if any.
+    ///
+    /// # Errors
+    /// As of [`ChainComplex::new`].
+    pub fn of_wide(vertex_count: usize, boundaries: Vec<WideMatrix>) -> Result<Self, Error> {
+        cell_counts_of(vertex_count, &boundaries)?;
+        for (k, pair) in boundaries.windows(2).enumerate() {
+            let product = pair[0].product(&pair[1])?.into_wide();
+            if let Some(cell) = product.columns().position(|column| !column.rows().is_empty()) {
+                return Err(no_cycle(cell, k + 2));
+            }
+        }
+        Ok(Self::from_trusted(vertex_count, boundaries))
+    }
+}
+
+/// The numbers of cells of matrices that fit together.
+fn cell_counts_of<E: Entry>(
+    vertex_count: usize,
+    boundaries: &[SparseMatrix<E>],
+) -> Result<Vec<usize>, Error> {
+    let mut cell_counts = vec![vertex_count];
+    for (k, matrix) in boundaries.iter().enumerate() {
+        if matrix.row_count() != cell_counts[k] {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!(
+                    "the boundary matrix of degree {} has {} rows, but there are {} cells of degree {k}",
+                    k + 1,
+                    matrix.row_count(),
+                    cell_counts[k]
+                ),
+            ));
+        }
+        cell_counts.push(matrix.column_count());
+    }
+    Ok(cell_counts)
+}
+
+fn no_cycle(cell: usize, degree: usize) -> Error {
+    let message = format!("the boundary of the boundary of cell {cell} of degree {degree} is not zero");
+    Error::new(ErrorKind::BoundaryOfBoundary, message).with_cure("check the signs of its faces")
+}
+
+impl<E: Entry> ChainComplex<E> {
+    /// The complex of this many vertices and these matrices, which fit together and whose products are zero by the way they were made.
+    pub(super) fn from_trusted(vertex_count: usize, boundaries: Vec<SparseMatrix<E>>) -> Self {
+        let has_no_degree = vertex_count == 0 && boundaries.is_empty();
+        let counts = cell_counts_of(vertex_count, &boundaries).expect("the matrices fit together");
+        Self { cell_counts: if has_no_degree { Vec::new() } else { counts }, boundaries }
     }
 
     /// The number of cells of this degree; 0 beyond the dimension.
@@ -104,18 +145,18 @@ impl ChainComplex {
 
     /// The boundary matrix from degree `degree` to `degree - 1`; `None` for degree 0 and beyond the dimension, where
     /// the map is zero.
-    pub fn boundary_matrix(&self, degree: usize) -> Option<&SparseMatrix> {
+    pub fn boundary_matrix(&self, degree: usize) -> Option<&SparseMatrix<E>> {
         self.boundaries.get(degree.checked_sub(1)?)
     }
 
     /// The coboundary matrix from degree `degree` to `degree + 1`, the transpose of the boundary matrix of
     /// `degree + 1`; `None` where that map is zero.
-    pub fn coboundary_matrix(&self, degree: usize) -> Option<SparseMatrix> {
+    pub fn coboundary_matrix(&self, degree: usize) -> Option<SparseMatrix<E>> {
         self.boundary_matrix(degree + 1).map(SparseMatrix::transpose)
     }
 
     /// All boundary matrices, of degrees 1, 2, ...
-    pub fn boundary_matrices(&self) -> &[SparseMatrix] {
+    pub fn boundary_matrices(&self) -> &[SparseMatrix<E>] {
         &self.boundaries
     }
 

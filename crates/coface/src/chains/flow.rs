@@ -1,12 +1,12 @@
 //! The gradient flow of an acyclic matching: elimination of matched faces from chains, and the dual sweep on cochains.
 
-use crate::algebra::{Integer, SparseMatrix, SparseVector};
+use crate::algebra::{Entry, Integer, SparseMatrix, SparseVector};
 use crate::chains::{AcyclicMatching, ChainComplex, MatchedPair};
 use crate::progress::{Steps, stage};
 
 /// The elimination of matched faces from chains of one degree less than that of the pairs.
-pub(super) struct Flow<'a> {
-    matrix: &'a SparseMatrix,
+pub(super) struct Flow<'a, E> {
+    matrix: &'a SparseMatrix<E>,
     pairs: &'a [MatchedPair],
     /// For each face its place in `values`: first the matched faces in the order of elimination, then the critical
     /// ones. [`NOWHERE`] for the faces that are themselves cells of pairs one degree below: they cancel there.
@@ -27,7 +27,7 @@ trait Number: Clone + Default {
     fn is_zero(&self) -> bool;
     fn from_integer(value: &Integer) -> Option<Self>;
     fn to_integer(&self) -> Integer;
-    fn plus_product(&self, a: &Self, b: i32) -> Option<Self>;
+    fn plus_product<E: Entry>(&self, a: &Self, b: &E) -> Option<Self>;
 }
 
 impl Number for i64 {
@@ -40,8 +40,9 @@ impl Number for i64 {
     fn to_integer(&self) -> Integer {
         Integer::from(*self)
     }
-    fn plus_product(&self, a: &Self, b: i32) -> Option<Self> {
-        self.checked_add(a.checked_mul(i64::from(b))?)
+    #[inline]
+    fn plus_product<E: Entry>(&self, a: &Self, b: &E) -> Option<Self> {
+        self.checked_add(a.checked_mul(b.to_i64()?)?)
     }
 }
 
@@ -55,8 +56,8 @@ impl Number for Integer {
     fn to_integer(&self) -> Integer {
         self.clone()
     }
-    fn plus_product(&self, a: &Self, b: i32) -> Option<Self> {
-        Some(self + &(a * &Integer::from(b)))
+    fn plus_product<E: Entry>(&self, a: &Self, b: &E) -> Option<Self> {
+        Some(self + &(a * &b.to_integer()))
     }
 }
 
@@ -77,10 +78,10 @@ pub(super) struct Eliminated {
     pub(super) added: SparseVector,
 }
 
-impl<'a> Flow<'a> {
+impl<'a, E: Entry> Flow<'a, E> {
     /// The flow along the pairs of cells of this degree with their faces, which has a boundary matrix.
     pub(super) fn new(
-        complex: &'a ChainComplex,
+        complex: &'a ChainComplex<E>,
         matching: &'a AcyclicMatching,
         degree: usize,
         steps: &'a Steps,
@@ -147,7 +148,7 @@ impl<'a> Flow<'a> {
             Start::Faces(chain) => {
                 for (face, coefficient) in chain {
                     let coefficient = N::from_integer(coefficient)?;
-                    self.add_to_slot(*face as usize, &coefficient, 1, values, waiting, &mut reached)?;
+                    self.add_to_slot(*face as usize, &coefficient, &1, values, waiting, &mut reached)?;
                 }
             }
         }
@@ -163,8 +164,8 @@ impl<'a> Flow<'a> {
             }
             let MatchedPair { face, cell } = self.pairs[slot];
             // The incidence is a unit, its own inverse.
-            let minus_incidence = -self.matrix.entry(face as usize, cell as usize);
-            let coefficient = N::default().plus_product(value, minus_incidence)?;
+            let minus_incidence = self.matrix.entry(face as usize, cell as usize).negated();
+            let coefficient = N::default().plus_product(value, &minus_incidence)?;
             self.add(cell, &coefficient, values, waiting, &mut reached)?;
             if keeps_added {
                 added.push((cell, coefficient.to_integer()));
@@ -191,7 +192,7 @@ impl<'a> Flow<'a> {
         waiting: &mut SlotQueue,
         reached: &mut Vec<u32>,
     ) -> Option<()> {
-        for (face, incidence) in self.matrix.column(cell as usize).iter() {
+        for (face, incidence) in self.matrix.column(cell as usize).terms() {
             self.add_to_slot(face, coefficient, incidence, values, waiting, reached)?;
         }
         Some(())
@@ -202,7 +203,7 @@ impl<'a> Flow<'a> {
         &self,
         face: usize,
         coefficient: &N,
-        incidence: i32,
+        incidence: &impl Entry,
         values: &mut [N],
         waiting: &mut SlotQueue,
         reached: &mut Vec<u32>,
@@ -222,6 +223,31 @@ impl<'a> Flow<'a> {
         *value = value.plus_product(coefficient, incidence)?;
         Some(())
     }
+}
+
+/// The images of chains on the numbers of critical cells under the inclusion in the complex, by rising cells; each is a step.
+pub(super) fn inclusions<'c, E: Entry>(
+    complex: &ChainComplex<E>,
+    matching: &AcyclicMatching,
+    degree: usize,
+    chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
+    steps: &Steps,
+) -> Vec<SparseVector> {
+    let cells = matching.critical_cells(degree);
+    let mut flow = (degree > 0 && !cells.is_empty()).then(|| Flow::new(complex, matching, degree, steps));
+    let image = |chain: &[(u32, Integer)]| {
+        let mut image: SparseVector = chain.iter().map(|(i, x)| (cells[*i as usize], x.clone())).collect();
+        if let Some(flow) = &mut flow
+            && !image.is_empty()
+        {
+            let added = flow.grow(&image).added;
+            image.extend(added);
+        }
+        image.sort_unstable_by_key(|&(cell, _)| cell);
+        steps.advance(1);
+        image
+    };
+    chains.into_iter().map(image).collect()
 }
 
 /// The dual of elimination, for many cochains at once: each cell of degree k - 1 gets the list of (number of the cochain,
@@ -258,9 +284,9 @@ impl Sweep {
     }
 
     /// Goes through the pairs of this degree, with the source on its cells.
-    pub(super) fn run(
+    pub(super) fn run<E: Entry>(
         &mut self,
-        complex: &ChainComplex,
+        complex: &ChainComplex<E>,
         matching: &AcyclicMatching,
         degree: usize,
         source: Option<&Sweep>,
@@ -279,12 +305,12 @@ impl Sweep {
             if is_bare && from_source.is_empty() {
                 continue;
             }
-            let incidence = Integer::from(column.entry(face as usize));
+            let incidence = column.entry(face as usize).to_integer();
             let mut total: SparseVector = from_source.to_vec();
-            for (other, entry) in column.iter().filter(|&(other, _)| other != face as usize) {
+            for (other, entry) in column.terms().filter(|&(other, _)| other != face as usize) {
                 let list = self.list(other);
                 if !list.is_empty() {
-                    let factor = &minus_one * &Integer::from(entry);
+                    let factor = &minus_one * &entry.to_integer();
                     total = crate::algebra::combination(&Integer::ONE, &total, &factor, list);
                 }
             }

@@ -4,7 +4,7 @@
 //! when its pairs can be put in an order in which each a occurs in the boundary of no later b but its own. Cancelling
 //! all pairs then leaves a chain complex on the unmatched, **critical** cells with the same integral homology.
 
-use crate::algebra::{SparseMatrix, UnionFind};
+use crate::algebra::{Entry, SparseMatrix, UnionFind};
 use crate::chains::ChainComplex;
 use crate::progress::stage;
 use std::sync::OnceLock;
@@ -57,13 +57,76 @@ pub struct AcyclicMatching {
 #[derive(Clone, Debug)]
 enum Pairs {
     Listed(Vec<MatchedPair>),
-    /// The edges of a spanning forest; the pairs are only listed when asked for.
+    /// The edges of a spanning forest of a graph; the pairs are only listed when asked for.
     Forest(Vec<u32>, OnceLock<Vec<MatchedPair>>),
+}
+
+/// Classes of cells such that pairs are only taken within one.
+///
+/// The class of a cell must not change the choices within another, so that whoever sees a whole class finds the same pairs in it: a class
+/// is gone through by rising ids, as if it were alone.
+#[derive(Clone, Copy)]
+pub(super) struct CellClasses<'a> {
+    /// For each degree the class of each cell.
+    pub(super) of_cell: &'a [Vec<u32>],
+    /// For each class its rank. A face has at least the rank of the cell, and exactly that only in the same class.
+    pub(super) ranks: &'a [u32],
+}
+
+/// Which incidences of a degree count.
+#[derive(Clone, Copy)]
+enum Within<'a> {
+    /// All: there is one class.
+    Whole,
+    /// Those of a face and a cell of one class: the classes of the faces, those of the cells, and how many classes there are.
+    Classes(&'a [u32], &'a [u32], usize),
+}
+
+impl Within<'_> {
+    #[inline]
+    fn counts(self, face: u32, cell: u32) -> bool {
+        match self {
+            Self::Whole => true,
+            Self::Classes(of_faces, of_cells, _) => of_faces[face as usize] == of_cells[cell as usize],
+        }
+    }
+
+    fn class_of(self, cell: u32) -> usize {
+        match self {
+            Self::Whole => 0,
+            Self::Classes(_, of_cells, _) => of_cells[cell as usize] as usize,
+        }
+    }
+
+    fn class_count(self) -> usize {
+        match self {
+            Self::Whole => 1,
+            Self::Classes(_, _, count) => count,
+        }
+    }
 }
 
 impl AcyclicMatching {
     /// Matches the cells of a complex.
-    pub fn new(complex: &ChainComplex) -> Self {
+    pub fn new<E: Entry>(complex: &ChainComplex<E>) -> Self {
+        Self::of(complex, None)
+    }
+
+    /// Matches the cells of a complex, each within its class.
+    ///
+    /// Pairs come by rising rank: so faces, which are of higher rank where they are of another class, are eliminated after the cells that
+    /// have them.
+    pub(super) fn within<E: Entry>(complex: &ChainComplex<E>, classes: CellClasses<'_>) -> Self {
+        let mut matching = Self::of(complex, Some(classes));
+        for degree in 1..complex.degree_count() {
+            let mut pairs = matching.pairs(complex, degree).to_vec();
+            pairs.sort_by_key(|pair| classes.ranks[classes.of_cell[degree][pair.cell as usize] as usize]);
+            matching.pairs[degree - 1] = Pairs::Listed(pairs);
+        }
+        matching
+    }
+
+    fn of<E: Entry>(complex: &ChainComplex<E>, classes: Option<CellClasses<'_>>) -> Self {
         let degree_count = complex.degree_count();
         let mut critical = vec![Vec::new(); degree_count];
         let mut pairs = Vec::new();
@@ -71,9 +134,16 @@ impl AcyclicMatching {
         let mut remaining = Remaining::all(complex.cell_count(degree_count.saturating_sub(1)));
         for degree in (1..degree_count).rev() {
             let matrix = complex.boundary_matrix(degree).expect("each degree below the count has its matrix");
-            let forest = if degree == 1 { span(matrix, &remaining, &mut critical[1]) } else { None };
-            let (below, level) =
-                forest.unwrap_or_else(|| collapse(matrix, &remaining, &mut critical[degree]));
+            let within = classes.map_or(Within::Whole, |classes| {
+                let of_cell = classes.of_cell;
+                Within::Classes(&of_cell[degree - 1], &of_cell[degree], classes.ranks.len())
+            });
+            let (below, level) = if degree == 1 {
+                span_or_collapse(matrix, &remaining, within, &mut critical[1])
+            } else {
+                let (below, pairs) = collapse(matrix, &remaining, within, &mut critical[degree]);
+                (below, Pairs::Listed(pairs))
+            };
             pairs.push(level);
             remaining = below;
         }
@@ -93,14 +163,14 @@ impl AcyclicMatching {
     /// in the boundary of no cell of a later pair.
     ///
     /// `complex` must be the one that was matched.
-    pub fn pairs(&self, complex: &ChainComplex, degree: usize) -> &[MatchedPair] {
+    pub fn pairs<E: Entry>(&self, complex: &ChainComplex<E>, degree: usize) -> &[MatchedPair] {
         match degree.checked_sub(1).and_then(|below| self.pairs.get(below)) {
             None => &[],
             Some(Pairs::Listed(pairs)) => pairs,
             Some(Pairs::Forest(edges, pairs)) => pairs.get_or_init(|| {
                 let matrix =
                     complex.boundary_matrix(1).expect("a forest was found in the matrix of degree 1");
-                root_forest(matrix, edges, &self.critical[0])
+                root_forest(matrix, edges, Within::Whole, self.critical[0].clone())
             }),
         }
     }
@@ -155,27 +225,59 @@ impl Remaining {
     }
 }
 
-/// Takes a spanning forest of the graph of the remaining edges. Gives the vertices that stay: the first of each tree.
-/// `None` if they are not the edges of a graph, where each column is empty or one 1 and one -1.
-fn span(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -> Option<(Remaining, Pairs)> {
-    let mut trees = UnionFind::new(matrix.row_count());
-    let mut forest = Vec::with_capacity(matrix.row_count());
-    let steps = stage("spanning vertices", remaining.iter().count());
-    for edge in steps.each(remaining.iter()) {
-        let column = matrix.column(edge as usize);
-        match (column.rows(), column.entries()) {
-            (&[a, b], [-1, 1] | [1, -1]) if trees.unite(a, b) => forest.push(edge),
-            (_, [] | [-1, 1] | [1, -1]) => critical.push(edge),
-            _ => {
-                critical.clear();
-                return None;
-            }
+/// What the remaining edges make of the vertices.
+///
+/// Where the edges of a class make a graph, a spanning forest is taken, which no collapse is better than; elsewhere they collapse. An edge
+/// whose other end is in another class is an edge to a vertex outside, one for each class; trees that reach it are rooted there.
+fn span_or_collapse<E: Entry>(
+    matrix: &SparseMatrix<E>,
+    remaining: &Remaining,
+    within: Within<'_>,
+    critical: &mut Vec<u32>,
+) -> (Remaining, Pairs) {
+    let mut is_graph = vec![true; within.class_count()];
+    let mut is_closed = true;
+    for edge in remaining.iter() {
+        let class = within.class_of(edge);
+        match end_of(matrix, edge, within) {
+            End::Other => is_graph[class] = false,
+            End::Outside(_) => is_closed = false,
+            End::None | End::Both(..) => {}
         }
     }
-    let mut is_rooted = vec![false; matrix.row_count()];
-    let mut roots = Remaining::none(matrix.row_count());
-    let mut missing = trees.class_count();
-    let mut vertices = 0..matrix.row_count() as u32;
+    let mut to_collapse = Remaining::none(remaining.count);
+    if is_graph.contains(&false) {
+        remaining
+            .iter()
+            .filter(|&edge| !is_graph[within.class_of(edge)])
+            .for_each(|edge| to_collapse.insert(edge));
+    }
+    let vertex_count = matrix.row_count();
+    let mut trees = UnionFind::new(vertex_count + within.class_count());
+    let mut forest = Vec::with_capacity(vertex_count);
+    let steps = stage("spanning vertices", remaining.iter().count());
+    for edge in steps.each(remaining.iter()).filter(|&edge| !to_collapse.contains(edge)) {
+        let is_between_trees = match end_of(matrix, edge, within) {
+            End::Both(a, b) => trees.unite(a, b),
+            End::Outside(a) => trees.unite(a, (vertex_count + within.class_of(edge)) as u32),
+            End::None | End::Other => false,
+        };
+        if is_between_trees { &mut forest } else { &mut *critical }.push(edge);
+    }
+    let has_collapses = is_graph.contains(&false);
+    let (free, mut collapsed) = if has_collapses {
+        collapse(matrix, &to_collapse, within, critical)
+    } else {
+        (Remaining::all(vertex_count), Vec::new())
+    };
+    critical.sort_unstable();
+    // The first vertex of each tree stays; a tree with the vertex outside loses all.
+    let mut is_rooted = vec![false; vertex_count + within.class_count()];
+    let outside = vertex_count as u32..(vertex_count + within.class_count()) as u32;
+    outside.for_each(|vertex| is_rooted[trees.find(vertex) as usize] = true);
+    let mut missing = trees.class_count() - within.class_count();
+    let mut roots = Remaining::none(vertex_count);
+    let mut vertices = free.iter();
     while missing > 0
         && let Some(vertex) = vertices.next()
     {
@@ -185,41 +287,84 @@ fn span(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -
             missing -= 1;
         }
     }
-    Some((roots, Pairs::Forest(forest, OnceLock::new())))
+    if is_closed && !has_collapses && matches!(within, Within::Whole) {
+        return (roots, Pairs::Forest(forest, OnceLock::new()));
+    }
+    collapsed.extend(root_forest(matrix, &forest, within, roots.iter().collect()));
+    (roots, Pairs::Listed(collapsed))
 }
 
-/// Roots a forest at the given vertices and pairs each other vertex with the edge towards its root, leaves first.
-fn root_forest(matrix: &SparseMatrix, forest: &[u32], roots: &[u32]) -> Vec<MatchedPair> {
+/// What an edge runs between, as far as its class sees.
+enum End {
+    /// A loop, or an edge all of whose ends are elsewhere.
+    None,
+    /// This vertex and one outside.
+    Outside(u32),
+    Both(u32, u32),
+    /// It is no edge of a graph.
+    Other,
+}
+
+fn end_of<E: Entry>(matrix: &SparseMatrix<E>, edge: u32, within: Within<'_>) -> End {
+    let mut ends = matrix.column(edge as usize).terms().filter(|&(row, _)| within.counts(row as u32, edge));
+    match (ends.next(), ends.next(), ends.next()) {
+        (None, ..) => End::None,
+        (Some((a, x)), None, _) if x.is_unit() => End::Outside(a as u32),
+        (Some((a, x)), Some((b, y)), None)
+            if x.is_unit() && y.is_unit() && x.is_negative() != y.is_negative() =>
+        {
+            End::Both(a as u32, b as u32)
+        }
+        _ => End::Other,
+    }
+}
+
+/// Roots a forest at the given vertices and those outside, and pairs each other vertex with the edge towards its root, leaves first.
+fn root_forest<E: Entry>(
+    matrix: &SparseMatrix<E>,
+    forest: &[u32],
+    within: Within<'_>,
+    roots: Vec<u32>,
+) -> Vec<MatchedPair> {
+    let ends = |edge: u32| {
+        let rows = matrix.column(edge as usize).rows();
+        rows.iter().copied().filter(move |&vertex| within.counts(vertex, edge))
+    };
     let mut starts = vec![0u32; matrix.row_count() + 1];
     for &edge in forest {
-        for &vertex in matrix.column(edge as usize).rows() {
-            starts[vertex as usize + 1] += 1;
-        }
+        ends(edge).for_each(|vertex| starts[vertex as usize + 1] += 1);
     }
     for i in 1..starts.len() {
         starts[i] += starts[i - 1];
     }
     let mut next = starts.clone();
-    let mut edges_at = vec![0; 2 * forest.len()];
-    for &edge in forest {
-        for &vertex in matrix.column(edge as usize).rows() {
-            edges_at[next[vertex as usize] as usize] = edge;
-            next[vertex as usize] += 1;
-        }
-    }
+    let mut edges_at = vec![0; starts[matrix.row_count()] as usize];
     let mut seen = vec![false; matrix.row_count()];
-    let mut queue = roots.to_vec();
-    for &root in roots {
+    let mut queue = roots;
+    for &root in &queue {
         seen[root as usize] = true;
     }
     let mut pairs = Vec::with_capacity(forest.len());
+    for &edge in forest {
+        let (mut count, mut last) = (0, 0);
+        for vertex in ends(edge) {
+            edges_at[next[vertex as usize] as usize] = edge;
+            next[vertex as usize] += 1;
+            (count, last) = (count + 1, vertex);
+        }
+        if count == 1 {
+            seen[last as usize] = true;
+            queue.push(last);
+            pairs.push(MatchedPair { face: last, cell: edge });
+        }
+    }
     let mut at = 0;
     let steps = stage("rooting trees", matrix.row_count());
     while let Some(&vertex) = queue.get(at) {
         steps.pass(at);
         at += 1;
         for &edge in &edges_at[starts[vertex as usize] as usize..starts[vertex as usize + 1] as usize] {
-            for &other in matrix.column(edge as usize).rows() {
+            for other in ends(edge) {
                 if !seen[other as usize] {
                     seen[other as usize] = true;
                     queue.push(other);
@@ -241,18 +386,27 @@ struct Cofaces {
 
 /// Takes remaining cells away with a face that no other remaining cell has, as long as there is one; then sets the
 /// first remaining cell aside as critical, and so on. Gives the faces that are in no pair.
-fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32>) -> (Remaining, Pairs) {
+fn collapse<E: Entry>(
+    matrix: &SparseMatrix<E>,
+    remaining: &Remaining,
+    within: Within<'_>,
+    critical: &mut Vec<u32>,
+) -> (Remaining, Vec<MatchedPair>) {
+    let faces_of = |cell: u32| {
+        let rows = matrix.column(cell as usize).rows();
+        rows.iter().copied().filter(move |&face| within.counts(face, cell))
+    };
     let mut cofaces = vec![Cofaces::default(); matrix.row_count()];
     let steps = stage("matching cells", 2 * remaining.iter().count());
     for cell in steps.each(remaining.iter()) {
-        for &face in matrix.column(cell as usize).rows() {
+        for face in faces_of(cell) {
             let cofaces = &mut cofaces[face as usize];
             cofaces.count += 1;
             cofaces.mixed ^= cell;
         }
     }
     // Nearly always all entries are units, and then no incidence has to be looked up.
-    let has_units_only = matrix.entries().iter().all(|entry| entry.unsigned_abs() == 1);
+    let has_units_only = matrix.entries().iter().all(E::is_unit);
     // First in, first out: breadth-first collapses have short gradient paths.
     let mut free: Vec<u32> =
         (0..matrix.row_count() as u32).filter(|&face| cofaces[face as usize].count == 1).collect();
@@ -267,9 +421,7 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
             at += 1;
             let Cofaces { count, mixed: cell } = cofaces[face as usize];
             // Another face may have taken the cell away; an incidence of 2 or more cannot cancel over the integers.
-            if count != 1
-                || !(has_units_only || matrix.entry(face as usize, cell as usize).unsigned_abs() == 1)
-            {
+            if count != 1 || !(has_units_only || matrix.entry(face as usize, cell as usize).is_unit()) {
                 continue;
             }
             pairs.push(MatchedPair { face, cell });
@@ -287,7 +439,7 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
         gone.insert(cell);
         taken += 1;
         steps.pass(taken);
-        for &face in matrix.column(cell as usize).rows() {
+        for face in faces_of(cell) {
             let cofaces = &mut cofaces[face as usize];
             cofaces.count -= 1;
             cofaces.mixed ^= cell;
@@ -296,7 +448,7 @@ fn collapse(matrix: &SparseMatrix, remaining: &Remaining, critical: &mut Vec<u32
             }
         }
     }
-    (faces, Pairs::Listed(pairs))
+    (faces, pairs)
 }
 
 #[cfg(test)]

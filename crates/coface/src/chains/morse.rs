@@ -1,7 +1,7 @@
 //! The Morse complex: what is left of a chain complex when all pairs of an acyclic matching have cancelled.
 
-use super::flow::{Flow, Sweep};
-use crate::algebra::{Integer, SparseVector, WideMatrix, linear_combination};
+use super::flow::{Flow, Sweep, inclusions};
+use crate::algebra::{Entry, Integer, SparseVector, WideMatrix, linear_combination};
 use crate::chains::{AcyclicMatching, ChainComplex};
 use crate::progress::{Steps, stage};
 use rayon::prelude::*;
@@ -40,21 +40,26 @@ use std::borrow::Cow;
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
-pub struct MorseComplex<'a> {
-    complex: Cow<'a, ChainComplex>,
+pub struct MorseComplex<'a, E: Entry = i32> {
+    complex: Cow<'a, ChainComplex<E>>,
     matching: AcyclicMatching,
     /// The boundary of each critical cell of degree k at position k - 1, on the numbers of the critical faces.
     boundaries: Vec<Vec<SparseVector>>,
 }
 
-impl<'a> MorseComplex<'a> {
+impl<'a, E: Entry> MorseComplex<'a, E> {
     /// Matches and cancels.
-    pub fn new(complex: &'a ChainComplex) -> Self {
+    pub fn new(complex: &'a ChainComplex<E>) -> Self {
         Self::of(Cow::Borrowed(complex))
     }
 
-    pub(super) fn of(complex: Cow<'a, ChainComplex>) -> Self {
+    pub(super) fn of(complex: Cow<'a, ChainComplex<E>>) -> Self {
         let matching = AcyclicMatching::new(&complex);
+        Self::with_matching(complex, matching)
+    }
+
+    /// Cancels what is matched; the matching is one of this complex.
+    pub(super) fn with_matching(complex: Cow<'a, ChainComplex<E>>, matching: AcyclicMatching) -> Self {
         let flows = |degree: &usize| !matching.has_zero_boundary(*degree);
         let total = (1..complex.degree_count()).filter(flows).map(|k| matching.critical_cells(k).len()).sum();
         let steps = stage("cancelling pairs", total);
@@ -78,7 +83,7 @@ impl<'a> MorseComplex<'a> {
     }
 
     /// The complex that was reduced.
-    pub fn complex(&self) -> &ChainComplex {
+    pub fn complex(&self) -> &ChainComplex<E> {
         &self.complex
     }
 
@@ -140,23 +145,7 @@ impl<'a> MorseComplex<'a> {
         chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
         steps: &Steps,
     ) -> Vec<SparseVector> {
-        let cells = self.matching.critical_cells(degree);
-        let mut flow = (degree > 0 && !cells.is_empty())
-            .then(|| Flow::new(&self.complex, &self.matching, degree, steps));
-        let image = |chain: &[(u32, Integer)]| {
-            let mut image: SparseVector =
-                chain.iter().map(|(i, x)| (cells[*i as usize], x.clone())).collect();
-            if let Some(flow) = &mut flow
-                && !image.is_empty()
-            {
-                let added = flow.grow(&image).added;
-                image.extend(added);
-            }
-            image.sort_unstable_by_key(|&(cell, _)| cell);
-            steps.advance(1);
-            image
-        };
-        chains.into_iter().map(image).collect()
+        inclusions(&self.complex, &self.matching, degree, chains, steps)
     }
 
     /// The projection of a chain of this degree, given on the cells of the complex, to the Morse complex: on the numbers
@@ -246,9 +235,9 @@ impl<'a> MorseComplex<'a> {
                 cochains.column(cell as usize).terms().map(|(row, x)| (row as u32, x.clone())).collect();
             let mut terms = vec![(Integer::ONE, own)];
             if let (Some(homotopy), Some(matrix)) = (&homotopy, self.complex.boundary_matrix(degree)) {
-                for (face, entry) in matrix.column(cell as usize).iter() {
+                for (face, entry) in matrix.column(cell as usize).terms() {
                     let list = homotopy.column(face).terms().map(|(row, x)| (row as u32, x.clone()));
-                    terms.push((-Integer::from(entry), list.collect()));
+                    terms.push((-entry.to_integer(), list.collect()));
                 }
             }
             linear_combination(terms.iter().map(|(x, list)| (x, &list[..])))

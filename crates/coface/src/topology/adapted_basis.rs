@@ -3,7 +3,6 @@
 use crate::algebra::{
     Integer, SparseVector, WideMatrix, inner_product, linear_combination, smith_form_with_transforms,
 };
-use crate::chains::Reduction;
 
 /// A basis of the chains of one degree of a reduced complex, adapted to both boundary maps.
 ///
@@ -39,7 +38,8 @@ impl AdaptedBasis {
     }
 }
 
-/// The adapted bases of all degrees of a reduced complex, from below.
+/// The adapted bases of all degrees of a reduced complex, from below: of this many vertices and so many degrees, with the boundary matrix of
+/// each degree from 1 on, and one without columns beyond.
 ///
 /// In each degree k a basis V is at hand whose elements beyond the rank are cycles. The boundaries from above, in the
 /// coordinates of these cycles, are a matrix M, and its Smith form $P M Q = T$ does two things: the columns of
@@ -47,13 +47,17 @@ impl AdaptedBasis {
 ///
 /// # References
 /// J. R. Munkres, *Elements of Algebraic Topology* (1984), section 11.
-pub(super) fn adapted_bases(reduction: &Reduction<'_>) -> Vec<AdaptedBasis> {
+pub(super) fn adapted_bases(
+    vertex_count: usize,
+    degree_count: usize,
+    boundary_matrix: impl Fn(usize) -> WideMatrix,
+) -> Vec<AdaptedBasis> {
     let mut bases = Vec::new();
-    let mut elements = units(reduction.cell_count(0));
+    let mut elements = units(vertex_count);
     let mut duals = elements.clone();
     let mut rank = 0;
-    for degree in 0..reduction.complex().degree_count() {
-        let above = reduction.boundary_matrix(degree + 1);
+    for degree in 0..degree_count {
+        let above = boundary_matrix(degree + 1);
         let cofaces = above.transpose();
         let rows: Vec<SparseVector> = duals[rank..]
             .iter()
@@ -150,7 +154,7 @@ fn to_vector(matrix: &WideMatrix, column: u32) -> SparseVector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::random_complexes;
+    use crate::chains::{Reduction, random_complexes};
     use proptest::prelude::*;
 
     proptest! {
@@ -158,7 +162,9 @@ mod tests {
         #[test]
         fn bases_are_adapted(complex in random_complexes()) {
             let reduction = Reduction::new(&complex);
-            let bases = adapted_bases(&reduction);
+            let bases = adapted_bases(reduction.cell_count(0), complex.degree_count(), |degree| {
+                reduction.boundary_matrix(degree)
+            });
             for (degree, basis) in bases.iter().enumerate() {
                 prop_assert_eq!(basis.elements.len(), reduction.cell_count(degree));
                 prop_assert_eq!(basis.duals.len(), basis.elements.len());

@@ -68,7 +68,8 @@ impl<'a> HomologyBasis<'a> {
     /// The basis as the reduction finds it: quicker, with generators that may be long.
     pub fn unshortened(complex: &'a ChainComplex) -> Self {
         let reduction = Reduction::new(complex);
-        let degrees = adapted_bases(&reduction);
+        let matrix = |degree| reduction.boundary_matrix(degree);
+        let degrees = adapted_bases(reduction.cell_count(0), complex.degree_count(), matrix);
         let total: usize = degrees.iter().map(|basis| basis.generators().len()).sum();
         let steps = stage("growing generators", total * reduction.level_count());
         let generators = degrees.par_iter().enumerate().map(|(degree, basis)| {
@@ -312,7 +313,7 @@ pub(super) fn to_vector(chain: &Chain<Integer>) -> SparseVector {
     chain.terms().iter().map(|(cell, x)| (cell.to_u32(), x.clone())).collect()
 }
 
-fn to_chain(complex: &ChainComplex, degree: usize, terms: SparseVector) -> Chain<Integer> {
+pub(super) fn to_chain(complex: &ChainComplex, degree: usize, terms: SparseVector) -> Chain<Integer> {
     let terms = terms.into_iter().map(|(cell, x)| (CellId::new(cell as usize), x));
     Chain::new(complex, degree, terms).expect("the cells are those of the complex")
 }

@@ -1,6 +1,6 @@
 //! Homology and cohomology groups.
 
-use crate::algebra::{Integer, invariant_factors};
+use crate::algebra::{Entry, Integer, invariant_factors};
 use crate::chains::{ChainComplex, MorseComplex};
 use crate::topology::{AbelianGroup, Coefficients};
 
@@ -83,7 +83,7 @@ impl Homology {
 /// assert_eq!(groups, ["Z", "Z/2", "0"]);
 /// # Ok(()) }
 /// ```
-pub fn homology(complex: &ChainComplex) -> Homology {
+pub fn homology<E: Entry>(complex: &ChainComplex<E>) -> Homology {
     let morse = MorseComplex::new(complex);
     // The nonzero invariant factors of the boundary from each degree.
     let factors: Vec<Vec<Integer>> = (0..=complex.degree_count())

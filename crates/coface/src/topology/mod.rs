@@ -33,6 +33,7 @@ mod homology_class;
 mod homology_map;
 mod intersection_form;
 mod long_exact_sequence;
+mod parts;
 mod persistence;
 mod short_loops;
 mod shortening;
@@ -58,6 +59,7 @@ pub use homology_class::{Bounding, Cocycle, Generator, HomologyClass};
 pub use homology_map::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
+pub use parts::generators_of_parts;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
 pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
 pub use surfaces::{

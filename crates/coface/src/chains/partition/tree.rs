@@ -1,0 +1,191 @@
+//! Parts merged up a tree, and cycles taken down it again.
+
+use super::merging::check_walls;
+use super::part::{Part, ReducedPart, WallHash};
+use super::partition::Partition;
+use crate::Error;
+use crate::algebra::{Entry, Integer, SparseVector};
+use crate::progress;
+use rayon::prelude::*;
+
+/// All parts of a complex reduced, merged by groups of neighbors, reduced again, and so on until one is left.
+///
+/// # Complexity
+/// That of reducing the parts, which is done in parallel, and beyond that of the critical cells of strata: as many as there are strata
+/// where these are balls.
+///
+/// # Examples
+/// ```
+/// use coface::chains::{PartTree, Partition};
+/// use coface::simplicial::known_spaces::torus_grid;
+/// # fn main() -> Result<(), coface::Error> {
+/// let torus = torus_grid(&[8, 8])?.chain_complex()?;
+/// let partition = Partition::by_walk(&torus, 7)?;
+/// let tree = PartTree::new(&partition, 2)?;
+/// assert_eq!(tree.root().complex().f_vector(), [1, 2, 1]);
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct PartTree<'p, 'a> {
+    partition: &'p Partition<'a>,
+    /// What is left of the parts on each level, from the leaves on; the last level has one part.
+    levels: Vec<Vec<ReducedPart>>,
+    fan_in: u32,
+}
+
+impl<'p, 'a> PartTree<'p, 'a> {
+    /// Reduces and merges; part p goes to part p / `fan_in` of the next level.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a fan-in below 2.
+    pub fn new(partition: &'p Partition<'a>, fan_in: u32) -> Result<Self, Error> {
+        if fan_in < 2 {
+            return Err(Error::invalid(format!("parts cannot be merged by groups of {fan_in}"))
+                .with_cure("take a fan-in of 2 or more"));
+        }
+        let steps = progress::stage("reducing parts", partition.part_count() as usize);
+        let reduced = (0..partition.part_count()).into_par_iter().map(|number| {
+            let part = partition.part(number);
+            steps.advance(1);
+            reduced_with_walls(&part)
+        });
+        let mut reduced: Vec<(ReducedPart, Vec<WallHash>)> = reduced.collect();
+        drop(steps);
+        let mut levels: Vec<Vec<ReducedPart>> = Vec::new();
+        loop {
+            check_walls(reduced.iter().map(|(part, walls)| (part.number(), &walls[..])))?;
+            levels.push(reduced.into_iter().map(|(part, _)| part).collect());
+            if is_done(&levels) {
+                return Ok(Self { partition, levels, fan_in });
+            }
+            let level = &levels[levels.len() - 1];
+            let _steps = progress::stage("merging parts", level.len());
+            reduced = level
+                .par_chunks(fan_in as usize)
+                .enumerate()
+                .map(|(number, parts)| {
+                    let merged = ReducedPart::merged(number as u32, parts, |part| part / fan_in)?;
+                    Ok(reduced_with_walls(&merged))
+                })
+                .collect::<Result<_, Error>>()?;
+        }
+    }
+
+    /// The parts that were reduced.
+    pub fn partition(&self) -> &'p Partition<'a> {
+        self.partition
+    }
+
+    /// What is left of the whole.
+    pub fn root(&self) -> &ReducedPart {
+        self.levels.last().and_then(|level| level.first()).expect("the last level has one part")
+    }
+
+    /// How many critical cells there are on each level: all of its parts together, each cell counted once.
+    pub fn critical_counts(&self) -> Vec<Vec<usize>> {
+        self.levels.iter().map(|level| sums(level.iter().map(Part::own_counts))).collect()
+    }
+
+    /// Chains on the cells of the root as chains on the cells of the complex, by rising cells. Cycles go to cycles.
+    ///
+    /// # Complexity
+    /// Matchings are made once more for the parts that a chain meets.
+    ///
+    /// # Panics
+    /// If a cell is not below the count of cells of the root.
+    pub fn inclusions(&self, degree: usize, chains: &[SparseVector]) -> Vec<SparseVector> {
+        let root_ids = self.root().ids(degree);
+        let mut chains: Vec<Vec<(u64, Integer)>> = chains
+            .iter()
+            .map(|chain| chain.iter().map(|(cell, x)| (root_ids[*cell as usize], x.clone())).collect())
+            .collect();
+        for below in (0..self.levels.len()).rev() {
+            let parts: Vec<(&ReducedPart, u32)> =
+                self.levels[below].iter().map(|part| (part, part.number())).collect();
+            let lifted: Vec<Vec<Vec<(u64, Integer)>>> = parts
+                .par_iter()
+                .map(|&(left, number)| {
+                    let own = own_terms(left, degree, &chains);
+                    if own.iter().all(Vec::is_empty) {
+                        return vec![Vec::new(); chains.len()];
+                    }
+                    match below.checked_sub(1) {
+                        None => lift(&self.partition.part(number), degree, &own),
+                        Some(level) => {
+                            let children =
+                                self.levels[level].chunks(self.fan_in as usize).nth(number as usize);
+                            let merged = ReducedPart::merged(number, children.unwrap_or_default(), |part| {
+                                part / self.fan_in
+                            });
+                            lift(&merged.expect("it was merged before"), degree, &own)
+                        }
+                    }
+                })
+                .collect();
+            chains = (0..chains.len())
+                .map(|i| summed(lifted.iter().flat_map(|part| part[i].iter().cloned())))
+                .collect();
+        }
+        let narrow = |(id, x): (u64, Integer)| (id as u32, x);
+        chains.into_iter().map(|chain| chain.into_iter().map(narrow).collect()).collect()
+    }
+}
+
+/// Whether one part is left in which nothing more cancels: a part alone is merged with nothing and reduced once more until then.
+fn is_done(levels: &[Vec<ReducedPart>]) -> bool {
+    match levels {
+        [.., before, last] if last.len() == 1 && before.len() == 1 => {
+            before[0].complex().f_vector() == last[0].complex().f_vector() || !last[0].has_units()
+        }
+        [.., last] => matches!(&last[..], [root] if !root.has_units()),
+        [] => false,
+    }
+}
+
+/// The terms of chains, given by ids, that lie on cells of which the part is the first to have them: by their numbers in the part.
+fn own_terms(part: &ReducedPart, degree: usize, chains: &[Vec<(u64, Integer)>]) -> Vec<SparseVector> {
+    let ids = part.ids(degree);
+    let own = |(id, x): &(u64, Integer)| {
+        let cell = ids.binary_search(id).ok()?;
+        (part.key(degree, cell)[0] == part.number()).then(|| (cell as u32, x.clone()))
+    };
+    chains.iter().map(|chain| chain.iter().filter_map(own).collect()).collect()
+}
+
+/// Chains on what is left of a part as chains on its cells, by ids.
+fn lift<E: Entry>(part: &Part<E>, degree: usize, chains: &[SparseVector]) -> Vec<Vec<(u64, Integer)>> {
+    let matching = part.matching();
+    let ids = part.ids(degree);
+    let images = part.inclusions(&matching, degree, chains.iter().map(Vec::as_slice));
+    let by_id = |image: SparseVector| image.into_iter().map(|(cell, x)| (ids[cell as usize], x)).collect();
+    images.into_iter().map(by_id).collect()
+}
+
+/// Terms with those of one cell added, by rising ids.
+fn summed(terms: impl Iterator<Item = (u64, Integer)>) -> Vec<(u64, Integer)> {
+    let mut terms: Vec<(u64, Integer)> = terms.collect();
+    terms.sort_by_key(|&(id, _)| id);
+    let mut sum: Vec<(u64, Integer)> = Vec::with_capacity(terms.len());
+    for (id, x) in terms {
+        match sum.last_mut() {
+            Some((last, total)) if *last == id => *total += &x,
+            _ => sum.push((id, x)),
+        }
+    }
+    sum.retain(|(_, x)| !x.is_zero());
+    sum
+}
+
+fn reduced_with_walls<E: Entry>(part: &Part<E>) -> (ReducedPart, Vec<WallHash>) {
+    let matching = part.matching();
+    let walls = part.wall_hashes(&matching);
+    (part.reduced_by(matching), walls)
+}
+
+fn sums(lists: impl Iterator<Item = Vec<usize>>) -> Vec<usize> {
+    lists.fold(Vec::new(), |mut total, list| {
+        total.resize(total.len().max(list.len()), 0);
+        total.iter_mut().zip(list).for_each(|(sum, x)| *sum += x);
+        total
+    })
+}
