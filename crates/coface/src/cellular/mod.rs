@@ -12,12 +12,14 @@
 //! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
 //! * An [`Assembly`] is a list of those, affine maps and further lists.
 //! * A [`CuboidGrid`] is a product of subdivided intervals; the numbers of its cells are computed, never stored.
+//! * A [`CubicalVolume`] is voxels that are set, with their faces; [`CubicalBlocks`] makes them piece by piece.
 //! * A [`LarModel`] is cells of any dimension as lists of vertices; an [`Operator`] relates the cells of two degrees.
 //! * [`OrientedCells`] have signs of their facets that make each boundary a cycle: [`oriented_boundary`] finds them.
 
 mod assembly;
 mod boundary;
 mod cell_mesh;
+mod cubical;
 mod face_identification;
 mod grids;
 mod lar;
@@ -32,6 +34,7 @@ mod two_skeleton;
 pub use assembly::{Assembly, AssemblyPart, FlatAssembly};
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
+pub use cubical::{CubicalBlocks, CubicalVolume, VoxelBox};
 pub use grids::{AxisSet, CuboidGrid, GridCell, ProductCells, product};
 pub use lar::{LarModel, Operator, Shared, TopOrientation};
 pub use manifold::{VolumeDefect, VolumeVerdict};

@@ -3,11 +3,16 @@
 use super::Generator;
 use super::adapted_basis::adapted_bases;
 use super::basis::to_chain;
+use crate::Error;
+use crate::algebra::SparseVector;
 use crate::algebra::WideMatrix;
-use crate::chains::{ChainComplex, PartTree};
+use crate::chains::{ChainById, ChainComplex, PartTree, Partition};
 
 /// Cycles on the cells of a complex whose classes generate its integral homology, found at the root of its tree of parts and taken down to
 /// the cells. Orders and counts are those of [`generators`](super::generators); the cycles are not made short.
+///
+/// # Errors
+/// What [`PartTree::inclusions`] says.
 ///
 /// # Complexity
 /// Smith transforms of what is left at the root, and one matching of each part on the way of a cycle.
@@ -20,13 +25,13 @@ use crate::chains::{ChainComplex, PartTree};
 /// # fn main() -> Result<(), coface::Error> {
 /// let bottle = klein_grid(6, 6)?.chain_complex()?;
 /// let partition = Partition::by_walk(&bottle, 5)?;
-/// let loops = &generators_of_parts(&PartTree::new(&partition, 2)?)[1];
+/// let loops = &generators_of_parts(&PartTree::new(&partition, 2)?)?[1];
 /// assert_eq!(loops.iter().map(|generator| generator.order().cloned()).collect::<Vec<_>>(), [Some(2.into()), None]);
 /// assert!(bottle.is_cycle(loops[0].chain())?);
 /// # Ok(()) }
 /// ```
-pub fn generators_of_parts(tree: &PartTree<'_, '_>) -> Vec<Vec<Generator>> {
-    let complex: &ChainComplex = tree.partition().complex();
+pub fn generators_of_parts(tree: &PartTree<'_, Partition<'_>>) -> Result<Vec<Vec<Generator>>, Error> {
+    let complex: &ChainComplex = tree.parts().complex();
     let root = tree.root().complex();
     let matrix = |degree: usize| match root.boundary_matrix(degree) {
         Some(matrix) => matrix.clone(),
@@ -37,12 +42,13 @@ pub fn generators_of_parts(tree: &PartTree<'_, '_>) -> Vec<Vec<Generator>> {
     let bases = adapted_bases(root.cell_count(0), root.degree_count(), matrix);
     let generators = bases.iter().enumerate().map(|(degree, basis)| {
         let positions = basis.generators();
-        let images = tree.inclusions(degree, &basis.elements[positions.clone()]);
-        let generator = |(position, image)| Generator {
-            order: basis.order(position).cloned(),
-            chain: to_chain(complex, degree, image),
+        let images = tree.inclusions(degree, &basis.elements[positions.clone()])?;
+        let generator = |(position, image): (usize, ChainById)| {
+            // The ids of a partition are the numbers of cells.
+            let image: SparseVector = image.into_iter().map(|(id, x)| (id as u32, x)).collect();
+            Generator { order: basis.order(position).cloned(), chain: to_chain(complex, degree, image) }
         };
-        positions.zip(images).map(generator).collect()
+        Ok(positions.zip(images).map(generator).collect())
     });
     generators.collect()
 }
@@ -51,7 +57,7 @@ pub fn generators_of_parts(tree: &PartTree<'_, '_>) -> Vec<Vec<Generator>> {
 mod tests {
     use super::*;
     use crate::algebra::Integer;
-    use crate::chains::{Partition, random_complexes};
+    use crate::chains::{Parts, random_complexes};
     use crate::simplicial::known_spaces as spaces;
     use crate::topology::{HomologyBasis, homology};
     use proptest::prelude::*;
@@ -61,7 +67,7 @@ mod tests {
         let tree = PartTree::new(partition, fan_in).unwrap();
         assert_eq!(homology(tree.root().complex()), homology(complex));
         // Each cell is own to one part, and pairs cancel in neighboring degrees.
-        let own = (0..partition.part_count()).map(|number| partition.part(number).own_counts());
+        let own = (0..partition.part_count()).map(|number| partition.part(number).unwrap().own_counts());
         let mut total = vec![0; complex.degree_count()];
         own.for_each(|counts| counts.iter().enumerate().for_each(|(degree, count)| total[degree] += count));
         assert_eq!(total, complex.f_vector());
@@ -72,7 +78,7 @@ mod tests {
         }
         // Generators are cycles of the orders that there must be, and a basis: no combination that should not bound does.
         let basis = HomologyBasis::unshortened(complex);
-        for (degree, generators) in generators_of_parts(&tree).iter().enumerate() {
+        for (degree, generators) in generators_of_parts(&tree).unwrap().iter().enumerate() {
             let orders: Vec<Option<Integer>> = generators.iter().map(|g| g.order().cloned()).collect();
             assert_eq!(orders, basis.orders(degree));
             let rows: Vec<Vec<Integer>> = generators

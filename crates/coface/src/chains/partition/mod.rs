@@ -26,5 +26,5 @@ mod partition;
 mod tree;
 
 pub use part::{Part, ReducedPart, WallHash};
-pub use partition::Partition;
-pub use tree::PartTree;
+pub use partition::{Partition, Parts};
+pub use tree::{ChainById, PartTree};

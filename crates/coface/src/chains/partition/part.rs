@@ -18,12 +18,12 @@ use xxhash_rust::xxh3::xxh3_64_with_seed;
 /// A circle of four edges in two parts: each sees its two edges and their three vertices, and nothing is left of it but the ends and an edge
 /// between them. Together one vertex and one edge are left.
 /// ```
-/// use coface::chains::Partition;
+/// use coface::chains::{Partition, Parts};
 /// use coface::simplicial::SimplicialComplex;
 /// # fn main() -> Result<(), coface::Error> {
 /// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [2, 3], [0, 3]])?.chain_complex()?;
 /// let partition = Partition::new(&circle, 2, |_, edge| u32::from(edge >= 2))?;
-/// let parts = [0, 1].map(|number| partition.part(number).reduced());
+/// let parts = [partition.part(0)?.reduced(), partition.part(1)?.reduced()];
 /// assert_eq!(parts[0].complex().f_vector(), [2, 1]);
 /// let whole = coface::chains::ReducedPart::merged(0, &parts, |_| 0)?.reduced();
 /// assert_eq!(whole.complex().f_vector(), [1, 1]);
@@ -152,6 +152,11 @@ impl<E: Entry> Part<E> {
     /// The cells and their incidences.
     pub fn complex(&self) -> &ChainComplex<E> {
         &self.complex
+    }
+
+    /// The complex alone.
+    pub fn into_complex(self) -> ChainComplex<E> {
+        self.complex
     }
 
     /// The ids of the cells of this degree, rising.

@@ -7,6 +7,21 @@ use crate::chains::ChainComplex;
 use crate::{Error, ErrorKind};
 use std::collections::VecDeque;
 
+/// The parts of one complex, made when they are asked for.
+pub trait Parts: Sync {
+    /// The number of parts, 1 at least; some may be empty.
+    fn part_count(&self) -> u32;
+
+    /// The part of this number. It is the same each time.
+    ///
+    /// # Errors
+    /// Where it cannot be made: it is too large, or cannot be read.
+    ///
+    /// # Panics
+    /// If there is no such part.
+    fn part(&self, number: u32) -> Result<Part, Error>;
+}
+
 /// A chain complex whose maximal cells have owners. The ids of its parts are the numbers of the cells.
 ///
 /// # Examples
@@ -90,24 +105,19 @@ impl<'a> Partition<'a> {
         self.complex
     }
 
-    /// The number of parts; some may be empty.
-    pub fn part_count(&self) -> u32 {
-        self.part_count
-    }
-
     /// The number of strata.
     pub fn stratum_count(&self) -> usize {
         self.keys.sets.len()
     }
+}
 
-    /// One part.
-    ///
-    /// # Complexity
+impl Parts for Partition<'_> {
+    fn part_count(&self) -> u32 {
+        self.part_count
+    }
+
     /// Linear in the part, but for an array as long as the complex has cells of one degree.
-    ///
-    /// # Panics
-    /// If there is no such part.
-    pub fn part(&self, number: u32) -> Part {
+    fn part(&self, number: u32) -> Result<Part, Error> {
         assert!(number < self.part_count, "there is no part {number}");
         let cells = |degree: usize| self.cells[degree].list(number as usize);
         let degrees = 0..self.complex.degree_count();
@@ -115,14 +125,14 @@ impl<'a> Partition<'a> {
             let matrix = self.complex.boundary_matrix(degree).expect("each degree has its matrix");
             let mut place = vec![0; matrix.row_count()];
             Part::local_matrix(matrix, cells(degree), cells(degree - 1), &mut place)
-                .expect("a part is no larger than the whole")
         });
+        let matrices = matrices.collect::<Result<_, Error>>()?;
         let vertex_count = self.cells.first().map_or(0, |cells| cells.list(number as usize).len());
-        let complex = ChainComplex::from_trusted(vertex_count, matrices.collect());
+        let complex = ChainComplex::from_trusted(vertex_count, matrices);
         let degrees = 0..complex.degree_count();
         let ids = degrees.clone().map(|degree| cells(degree).iter().map(|&cell| u64::from(cell)).collect());
         let ids = ids.collect();
-        Part::from_trusted(number, complex, ids, self.keys.renamed(degrees.map(cells), |part| part))
+        Ok(Part::from_trusted(number, complex, ids, self.keys.renamed(degrees.map(cells), |part| part)))
     }
 }
 

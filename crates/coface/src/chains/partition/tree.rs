@@ -2,11 +2,14 @@
 
 use super::merging::check_walls;
 use super::part::{Part, ReducedPart, WallHash};
-use super::partition::Partition;
+use super::partition::Parts;
 use crate::Error;
 use crate::algebra::{Entry, Integer, SparseVector};
 use crate::progress;
 use rayon::prelude::*;
+
+/// A chain as cells by their ids, rising, with coefficients.
+pub type ChainById = Vec<(u64, Integer)>;
 
 /// All parts of a complex reduced, merged by groups of neighbors, reduced again, and so on until one is left.
 ///
@@ -26,37 +29,37 @@ use rayon::prelude::*;
 /// # Ok(()) }
 /// ```
 #[derive(Debug)]
-pub struct PartTree<'p, 'a> {
-    partition: &'p Partition<'a>,
+pub struct PartTree<'p, P> {
+    parts: &'p P,
     /// What is left of the parts on each level, from the leaves on; the last level has one part.
     levels: Vec<Vec<ReducedPart>>,
     fan_in: u32,
 }
 
-impl<'p, 'a> PartTree<'p, 'a> {
+impl<'p, P: Parts> PartTree<'p, P> {
     /// Reduces and merges; part p goes to part p / `fan_in` of the next level.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a fan-in below 2.
-    pub fn new(partition: &'p Partition<'a>, fan_in: u32) -> Result<Self, Error> {
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a fan-in below 2; what [`Parts::part`] says.
+    pub fn new(parts: &'p P, fan_in: u32) -> Result<Self, Error> {
         if fan_in < 2 {
             return Err(Error::invalid(format!("parts cannot be merged by groups of {fan_in}"))
                 .with_cure("take a fan-in of 2 or more"));
         }
-        let steps = progress::stage("reducing parts", partition.part_count() as usize);
-        let reduced = (0..partition.part_count()).into_par_iter().map(|number| {
-            let part = partition.part(number);
+        let steps = progress::stage("reducing parts", parts.part_count() as usize);
+        let reduced = (0..parts.part_count()).into_par_iter().map(|number| {
+            let reduced = reduced_with_walls(&parts.part(number)?);
             steps.advance(1);
-            reduced_with_walls(&part)
+            Ok(reduced)
         });
-        let mut reduced: Vec<(ReducedPart, Vec<WallHash>)> = reduced.collect();
+        let mut reduced = reduced.collect::<Result<Vec<(ReducedPart, Vec<WallHash>)>, Error>>()?;
         drop(steps);
         let mut levels: Vec<Vec<ReducedPart>> = Vec::new();
         loop {
             check_walls(reduced.iter().map(|(part, walls)| (part.number(), &walls[..])))?;
             levels.push(reduced.into_iter().map(|(part, _)| part).collect());
             if is_done(&levels) {
-                return Ok(Self { partition, levels, fan_in });
+                return Ok(Self { parts, levels, fan_in });
             }
             let level = &levels[levels.len() - 1];
             let _steps = progress::stage("merging parts", level.len());
@@ -72,8 +75,8 @@ impl<'p, 'a> PartTree<'p, 'a> {
     }
 
     /// The parts that were reduced.
-    pub fn partition(&self) -> &'p Partition<'a> {
-        self.partition
+    pub fn parts(&self) -> &'p P {
+        self.parts
     }
 
     /// What is left of the whole.
@@ -86,48 +89,50 @@ impl<'p, 'a> PartTree<'p, 'a> {
         self.levels.iter().map(|level| sums(level.iter().map(Part::own_counts))).collect()
     }
 
-    /// Chains on the cells of the root as chains on the cells of the complex, by rising cells. Cycles go to cycles.
+    /// Chains on the cells of the root as chains on the cells of the complex, by rising ids. Cycles go to cycles.
+    ///
+    /// # Errors
+    /// What [`Parts::part`] says.
     ///
     /// # Complexity
     /// Matchings are made once more for the parts that a chain meets.
     ///
     /// # Panics
     /// If a cell is not below the count of cells of the root.
-    pub fn inclusions(&self, degree: usize, chains: &[SparseVector]) -> Vec<SparseVector> {
+    pub fn inclusions(&self, degree: usize, chains: &[SparseVector]) -> Result<Vec<ChainById>, Error> {
         let root_ids = self.root().ids(degree);
-        let mut chains: Vec<Vec<(u64, Integer)>> = chains
+        let mut chains: Vec<ChainById> = chains
             .iter()
             .map(|chain| chain.iter().map(|(cell, x)| (root_ids[*cell as usize], x.clone())).collect())
             .collect();
         for below in (0..self.levels.len()).rev() {
             let parts: Vec<(&ReducedPart, u32)> =
                 self.levels[below].iter().map(|part| (part, part.number())).collect();
-            let lifted: Vec<Vec<Vec<(u64, Integer)>>> = parts
+            let lifted: Vec<Vec<ChainById>> = parts
                 .par_iter()
                 .map(|&(left, number)| {
                     let own = own_terms(left, degree, &chains);
                     if own.iter().all(Vec::is_empty) {
-                        return vec![Vec::new(); chains.len()];
+                        return Ok(vec![Vec::new(); chains.len()]);
                     }
                     match below.checked_sub(1) {
-                        None => lift(&self.partition.part(number), degree, &own),
+                        None => Ok(lift(&self.parts.part(number)?, degree, &own)),
                         Some(level) => {
                             let children =
                                 self.levels[level].chunks(self.fan_in as usize).nth(number as usize);
                             let merged = ReducedPart::merged(number, children.unwrap_or_default(), |part| {
                                 part / self.fan_in
                             });
-                            lift(&merged.expect("it was merged before"), degree, &own)
+                            Ok(lift(&merged?, degree, &own))
                         }
                     }
                 })
-                .collect();
+                .collect::<Result<_, Error>>()?;
             chains = (0..chains.len())
                 .map(|i| summed(lifted.iter().flat_map(|part| part[i].iter().cloned())))
                 .collect();
         }
-        let narrow = |(id, x): (u64, Integer)| (id as u32, x);
-        chains.into_iter().map(|chain| chain.into_iter().map(narrow).collect()).collect()
+        Ok(chains)
     }
 }
 
@@ -143,7 +148,7 @@ fn is_done(levels: &[Vec<ReducedPart>]) -> bool {
 }
 
 /// The terms of chains, given by ids, that lie on cells of which the part is the first to have them: by their numbers in the part.
-fn own_terms(part: &ReducedPart, degree: usize, chains: &[Vec<(u64, Integer)>]) -> Vec<SparseVector> {
+fn own_terms(part: &ReducedPart, degree: usize, chains: &[ChainById]) -> Vec<SparseVector> {
     let ids = part.ids(degree);
     let own = |(id, x): &(u64, Integer)| {
         let cell = ids.binary_search(id).ok()?;
@@ -153,7 +158,7 @@ fn own_terms(part: &ReducedPart, degree: usize, chains: &[Vec<(u64, Integer)>]) 
 }
 
 /// Chains on what is left of a part as chains on its cells, by ids.
-fn lift<E: Entry>(part: &Part<E>, degree: usize, chains: &[SparseVector]) -> Vec<Vec<(u64, Integer)>> {
+fn lift<E: Entry>(part: &Part<E>, degree: usize, chains: &[SparseVector]) -> Vec<ChainById> {
     let matching = part.matching();
     let ids = part.ids(degree);
     let images = part.inclusions(&matching, degree, chains.iter().map(Vec::as_slice));
@@ -162,10 +167,10 @@ fn lift<E: Entry>(part: &Part<E>, degree: usize, chains: &[SparseVector]) -> Vec
 }
 
 /// Terms with those of one cell added, by rising ids.
-fn summed(terms: impl Iterator<Item = (u64, Integer)>) -> Vec<(u64, Integer)> {
+fn summed(terms: impl Iterator<Item = (u64, Integer)>) -> ChainById {
     let mut terms: Vec<(u64, Integer)> = terms.collect();
     terms.sort_by_key(|&(id, _)| id);
-    let mut sum: Vec<(u64, Integer)> = Vec::with_capacity(terms.len());
+    let mut sum: ChainById = Vec::with_capacity(terms.len());
     for (id, x) in terms {
         match sum.last_mut() {
             Some((last, total)) if *last == id => *total += &x,
