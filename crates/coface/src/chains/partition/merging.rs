@@ -51,7 +51,7 @@ impl ReducedPart {
                     let known = &mut columns[place as usize];
                     if known.as_ref().is_some_and(|known| *known != column) {
                         let cell = ids[degree][place as usize];
-                        return Err(disagreement(format!("the boundary of cell {cell} of degree {degree}")));
+                        return Err(disagreement(&format!("the boundary of cell {cell} of degree {degree}")));
                     }
                     known.get_or_insert(column);
                 }
@@ -64,7 +64,7 @@ impl ReducedPart {
     }
 }
 
-fn disagreement(what: String) -> Error {
+fn disagreement(what: &str) -> Error {
     Error::invalid(format!("parts disagree on {what}"))
         .with_cure("reduce all parts of one complex again, by the same version of the program")
 }
@@ -113,7 +113,7 @@ fn joined_keys(
                 let known = &mut of_cell[degree][place as usize];
                 if *known != NONE && *known != numbers[key as usize] {
                     let cell = ids[degree][place as usize];
-                    return Err(disagreement(format!("which parts have cell {cell} of degree {degree}")));
+                    return Err(disagreement(&format!("which parts have cell {cell} of degree {degree}")));
                 }
                 *known = numbers[key as usize];
             }
@@ -139,7 +139,7 @@ pub(super) fn check_walls<'w>(hashes: impl IntoIterator<Item = (u32, &'w [WallHa
         .collect();
     all.sort_unstable_by(|a, b| (a.0, a.2).cmp(&(b.0, b.2)));
     match all.windows(2).find(|pair| pair[0].0 == pair[1].0 && pair[0].1 != pair[1].1) {
-        Some(pair) => Err(disagreement(format!(
+        Some(pair) => Err(disagreement(&format!(
             "what cancels in the stratum of parts {:?}: parts {} and {} found different pairs",
             pair[0].0, pair[0].2, pair[1].2
         ))),

@@ -21,10 +21,10 @@
 
 mod keys;
 mod merging;
+mod owners;
 mod part;
-mod partition;
 mod tree;
 
+pub use owners::{Partition, Parts};
 pub use part::{Part, ReducedPart, WallHash};
-pub use partition::{Partition, Parts};
 pub use tree::{ChainById, PartTree};

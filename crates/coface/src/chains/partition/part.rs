@@ -222,7 +222,7 @@ impl<E: Entry> Part<E> {
     pub fn reduced_by(&self, matching: AcyclicMatching) -> ReducedPart {
         let morse = MorseComplex::with_matching(Cow::Borrowed(&self.complex), matching);
         let degrees = 0..self.complex.degree_count();
-        let matrices = degrees.clone().skip(1).map(|degree| morse.boundary_matrix(degree)).collect();
+        let matrices = degrees.skip(1).map(|degree| morse.boundary_matrix(degree)).collect();
         let complex = ChainComplex::from_trusted(morse.critical_count(0), matrices);
         let degrees = 0..complex.degree_count();
         let critical = |degree: usize| morse.matching().critical_cells(degree);

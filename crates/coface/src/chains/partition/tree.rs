@@ -1,8 +1,8 @@
 //! Parts merged up a tree, and cycles taken down it again.
 
 use super::merging::check_walls;
+use super::owners::Parts;
 use super::part::{Part, ReducedPart, WallHash};
-use super::partition::Parts;
 use crate::Error;
 use crate::algebra::{Entry, Integer, SparseVector};
 use crate::progress;

@@ -121,7 +121,7 @@ impl Parts for Partition<'_> {
         assert!(number < self.part_count, "there is no part {number}");
         let cells = |degree: usize| self.cells[degree].list(number as usize);
         let degrees = 0..self.complex.degree_count();
-        let matrices = degrees.clone().skip(1).map(|degree| {
+        let matrices = degrees.skip(1).map(|degree| {
             let matrix = self.complex.boundary_matrix(degree).expect("each degree has its matrix");
             let mut place = vec![0; matrix.row_count()];
             Part::local_matrix(matrix, cells(degree), cells(degree - 1), &mut place)
