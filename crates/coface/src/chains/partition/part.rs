@@ -5,7 +5,7 @@ use crate::algebra::{Entry, Integer, RaggedArray, SparseMatrix, SparseVector};
 use crate::chains::flow::inclusions;
 use crate::chains::matching::CellClasses;
 use crate::chains::{AcyclicMatching, ChainComplex, MorseComplex};
-use crate::{Error, ErrorKind};
+use crate::{Error, ErrorKind, progress};
 use std::borrow::Cow;
 use xxhash_rust::xxh3::xxh3_64_with_seed;
 
@@ -245,7 +245,8 @@ impl<E: Entry> Part<E> {
         degree: usize,
         chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
     ) -> Vec<SparseVector> {
-        inclusions(&self.complex, matching, degree, chains)
+        let steps = progress::stage("growing chains of a part", 0);
+        inclusions(&self.complex, matching, degree, chains, &steps)
     }
 
     /// What the matching has in the strata that other parts see too.
