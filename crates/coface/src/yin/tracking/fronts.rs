@@ -70,7 +70,7 @@ impl Fronts {
         }
         let mut vanished = Vec::new();
         let mut stays = vec![true; self.fronts.len()];
-        for number in self.from_inside() {
+        for number in self.inside_out() {
             let front = &mut self.fronts[number];
             let is_kink = |knot: usize| front.kink_name(knot as u32).is_some();
             let moved = moved_markers(&front.curve, is_kink, map, range, counts)?;
@@ -98,7 +98,7 @@ impl Fronts {
     }
 
     /// The numbers of all curves, each behind those that lie in it.
-    fn from_inside(&self) -> Vec<usize> {
+    fn inside_out(&self) -> Vec<usize> {
         let mut depths: Vec<Option<u32>> = vec![None; self.fronts.len()];
         let mut way = Vec::new();
         for start in 0..self.fronts.len() {
