@@ -1,9 +1,9 @@
 //! Long work that somebody watches: what it tells, and how it ends when it is asked to.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::algebra::{SparseMatrix, smith_form};
 use coface::arrangement::congruence::{ClassRule, Representative, vertex_congruence};
 use coface::chains::{ChainComplex, MorseComplex};
-use coface::geometry::Positions;
 use coface::io::{self, Format, Model};
 use coface::progress::{Stopped, Watch};
 use coface::report::{Picture, PictureStyle, Report, Scene};
@@ -58,13 +58,16 @@ fn matrix() -> SparseMatrix {
     SparseMatrix::from_entries(40, 40, entries).unwrap()
 }
 
+/// A name, and what it does.
+type Work = (&'static str, Box<dyn Fn() -> String + Send + Sync>);
+
 /// What takes long, as texts so that it can be compared; each with its name.
-fn works() -> Vec<(&'static str, Box<dyn Fn() -> String + Send + Sync>)> {
+fn works() -> Vec<Work> {
     let (small, surface, text) = (Arc::new(complex(30)), Arc::new(map(30)), file(40));
     let heights: Vec<f64> = (0..900).map(|v| f64::from((v * 37) % 101)).collect();
     let points = model(40).positions().clone();
     let drawn = model(20);
-    let mut found: Vec<(&'static str, Box<dyn Fn() -> String + Send + Sync>)> = Vec::new();
+    let mut found: Vec<Work> = Vec::new();
     let own = Arc::clone(&small);
     found.push(("reduction", Box::new(move || format!("{:?}", MorseComplex::new(&own).boundary_matrix(1)))));
     let own = Arc::clone(&small);

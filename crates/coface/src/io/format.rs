@@ -4,7 +4,7 @@ use super::{geojson, isosig, lines_text, wkt, yin};
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
-/// A file format that is read and written here, or written only: see [`Self::EXPORTS`].
+/// A file format that is read and written here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Format {
