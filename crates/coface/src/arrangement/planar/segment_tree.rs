@@ -355,6 +355,16 @@ mod tests {
         prop::strategy::Union::new(of_a_sort)
     }
 
+    /// A segment that is 2^256 times as wide as the curve's squares are.
+    #[test]
+    fn huge_segments_have_a_level_of_the_curve() {
+        let lines = [[[1.0, 5.9e20], [0.0, -5.9e20]], [[0.0, 0.0], [3.0e287, 0.0]]];
+        let tree = SegmentTree::new(2, |s| lines[s], |s| s == 1);
+        let mut found = Vec::new();
+        tree.parts().into_iter().for_each(|part| tree.search(part, |pair, _| found.push(pair)));
+        assert_eq!(found, [[0, 1]]);
+    }
+
     proptest! {
         #[test]
         fn every_pair_whose_segments_meet_is_found_once(lines in lines()) {
