@@ -358,7 +358,7 @@ mod tests {
     /// A segment that is 2^256 times as wide as the curve's squares are.
     #[test]
     fn huge_segments_have_a_level_of_the_curve() {
-        let lines = [[[1.0, 5.9e20], [0.0, -5.9e20]], [[0.0, 0.0], [3.0e287, 0.0]]];
+        let lines = [[[1.0, 5.9e20], [0.0, -5.9e20]], [[0.0, -5.9e20], [3.0e287, 0.0]]];
         let tree = SegmentTree::new(2, |s| lines[s], |s| s == 1);
         let mut found = Vec::new();
         tree.parts().into_iter().for_each(|part| tree.search(part, |pair, _| found.push(pair)));
