@@ -1,7 +1,7 @@
 //! The Python package: built, then types, stubs, tests, examples.
 
 use crate::tally::Tally;
-use crate::test::{check, install_package, run_counted};
+use crate::test::{check, features, install_package, run_counted};
 use crate::{cargo, root};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -29,7 +29,11 @@ pub(crate) fn python(tally: &mut Tally) {
     }
     // All libraries at once: by itself the package would have other features of what it depends on, and build everything again.
     let failures = tally.failed;
-    check(tally, "the Python package", &mut cargo(&["build", "--quiet", "--workspace", "--lib"]));
+    check(
+        tally,
+        "the Python package",
+        &mut cargo(&[&["build", "--quiet", "--workspace", "--lib"], features()].concat()),
+    );
     if tally.failed > failures {
         return;
     }

@@ -14,15 +14,15 @@ pub(crate) fn run() -> ExitCode {
     let begin = Instant::now();
     let mut tally = Tally::default();
     check(&mut tally, "format", &mut cargo(&["fmt", "--all", "--check"]));
-    check(
-        &mut tally,
-        "lints",
-        &mut cargo(&["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"]),
-    );
+    // All at once: with other features everything would be built again. The lints and the types do not need the library.
+    let lints =
+        [&["clippy", "--quiet", "--workspace", "--all-targets"], &GRAPHBLAS[..], &["--", "-D", "warnings"]];
+    check(&mut tally, "lints", &mut cargo(&lints.concat()));
     let mut docs = cargo(&["doc", "--quiet", "--workspace", "--no-deps"]);
     check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
-    run_counted(&mut tally, "tests", cargo(&["test", "--workspace", "--no-fail-fast"]));
     graphblas(&mut tally);
+    let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
+    run_counted(&mut tally, "tests", cargo(&all));
     viewer(&mut tally);
     python(&mut tally);
     guide(&mut tally);
@@ -102,15 +102,11 @@ pub(crate) fn run_counted(tally: &mut Tally, name: &str, mut command: Command) {
     tally.skipped += counts.skipped;
 }
 
-/// Congruence by the C library GraphBLAS: lints, which do not need it, and tests, for which it is installed where that is
-/// possible.
+/// The features that need the C library GraphBLAS.
+const GRAPHBLAS: [&str; 2] = ["--features", "coface/graphblas,coface-graphblas/installed"];
+
+/// Sees to it that the C library GraphBLAS is there, where that is possible.
 fn graphblas(tally: &mut Tally) {
-    let of_library = ["--package", "coface", "--features", "graphblas"];
-    let of_tests = ["--test", "congruence", "--test", "congruence_rewrap"];
-    let of_crate = ["--package", "coface-graphblas", "--features", "installed"];
-    let lints = |words: &[&str]| cargo(&[&["clippy", "--quiet"], words, &["--", "-D", "warnings"]].concat());
-    check(tally, "lints of graphblas", &mut lints(&[&of_library[..], &["--lib"], &of_tests].concat()));
-    check(tally, "lints of its crate", &mut lints(&[&of_crate[..], &["--all-targets"]].concat()));
     if !has_graphblas() {
         install_package("libgraphblas-dev");
     }
@@ -119,13 +115,12 @@ fn graphblas(tally: &mut Tally) {
             "== skipped: tests of graphblas (the package libgraphblas-dev is not installed, and cannot be)"
         );
         tally.skipped += 1;
-        return;
     }
-    // A few tests of a library that was tested before: building takes longer than they do.
-    let mut of_congruence = cargo(&[&["test"], &of_library[..], &of_tests].concat());
-    of_congruence.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
-    run_counted(tally, "graphblas", of_congruence);
-    run_counted(tally, "its crate", cargo(&[&["test"], &of_crate[..]].concat()));
+}
+
+/// The features that everything is built with: all whose libraries are there.
+pub(crate) fn features() -> &'static [&'static str] {
+    if has_graphblas() { &GRAPHBLAS } else { &[] }
 }
 
 /// Whether the linker finds the library: the compiler prints a path for a file that it knows, and the bare name else.

@@ -1,5 +1,12 @@
 //! Models: what files hold.
 
+mod cells;
+mod pickling;
+mod reading;
+
+pub(crate) use pickling::_model;
+pub(crate) use reading::{format_of, read, read_options};
+
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::complex::Complex;
@@ -8,14 +15,13 @@ use crate::memory::{shared, shared_ids};
 use crate::report::Report;
 use crate::source::{Names, Naming, Source};
 use crate::work::run;
+use cells::{Parts, kind_of, kind_word, model_of_parts, shape_word};
 use coface::algebra::RaggedArray;
 use coface::cellular::CellShape;
-use coface::geometry::Positions;
-use coface::io::{self, CellData, Format, Group, GroupKind, ReadOptions, Structure};
+use coface::io::{self, CellData, Format, Group, Structure};
 use coface::report::{Pair, RepairRequest, repaired, simplicial_complex, triangulated};
 use coface::simplicial::GluingTable;
 use coface::surface::FacesAtEdge;
-use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
@@ -80,183 +86,6 @@ impl Model {
 fn common_length(lists: &RaggedArray) -> Option<usize> {
     let length = lists.iter().next()?.len();
     lists.iter().all(|list| list.len() == length).then_some(length)
-}
-
-/// The name of a kind of things in Python's words.
-fn kind_of(py: Python<'_>, word: &str) -> PyResult<GroupKind> {
-    Ok(match word {
-        "vertices" => GroupKind::Vertices,
-        "lines" => GroupKind::Lines,
-        "faces" | "polygons" => GroupKind::Polygons,
-        "cells" => GroupKind::Cells,
-        _ => {
-            return Err(invalid(
-                py,
-                format!("{word:?} is no kind of cells"),
-                "give vertices, lines, faces or cells",
-            ));
-        }
-    })
-}
-
-fn kind_word(kind: GroupKind) -> &'static str {
-    match kind {
-        GroupKind::Vertices => "vertices",
-        GroupKind::Lines => "lines",
-        GroupKind::Polygons => "faces",
-        GroupKind::Cells => "cells",
-    }
-}
-
-/// The name of a shape as meshio has it.
-fn shape_word(shape: CellShape) -> &'static str {
-    match shape {
-        CellShape::Tetrahedron => "tetra",
-        CellShape::Hexahedron => "hexahedron",
-        CellShape::Wedge => "wedge",
-        CellShape::Pyramid => "pyramid",
-    }
-}
-
-pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option<Format>> {
-    format.map(|name| Format::from_name(name).or_raise(py)).transpose()
-}
-
-pub(crate) fn read_options(
-    py: Python<'_>,
-    format: Option<&str>,
-    flatten: Option<f64>,
-) -> PyResult<ReadOptions> {
-    let mut options = ReadOptions::default();
-    options.format = format_of(py, format)?;
-    options.flatten = flatten;
-    Ok(options)
-}
-
-/// Reads a model from a file; its format is told by its content and its name.
-///
-/// Parameters
-/// ----------
-/// path : str or os.PathLike
-///     The file. One entry of a JSON file of many is ``file.json:name``.
-/// format : str, optional
-///     The format, such as ``"off"``, if it is not to be found out.
-/// flatten : float, optional
-///     How far the polylines of curved SVG paths may be from the curves.
-/// progress : bool or callable, optional
-///     ``True`` shows a bar; a function is called with (stage, done, total).
-///
-/// Returns
-/// -------
-/// Model
-///     What the file holds.
-///
-/// Raises
-/// ------
-/// FileError
-///     If the file cannot be read.
-/// ParseError
-///     If it breaks the rules of its format, with the line or byte.
-///
-/// Examples
-/// --------
-/// >>> import coface, pathlib, tempfile
-/// >>> path = pathlib.Path(tempfile.mkdtemp()) / "triangle.off"
-/// >>> _ = path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-/// >>> coface.read(path)
-/// Model(3 vertices, 1 face)
-#[pyfunction]
-#[pyo3(signature = (path, format=None, *, flatten=None, progress=None))]
-pub(crate) fn read(
-    py: Python<'_>,
-    path: PathBuf,
-    format: Option<&str>,
-    flatten: Option<f64>,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Model> {
-    let options = read_options(py, format, flatten)?;
-    run(py, progress, || io::read_path_with(&path, &options)).map(Model::of)
-}
-
-/// What users give as cells by kind.
-#[derive(Default)]
-struct Parts {
-    polygons: Vec<RaggedArray>,
-    shapes: Vec<CellShape>,
-    cells: Vec<RaggedArray>,
-    lines: Vec<RaggedArray>,
-    points: Vec<VertexId>,
-}
-
-impl Parts {
-    fn add(&mut self, kind: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
-        let py = value.py();
-        let lists = arrays::lists(value, kind)?;
-        let shape = match kind {
-            "vertex" => {
-                self.points.extend(lists.items().iter().map(|&vertex| VertexId::new(vertex as usize)));
-                return Ok(());
-            }
-            "line" | "polyline" => {
-                self.lines.push(lists);
-                return Ok(());
-            }
-            "triangle" | "quad" | "polygon" => {
-                let sides = match kind {
-                    "triangle" => Some(3),
-                    "quad" => Some(4),
-                    _ => None,
-                };
-                if let Some(list) = lists.iter().find(|list| sides.is_some_and(|sides| list.len() != sides)) {
-                    let message = format!("the {kind} {list:?} has {} corners", list.len());
-                    return Err(invalid(py, message, "call it a polygon"));
-                }
-                self.polygons.push(lists);
-                return Ok(());
-            }
-            "tetra" | "tetrahedron" => CellShape::Tetrahedron,
-            "hexahedron" => CellShape::Hexahedron,
-            "wedge" => CellShape::Wedge,
-            "pyramid" => CellShape::Pyramid,
-            _ => {
-                return Err(invalid(
-                    py,
-                    format!("{kind:?} is no kind of cells known here"),
-                    "give vertex, line, triangle, quad, polygon, tetra, hexahedron, wedge or pyramid",
-                ));
-            }
-        };
-        self.shapes.extend(std::iter::repeat_n(shape, lists.len()));
-        self.cells.push(lists);
-        Ok(())
-    }
-}
-
-/// Lists one after the other.
-fn joined(mut lists: Vec<RaggedArray>) -> RaggedArray {
-    match lists.len() {
-        0 => RaggedArray::new(),
-        1 => lists.remove(0),
-        _ => RaggedArray::from_lists(lists.iter().flat_map(RaggedArray::iter)),
-    }
-}
-
-fn model_of_parts(positions: Option<Positions>, parts: Parts, least: usize) -> Result<io::Model, Error> {
-    let (polygons, cells, lines) = (joined(parts.polygons), joined(parts.cells), joined(parts.lines));
-    let highest = [&polygons, &cells, &lines].into_iter().flat_map(|lists| lists.items().iter().max()).max();
-    let of_points = parts.points.iter().map(|vertex| vertex.index() + 1).max().unwrap_or(0);
-    let count = match &positions {
-        Some(positions) => positions.len(),
-        None => highest.map_or(0, |&vertex| vertex as usize + 1).max(of_points).max(least),
-    };
-    io::Model::from_parts(
-        count,
-        positions.unwrap_or_default(),
-        polygons,
-        (parts.shapes, cells),
-        lines,
-        parts.points,
-    )
 }
 
 #[pymethods]
@@ -1139,60 +968,4 @@ pub(crate) fn source_of(value: &Bound<'_, PyAny>) -> PyResult<Arc<Source>> {
     }
     let name = value.get_type().name()?;
     Err(invalid(py, format!("a {name} is no model"), "give a Model, a Complex or a ChainComplex"))
-}
-
-/// Makes a model again from what :meth:`Model.__reduce__` gave.
-#[pyfunction]
-pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Model> {
-    let field = |name: &str| -> PyResult<Bound<'_, PyAny>> {
-        parts
-            .get_item(name)?
-            .ok_or_else(|| invalid(py, format!("there is no {name}"), "pickle the model again"))
-    };
-    let vertices = field("vertices")?;
-    let positions =
-        if vertices.is_none() { Positions::default() } else { arrays::positions(&vertices, "vertices")? };
-    let mut model = if let Some(facets) = parts.get_item("facets")? {
-        io::Model::from_structure(Structure::Facets(arrays::lists(&facets, "facets")?))
-    } else if let Some(pair) = parts.get_item("halfedges")? {
-        let next = arrays::ids(&pair.get_item(0)?, "next")?;
-        let twin = arrays::ids(&pair.get_item(1)?, "twin")?;
-        io::Model::from_structure(Structure::Halfedges { next, twin })
-    } else if let Some(rows) = parts.get_item("gluings")? {
-        let rows: Vec<Vec<Option<(u32, Vec<u32>)>>> = rows.extract()?;
-        io::Model::from_structure(Structure::Gluings(GluingTable::from_rows(&rows).or_raise(py)?))
-    } else if let Some(complex) = parts.get_item("chains")? {
-        let complex = complex.cast::<ChainComplex>()?.get().complex.as_ref().clone();
-        if positions.is_empty() {
-            io::Model::from_structure(Structure::Chains(complex))
-        } else {
-            io::Model::from_chains(complex, positions).or_raise(py)?
-        }
-    } else {
-        let words: Vec<String> = field("shapes")?.extract()?;
-        let shape = |word: &String| CellShape::ALL.into_iter().find(|&shape| shape_word(shape) == word);
-        let shapes: Option<Vec<CellShape>> = words.iter().map(shape).collect();
-        let shapes = shapes.ok_or_else(|| invalid(py, "a shape is unknown", "pickle the model again"))?;
-        let points = arrays::ids(&field("points")?, "points")?;
-        io::Model::from_parts(
-            field("vertex_count")?.extract()?,
-            positions,
-            arrays::lists(&field("faces")?, "faces")?,
-            (shapes, arrays::lists(&field("cells")?, "cells")?),
-            arrays::lists(&field("lines")?, "lines")?,
-            points.into_iter().map(|vertex| VertexId::new(vertex as usize)).collect(),
-        )
-        .or_raise(py)?
-    };
-    for group in field("groups")?.try_iter()? {
-        let (name, kind, members): (String, String, Bound<'_, PyAny>) = group?.extract()?;
-        let group = Group::new(name, kind_of(py, &kind)?, arrays::ids(&members, "members")?);
-        model = model.with_group(group).or_raise(py)?;
-    }
-    let mut model = Model::of(model);
-    for data in field("data")?.try_iter()? {
-        let (name, kind, values): (String, String, Bound<'_, PyAny>) = data?.extract()?;
-        model = model.with_data(py, &name, &values, &kind)?;
-    }
-    Ok(model)
 }

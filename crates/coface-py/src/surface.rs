@@ -1,6 +1,11 @@
 //! Surfaces: sides of faces and their mates, and what is asked about them.
 
-use crate::answer::answer;
+mod components;
+mod forms;
+mod opened;
+
+pub(crate) use opened::{Cocycles, Cover, Domain};
+
 use crate::arrays;
 use crate::errors::{OrRaise, invalid};
 use crate::homology::Chain;
@@ -17,10 +22,12 @@ use coface::report::{Producer, SurfaceModel, integer_to_json};
 use coface::surface::{GeneralizedMap, PathKind, Slice, SurfaceType};
 use coface::topology::{
     ClosedWalk, CocycleBasis, CoverExtent, CoverPlane, CutGraph, CutSurface, CycleKind, HarmonicForm,
-    ShortestCycle, SurfaceHomology, SurfaceHomotopy, TreeCotree, UniversalCover, cotangent_weights,
-    harmonic_forms, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
+    ShortestCycle, SurfaceHomology, SurfaceHomotopy, TreeCotree, UniversalCover, shortest_cycle,
+    shortest_cycle_through, shortest_homology_basis, shortest_loops,
 };
 use coface::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId, io};
+use components::{Parts, around};
+use forms::forms;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -334,81 +341,6 @@ impl Surface {
             .with_data(data("copy", GroupKind::Polygons, copies_of_faces)?)?
             .with_data(data("length", GroupKind::Polygons, lengths)?)
     }
-}
-
-/// The counts of the components of a sliced surface.
-struct Parts {
-    cut_edges: Vec<usize>,
-    boundary_edges: Vec<usize>,
-    f_vectors: Vec<[usize; 3]>,
-}
-
-impl Parts {
-    fn of(
-        map: &GeneralizedMap,
-        slice: &Slice<GeneralizedMap>,
-        edges: &[EdgeId],
-        count: usize,
-        component_of: impl Fn(FaceId) -> usize,
-    ) -> Self {
-        let open = slice.surface();
-        let mut parts = Self {
-            cut_edges: vec![0; count],
-            boundary_edges: vec![0; count],
-            f_vectors: vec![[0; 3]; count],
-        };
-        let mut seen = vec![false; open.skeleton().vertex_count()];
-        for side in open.sides() {
-            let component = component_of(open.face(side));
-            parts.boundary_edges[component] += usize::from(open.mate(side).is_none());
-            let counts = &mut parts.f_vectors[component];
-            counts[1] += usize::from(open.first_side(open.edge(side)) == side);
-            counts[0] += usize::from(!std::mem::replace(&mut seen[open.source(side).index()], true));
-        }
-        for face in (0..open.skeleton().face_count()).map(FaceId::new) {
-            parts.f_vectors[component_of(face)][2] += 1;
-        }
-        for &edge in edges {
-            // The faces of the slice are those of the surface.
-            parts.cut_edges[component_of(map.face(map.first_side(edge)))] += 1;
-        }
-        parts
-    }
-
-    fn to_json(&self, i: usize) -> Value {
-        let [v, e, f] = self.f_vectors[i];
-        json!({
-            "cut_edges": self.cut_edges[i],
-            "boundary_edges": self.boundary_edges[i],
-            "euler_characteristic": v as i64 - e as i64 + f as i64,
-            "f_vector": [v, e, f],
-        })
-    }
-}
-
-/// The seams of a component in the order of a walk around its domain: letters from 1, negative where a seam is run backward.
-fn around(
-    map: &GeneralizedMap,
-    slice: &Slice<GeneralizedMap>,
-    seams: &[Vec<u32>],
-    own: &[usize],
-) -> Vec<i32> {
-    let mut letters: Vec<(u32, i32)> =
-        own.iter().zip(1..).filter_map(|(&seam, letter)| Some((*seams[seam].first()?, letter))).collect();
-    letters.sort_unstable();
-    let mut word = Vec::new();
-    for walk in slice.surface().boundary_loops() {
-        for (side, sign) in walk {
-            let step = map.step(side) ^ u32::from(sign == Sign::Minus);
-            let found = |step: u32| letters.binary_search_by_key(&step, |&(first, _)| first);
-            if let Ok(at) = found(step) {
-                word.push(letters[at].1);
-            } else if let Ok(at) = found(step ^ 1) {
-                word.push(-letters[at].1);
-            }
-        }
-    }
-    word
 }
 
 #[pymethods]
@@ -1040,160 +972,6 @@ impl Surface {
 #[pyfunction]
 pub(crate) fn _surface(py: Python<'_>, model: &Bound<'_, Model>, boundary: bool) -> PyResult<Surface> {
     surface_of(py, &model.get().source, boundary, None)
-}
-
-/// Harmonic forms, with the weights that they are for.
-fn forms(
-    map: &GeneralizedMap,
-    cocycles: &[Cochain<Integer>],
-    lengths: Option<&[f64]>,
-    weights: &str,
-) -> Result<(&'static str, Vec<HarmonicForm>), Error> {
-    let uniform = || vec![1.0; map.skeleton().edge_count()];
-    if weights == "uniform" || cocycles.is_empty() {
-        return Ok(("uniform", harmonic_forms(map, cocycles, &uniform())?));
-    }
-    let found = match lengths {
-        None => Err(Error::invalid("the model has no positions, so angles have no cotangents")
-            .with_cure("take weights=\"uniform\"")),
-        Some(lengths) => {
-            cotangent_weights(map, lengths).and_then(|weights| harmonic_forms(map, cocycles, &weights))
-        }
-    };
-    match found {
-        Ok(forms) => Ok(("cotangent", forms)),
-        Err(error) if weights != "auto" => Err(error),
-        Err(_) => Ok(("uniform", harmonic_forms(map, cocycles, &uniform())?)),
-    }
-}
-
-/// A surface cut open: a disk for each component, and seams.
-///
-/// Made by :meth:`Surface.cut`.
-#[pyclass(frozen, module = "coface", name = "Domain")]
-pub(crate) struct Domain {
-    value: Value,
-    model: Py<Model>,
-}
-
-answer! { Domain {
-    /// For each component ``surface``, ``f_vector``, ``cut_edges``, ``boundary_edges``, ``seams``, ``word``, ``relator`` and more.
-    components,
-    /// The numbers of vertices, edges and faces of the opened surface.
-    f_vector,
-    /// Whether the graph was made short.
-    simplified,
-    /// Of a cut along a path its ``kind`` and number of ``edges``.
-    path,
-}
-    /// The opened surface: its lines are the seams, with the data ``seam`` and ``source``; vertices have ``source``.
-    #[getter]
-    fn model(&self, py: Python<'_>) -> Py<Model> {
-        self.model.clone_ref(py)
-    }
-
-    fn __repr__(&self) -> String {
-        let components = self.value["components"].as_array().map_or(0, Vec::len);
-        format!("Domain(f-vector {}, components {components})", self.value["f_vector"])
-    }
-}
-
-/// A part of a universal cover: copies of a domain, glued.
-///
-/// Made by :meth:`Surface.cover`.
-#[pyclass(frozen, module = "coface", name = "Cover")]
-pub(crate) struct Cover {
-    value: Value,
-    model: Py<Model>,
-}
-
-answer! { Cover {
-    /// The component that is covered.
-    component,
-    /// What it is.
-    surface,
-    /// The name of its fundamental group.
-    group,
-    /// The number of copies.
-    copies,
-    /// Whether it is the whole cover.
-    complete,
-    /// The number of copies at each word length.
-    spheres,
-    /// The numbers of vertices, edges and faces.
-    f_vector,
-    /// Vertices - edges + faces: 1 of a disk.
-    euler_characteristic,
-    /// The edges of the surface, by their vertices, that letters cross.
-    letters,
-    /// The word of each copy: letters are 1, 2, .. and their inverses -1, -2, ..
-    words,
-    /// Where copies were put: ``flat``, ``disk`` or ``None`` for over the surface.
-    layout,
-}
-    /// The cover as a model; its data ``source``, ``copy`` and ``length`` say what lies below.
-    #[getter]
-    fn model(&self, py: Python<'_>) -> Py<Model> {
-        self.model.clone_ref(py)
-    }
-
-    fn __repr__(&self) -> String {
-        format!("Cover(copies {}, f-vector {})", self.value["copies"], self.value["f_vector"])
-    }
-}
-
-/// A basis of the first cohomology of a surface, dual to loops.
-///
-/// Made by :meth:`Surface.cocycles`.
-#[pyclass(frozen, module = "coface", name = "Cocycles")]
-pub(crate) struct Cocycles {
-    value: Value,
-    cocycles: Vec<Py<Chain>>,
-    forms: Option<Vec<Vec<f64>>>,
-    edge_count: usize,
-}
-
-answer! { Cocycles {
-    /// The rank of the first cohomology over the integers.
-    rank,
-    /// How cocycles were found.
-    method,
-    /// The value of cocycle i on loop j.
-    pairing,
-    /// Its determinant.
-    determinant,
-    /// The loops, each a list of vertices, the first one again at the end.
-    loops,
-    /// How often loops cross each other, with signs, on closed oriented surfaces.
-    intersection,
-    /// The weights of harmonic forms: ``cotangent`` or ``uniform``.
-    weights,
-    /// The largest sum of each harmonic form around a face.
-    closed_residuals,
-    /// The largest weighted sum of each harmonic form at a vertex.
-    coclosed_residuals,
-}
-    /// The cocycles, integral cochains of degree 1.
-    #[getter]
-    fn cocycles(&self, py: Python<'_>) -> Vec<Py<Chain>> {
-        self.cocycles.iter().map(|chain| chain.clone_ref(py)).collect()
-    }
-
-    /// The harmonic forms, if they were asked for: ``float64``, shape (rank, edges).
-    #[getter]
-    fn harmonic<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let Some(forms) = &self.forms else { return Ok(None) };
-        let flat: Vec<f64> = forms.iter().flatten().copied().collect();
-        Ok(Some(PyArray1::from_vec(py, flat).reshape([forms.len(), self.edge_count])?.into_any()))
-    }
-
-    fn __len__(&self) -> usize {
-        self.cocycles.len()
-    }
-
-    fn __repr__(&self) -> String {
-        format!("Cocycles(rank {})", self.cocycles.len())
-    }
 }
 
 /// The vertices of a producer by their numbers in the file.

@@ -1,25 +1,32 @@
 //! Sets of the plane with smooth boundaries and kinks.
 
+mod curve;
+mod cut_cells;
+mod kinks;
+
+pub(crate) use curve::{_curve, Curve};
+pub(crate) use cut_cells::CutCells;
+pub(crate) use kinks::Kinks;
+
 use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
-use crate::errors::{OrRaise, invalid, raised};
+use crate::errors::{OrRaise, invalid};
 use crate::json::to_python;
 use crate::model::{Model, read_options};
 use crate::source::Source;
 use crate::work::run;
-use coface::geometry::Angle;
 use coface::io::{self, Format};
 use coface::report::{KinkRequest, PlanarSet, SetPicture, SetRequest};
 use coface::yin::{
-    self, CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Location, Order,
-    SetLocation, TrackingOptions, Verification,
+    self, CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, SetLocation,
+    TrackingOptions, Verification,
 };
-use coface::{Error, ErrorKind, VertexId};
+use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyList, PyString, PyTuple};
+use pyo3::types::{PyBytes, PyString, PyTuple};
 use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -79,215 +86,6 @@ fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
     }
     let pairs: Vec<(u32, u32)> = kinks.extract()?;
     Ok(KinkRequest::Listed(pairs.into_iter().map(|(curve, knot)| KnotIndex { curve, knot }).collect()))
-}
-
-/// A piecewise polynomial curve of the plane: a polyline or a spline.
-///
-/// Parameters
-/// ----------
-/// points : array_like, shape (n, 2)
-///     Points on the curve, the first one again at the end of a closed one.
-/// order : {2, 4, 6, 8}
-///     2 for polylines, 4 for cubic splines, ..
-/// ends : {"not-a-knot", "natural", "periodic"}
-///     What holds at the ends.
-///
-/// Examples
-/// --------
-/// >>> import coface
-/// >>> square = coface.Curve([[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]])
-/// >>> square.signed_area, square.is_closed
-/// (4.0, True)
-#[pyclass(frozen, module = "coface", name = "Curve")]
-pub(crate) struct Curve {
-    curve: yin::Curve<'static>,
-}
-
-#[pymethods]
-impl Curve {
-    #[new]
-    #[pyo3(signature = (points, order=2, ends="not-a-knot"))]
-    fn new(py: Python<'_>, points: &Bound<'_, PyAny>, order: usize, ends: &str) -> PyResult<Self> {
-        let points = points_of(points, "points")?;
-        let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
-        let curve = run(py, None, || match order {
-            Order::LINEAR => yin::Curve::polyline(&points),
-            order => yin::Curve::fit(&points, order, &ends),
-        })?;
-        Ok(Self { curve })
-    }
-
-    /// A closed spline through points with kinks at some of them.
-    ///
-    /// Parameters
-    /// ----------
-    /// points : array_like, shape (n, 2)
-    ///     Points, the first one not repeated.
-    /// kinks : array_like of int, optional
-    ///     Places of points where the curve may turn.
-    /// order : {2, 4, 6, 8}
-    ///     The order.
-    /// ends : {"not-a-knot", "natural"}
-    ///     What holds at kinks.
-    #[staticmethod]
-    #[pyo3(signature = (points, kinks=None, order=4, ends="not-a-knot"))]
-    fn closed(
-        py: Python<'_>,
-        points: &Bound<'_, PyAny>,
-        kinks: Option<&Bound<'_, PyAny>>,
-        order: usize,
-        ends: &str,
-    ) -> PyResult<Self> {
-        let points = points_of(points, "points")?;
-        let kinks = kinks.map_or(Ok(Vec::new()), |kinks| arrays::ids(kinks, "kinks"))?;
-        let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
-        let curve = run(py, None, || yin::Curve::fit_closed(&points, &kinks, order, &ends))?;
-        Ok(Self { curve })
-    }
-
-    /// A circle, counterclockwise.
-    #[staticmethod]
-    #[pyo3(signature = (center, radius, pieces=16, order=4))]
-    fn circle(py: Python<'_>, center: [f64; 2], radius: f64, pieces: usize, order: usize) -> PyResult<Self> {
-        let curve = yin::Curve::circle(center, radius, pieces, order_of(py, order)?).or_raise(py)?;
-        Ok(Self { curve })
-    }
-
-    /// An ellipse, counterclockwise.
-    #[staticmethod]
-    #[pyo3(signature = (center, axes, pieces=16, order=4))]
-    fn ellipse(
-        py: Python<'_>,
-        center: [f64; 2],
-        axes: [f64; 2],
-        pieces: usize,
-        order: usize,
-    ) -> PyResult<Self> {
-        let curve = yin::Curve::ellipse(center, axes, pieces, order_of(py, order)?).or_raise(py)?;
-        Ok(Self { curve })
-    }
-
-    /// The order: the degree of pieces plus 1.
-    #[getter]
-    fn order(&self) -> usize {
-        self.curve.order().value()
-    }
-
-    /// The number of pieces.
-    #[getter]
-    fn pieces(&self) -> usize {
-        self.curve.piece_count()
-    }
-
-    /// Whether it ends where it starts.
-    #[getter]
-    fn is_closed(&self) -> bool {
-        self.curve.is_closed()
-    }
-
-    /// The parameters where pieces meet.
-    #[getter]
-    fn knots<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.curve.knots())
-    }
-
-    /// The Bezier controls of all pieces: shape (n, 2).
-    #[getter]
-    fn controls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        point_array(py, self.curve.controls())
-    }
-
-    /// Points at parameters: shape (n, 2).
-    fn points<'py>(&self, py: Python<'py>, parameters: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        let parameters = arrays::finite(parameters, "parameters")?;
-        let points: Vec<[f64; 2]> = parameters.into_iter().map(|t| self.curve.point(t)).collect();
-        point_array(py, &points)
-    }
-
-    /// A polyline no farther from the curve than this: shape (n, 2).
-    fn flattened<'py>(&self, py: Python<'py>, tolerance: f64) -> PyResult<Bound<'py, PyAny>> {
-        let points = run(py, None, || io::yin::flattened(&self.curve, tolerance))?;
-        point_array(py, &points)
-    }
-
-    /// The area that it encloses, positive if it lies to the left.
-    #[getter]
-    fn signed_area(&self) -> f64 {
-        self.curve.signed_area()
-    }
-
-    /// The length, to this relative tolerance.
-    #[pyo3(signature = (tolerance=1e-12))]
-    fn length(&self, tolerance: f64) -> f64 {
-        self.curve.length(tolerance)
-    }
-
-    /// ``[low, high]`` corners of the smallest box.
-    #[getter]
-    fn bounding_box(&self) -> [[f64; 2]; 2] {
-        self.curve.bounding_box()
-    }
-
-    /// The other way round.
-    fn reversed(&self) -> Self {
-        Self { curve: self.curve.reversed() }
-    }
-
-    /// Moved by a vector.
-    fn translated(&self, by: [f64; 2]) -> Self {
-        Self { curve: self.curve.translated(by) }
-    }
-
-    /// Turned by degrees about a center.
-    #[pyo3(signature = (degrees, center=[0.0, 0.0]))]
-    fn rotated(&self, py: Python<'_>, degrees: f64, center: [f64; 2]) -> PyResult<Self> {
-        Ok(Self { curve: self.curve.rotated(Angle::degrees(degrees).or_raise(py)?, center) })
-    }
-
-    /// ``inside``, ``outside`` or ``boundary``: where a point lies of a closed curve.
-    fn locate(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<&'static str> {
-        Ok(match self.curve.locate(point).or_raise(py)? {
-            Location::Inside => "inside",
-            Location::Outside => "outside",
-            _ => "boundary",
-        })
-    }
-
-    fn __len__(&self) -> usize {
-        self.curve.piece_count()
-    }
-
-    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        other.cast::<Self>().is_ok_and(|other| self.curve == other.get().curve)
-    }
-
-    fn __hash__(&self) -> isize {
-        self.curve.piece_count() as isize
-    }
-
-    fn __repr__(&self) -> String {
-        let closed = if self.curve.is_closed() { "closed" } else { "open" };
-        format!("Curve(order {}, {} pieces, {closed})", self.curve.order().value(), self.curve.piece_count())
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let rebuild = py.import("coface._coface")?.getattr("_curve")?;
-        let parts = (self.order(), self.controls(py)?, self.knots(py));
-        Ok((rebuild, parts.into_pyobject(py)?))
-    }
-}
-
-/// Makes a curve again, for pickling.
-#[pyfunction]
-pub(crate) fn _curve(
-    py: Python<'_>,
-    order: usize,
-    controls: &Bound<'_, PyAny>,
-    knots: &Bound<'_, PyAny>,
-) -> PyResult<Curve> {
-    let (controls, knots) = (points_of(controls, "controls")?, arrays::finite(knots, "knots")?);
-    let curve = yin::Curve::from_controls(order_of(py, order)?, controls, knots).or_raise(py)?;
-    Ok(Curve { curve })
 }
 
 /// A set of the plane that is regular, open and semianalytic: bounded by polylines or splines, itself bounded or not.
@@ -1000,156 +798,4 @@ pub(crate) fn _yin_set(py: Python<'_>, bytes: Vec<u8>) -> PyResult<YinSet> {
         let drawing = io::read_boundary(&bytes[..], Format::Json, &io::ReadOptions::default())?;
         YinSet::of(PlanarSet::of(&drawing, &SetRequest::default())?)
     })
-}
-
-/// The kinks of a set: knots where its boundary may turn, with names that stay.
-///
-/// A mapping from names to ``(curve, knot)``.
-#[pyclass(frozen, module = "coface", name = "Kinks")]
-pub(crate) struct Kinks {
-    set: Py<YinSet>,
-}
-
-impl Kinks {
-    fn kinks(&self) -> &yin::Kinks {
-        self.set.get().inner().kinks()
-    }
-}
-
-#[pymethods]
-impl Kinks {
-    /// The names, in the order of curves and knots.
-    #[getter]
-    fn vertices<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
-        arrays::id_array(py, self.kinks().iter().map(|(_, vertex)| vertex.to_u32()))
-    }
-
-    /// The curves and knots: ``int64``, shape (n, 2).
-    #[getter]
-    fn knots<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let flat: Vec<i64> =
-            self.kinks().iter().flat_map(|(at, _)| [i64::from(at.curve), i64::from(at.knot)]).collect();
-        arrays::grid(py, flat, 2).map(Bound::into_any)
-    }
-
-    /// The points: ``float64``, shape (n, 2).
-    #[getter]
-    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let set = self.set.get().inner();
-        let points: Vec<[f64; 2]> = set
-            .kinks()
-            .iter()
-            .map(|(at, _)| set.curve(at.curve as usize).knot_point(at.knot as usize))
-            .collect();
-        point_array(py, &points)
-    }
-
-    fn __getitem__(&self, py: Python<'_>, vertex: u32) -> PyResult<(u32, u32)> {
-        let at = self.kinks().knot(VertexId::from_u32(vertex)).ok_or_else(|| {
-            let error = Error::new(ErrorKind::NotInComplex, format!("there is no kink {vertex}"));
-            raised(py, &error.with_cells([[vertex]]).with_cure("look at .vertices"))
-        })?;
-        Ok((at.curve, at.knot))
-    }
-
-    fn __contains__(&self, vertex: u32) -> bool {
-        self.kinks().knot(VertexId::from_u32(vertex)).is_some()
-    }
-
-    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let names: Vec<u32> = self.kinks().iter().map(|(_, vertex)| vertex.to_u32()).collect();
-        PyList::new(py, names)?.call_method0("__iter__")
-    }
-
-    fn __len__(&self) -> usize {
-        self.kinks().len()
-    }
-
-    fn __repr__(&self) -> String {
-        format!("Kinks({})", self.kinks().len())
-    }
-}
-
-/// A set on a Cartesian grid: what of each cell it covers. Arrays have one row of cells a row.
-///
-/// Made by :meth:`YinSet.cut_cells`.
-#[pyclass(frozen, module = "coface", name = "CutCells")]
-pub(crate) struct CutCells {
-    origin: [f64; 2],
-    spacing: [f64; 2],
-    counts: [usize; 2],
-    coverage: Vec<i8>,
-    areas: Vec<f64>,
-    lengths: Vec<f64>,
-    total_area: f64,
-    total_length: f64,
-}
-
-impl CutCells {
-    fn grid<'py, T: numpy::Element + Clone>(
-        &self,
-        py: Python<'py>,
-        values: &[T],
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let array = PyArray1::from_vec(py, values.to_vec());
-        Ok(array.reshape([self.counts[1], self.counts[0]])?.into_any())
-    }
-}
-
-#[pymethods]
-impl CutCells {
-    /// The lower left corner of the grid.
-    #[getter]
-    fn origin(&self) -> [f64; 2] {
-        self.origin
-    }
-
-    /// The size of cells.
-    #[getter]
-    fn spacing(&self) -> [f64; 2] {
-        self.spacing
-    }
-
-    /// For each cell -1 empty, 0 cut, 1 full: ``int8``, shape (rows, columns).
-    #[getter]
-    fn coverage<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.grid(py, &self.coverage)
-    }
-
-    /// The area of the set in each cell: shape (rows, columns).
-    #[getter]
-    fn areas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.grid(py, &self.areas)
-    }
-
-    /// The length of the boundary in each cell: shape (rows, columns).
-    #[getter]
-    fn lengths<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.grid(py, &self.lengths)
-    }
-
-    /// The area in all cells.
-    #[getter]
-    fn total_area(&self) -> f64 {
-        self.total_area
-    }
-
-    /// The length of the boundary in all cells.
-    #[getter]
-    fn total_length(&self) -> f64 {
-        self.total_length
-    }
-
-    /// How many cells are full, cut and empty.
-    fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let dict = PyDict::new(py);
-        for (word, value) in [("full", 1), ("cut", 0), ("empty", -1)] {
-            dict.set_item(word, self.coverage.iter().filter(|&&coverage| coverage == value).count())?;
-        }
-        Ok(dict)
-    }
-
-    fn __repr__(&self) -> String {
-        format!("CutCells({} by {}, area {})", self.counts[0], self.counts[1], self.total_area)
-    }
 }

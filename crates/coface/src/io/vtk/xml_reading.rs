@@ -308,8 +308,10 @@ impl Reader<'_> {
         };
         let (offsets, offsets_node) = whole("offsets", count)?;
         let size = offsets.integer(offsets.len().saturating_sub(1)).and_then(|size| u64::try_from(size).ok());
-        let size =
-            size.ok_or_else(|| located(Error::invalid("the last offset is negative"), offsets_node))?;
+        let size = size.ok_or_else(|| {
+            let fault = Error::invalid("the last offset is negative");
+            located(fault.with_cure("offsets say where each cell ends"), offsets_node)
+        })?;
         let (connectivity, connectivity_node) = whole("connectivity", size)?;
         let types = if cell_type.is_none() { Some(whole("types", count)?) } else { None };
         let mut vertices = Vec::new();

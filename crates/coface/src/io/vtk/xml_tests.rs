@@ -124,7 +124,7 @@ fn a_file_by_hand_and_its_faults() {
         ("3 6<", "3 -6<", "the last offset is negative"),
         ("3 6<", "2 6<", "cell 0: a polygon has 2 points; it needs 3"),
         ("1 1 0", "nan 1 0", "a coordinate of point 2 is NaN"),
-        ("=\"Float32\"", "=\"Float\"", "line 8: \"Float\" is no type of numbers in VTK XML"),
+        ("=\"Float32\"", "=\"Float\"", "line 9: \"Float\" is no type of numbers in VTK XML"),
         ("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "the file ends where a number should be"),
         ("NumberOfPoints=\"4\"", "NumberOfPoints=\"99999999999\"", "the file ends where a number should be"),
         ("NumberOfPoints=\"4\"", "NumberOfPoints=\"many\"", "NumberOfPoints is \"many\", not a count"),

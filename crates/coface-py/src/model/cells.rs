@@ -1,0 +1,131 @@
+//! Cells by kind, as users give them.
+
+use crate::arrays;
+use crate::errors::invalid;
+use coface::algebra::RaggedArray;
+use coface::cellular::CellShape;
+use coface::geometry::Positions;
+use coface::io::{self, GroupKind};
+use coface::{Error, VertexId};
+use pyo3::prelude::*;
+
+/// What users give as cells by kind.
+#[derive(Default)]
+pub(super) struct Parts {
+    pub(super) polygons: Vec<RaggedArray>,
+    pub(super) shapes: Vec<CellShape>,
+    pub(super) cells: Vec<RaggedArray>,
+    pub(super) lines: Vec<RaggedArray>,
+    pub(super) points: Vec<VertexId>,
+}
+
+impl Parts {
+    pub(super) fn add(&mut self, kind: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+        let py = value.py();
+        let lists = arrays::lists(value, kind)?;
+        let shape = match kind {
+            "vertex" => {
+                self.points.extend(lists.items().iter().map(|&vertex| VertexId::new(vertex as usize)));
+                return Ok(());
+            }
+            "line" | "polyline" => {
+                self.lines.push(lists);
+                return Ok(());
+            }
+            "triangle" | "quad" | "polygon" => {
+                let sides = match kind {
+                    "triangle" => Some(3),
+                    "quad" => Some(4),
+                    _ => None,
+                };
+                if let Some(list) = lists.iter().find(|list| sides.is_some_and(|sides| list.len() != sides)) {
+                    let message = format!("the {kind} {list:?} has {} corners", list.len());
+                    return Err(invalid(py, message, "call it a polygon"));
+                }
+                self.polygons.push(lists);
+                return Ok(());
+            }
+            "tetra" | "tetrahedron" => CellShape::Tetrahedron,
+            "hexahedron" => CellShape::Hexahedron,
+            "wedge" => CellShape::Wedge,
+            "pyramid" => CellShape::Pyramid,
+            _ => {
+                return Err(invalid(
+                    py,
+                    format!("{kind:?} is no kind of cells known here"),
+                    "give vertex, line, triangle, quad, polygon, tetra, hexahedron, wedge or pyramid",
+                ));
+            }
+        };
+        self.shapes.extend(std::iter::repeat_n(shape, lists.len()));
+        self.cells.push(lists);
+        Ok(())
+    }
+}
+
+/// Lists one after the other.
+fn joined(mut lists: Vec<RaggedArray>) -> RaggedArray {
+    match lists.len() {
+        0 => RaggedArray::new(),
+        1 => lists.remove(0),
+        _ => RaggedArray::from_lists(lists.iter().flat_map(RaggedArray::iter)),
+    }
+}
+
+pub(super) fn model_of_parts(
+    positions: Option<Positions>,
+    parts: Parts,
+    least: usize,
+) -> Result<io::Model, Error> {
+    let (polygons, cells, lines) = (joined(parts.polygons), joined(parts.cells), joined(parts.lines));
+    let highest = [&polygons, &cells, &lines].into_iter().flat_map(|lists| lists.items().iter().max()).max();
+    let of_points = parts.points.iter().map(|vertex| vertex.index() + 1).max().unwrap_or(0);
+    let count = match &positions {
+        Some(positions) => positions.len(),
+        None => highest.map_or(0, |&vertex| vertex as usize + 1).max(of_points).max(least),
+    };
+    io::Model::from_parts(
+        count,
+        positions.unwrap_or_default(),
+        polygons,
+        (parts.shapes, cells),
+        lines,
+        parts.points,
+    )
+}
+
+/// The name of a kind of things in Python's words.
+pub(super) fn kind_of(py: Python<'_>, word: &str) -> PyResult<GroupKind> {
+    Ok(match word {
+        "vertices" => GroupKind::Vertices,
+        "lines" => GroupKind::Lines,
+        "faces" | "polygons" => GroupKind::Polygons,
+        "cells" => GroupKind::Cells,
+        _ => {
+            return Err(invalid(
+                py,
+                format!("{word:?} is no kind of cells"),
+                "give vertices, lines, faces or cells",
+            ));
+        }
+    })
+}
+
+pub(super) fn kind_word(kind: GroupKind) -> &'static str {
+    match kind {
+        GroupKind::Vertices => "vertices",
+        GroupKind::Lines => "lines",
+        GroupKind::Polygons => "faces",
+        GroupKind::Cells => "cells",
+    }
+}
+
+/// The name of a shape as meshio has it.
+pub(super) fn shape_word(shape: CellShape) -> &'static str {
+    match shape {
+        CellShape::Tetrahedron => "tetra",
+        CellShape::Hexahedron => "hexahedron",
+        CellShape::Wedge => "wedge",
+        CellShape::Pyramid => "pyramid",
+    }
+}

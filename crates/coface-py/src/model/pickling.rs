@@ -1,0 +1,70 @@
+//! Models again, from what pickles hold.
+
+use super::Model;
+use super::cells::{kind_of, shape_word};
+use crate::arrays;
+use crate::chain_complex::ChainComplex;
+use crate::errors::{OrRaise, invalid};
+use coface::VertexId;
+use coface::cellular::CellShape;
+use coface::geometry::Positions;
+use coface::io::{self, Group, Structure};
+use coface::simplicial::GluingTable;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Makes a model again from what :meth:`Model.__reduce__` gave.
+#[pyfunction]
+pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Model> {
+    let field = |name: &str| -> PyResult<Bound<'_, PyAny>> {
+        parts
+            .get_item(name)?
+            .ok_or_else(|| invalid(py, format!("there is no {name}"), "pickle the model again"))
+    };
+    let vertices = field("vertices")?;
+    let positions =
+        if vertices.is_none() { Positions::default() } else { arrays::positions(&vertices, "vertices")? };
+    let mut model = if let Some(facets) = parts.get_item("facets")? {
+        io::Model::from_structure(Structure::Facets(arrays::lists(&facets, "facets")?))
+    } else if let Some(pair) = parts.get_item("halfedges")? {
+        let next = arrays::ids(&pair.get_item(0)?, "next")?;
+        let twin = arrays::ids(&pair.get_item(1)?, "twin")?;
+        io::Model::from_structure(Structure::Halfedges { next, twin })
+    } else if let Some(rows) = parts.get_item("gluings")? {
+        let rows: Vec<Vec<Option<(u32, Vec<u32>)>>> = rows.extract()?;
+        io::Model::from_structure(Structure::Gluings(GluingTable::from_rows(&rows).or_raise(py)?))
+    } else if let Some(complex) = parts.get_item("chains")? {
+        let complex = complex.cast::<ChainComplex>()?.get().complex.as_ref().clone();
+        if positions.is_empty() {
+            io::Model::from_structure(Structure::Chains(complex))
+        } else {
+            io::Model::from_chains(complex, positions).or_raise(py)?
+        }
+    } else {
+        let words: Vec<String> = field("shapes")?.extract()?;
+        let shape = |word: &String| CellShape::ALL.into_iter().find(|&shape| shape_word(shape) == word);
+        let shapes: Option<Vec<CellShape>> = words.iter().map(shape).collect();
+        let shapes = shapes.ok_or_else(|| invalid(py, "a shape is unknown", "pickle the model again"))?;
+        let points = arrays::ids(&field("points")?, "points")?;
+        io::Model::from_parts(
+            field("vertex_count")?.extract()?,
+            positions,
+            arrays::lists(&field("faces")?, "faces")?,
+            (shapes, arrays::lists(&field("cells")?, "cells")?),
+            arrays::lists(&field("lines")?, "lines")?,
+            points.into_iter().map(|vertex| VertexId::new(vertex as usize)).collect(),
+        )
+        .or_raise(py)?
+    };
+    for group in field("groups")?.try_iter()? {
+        let (name, kind, members): (String, String, Bound<'_, PyAny>) = group?.extract()?;
+        let group = Group::new(name, kind_of(py, &kind)?, arrays::ids(&members, "members")?);
+        model = model.with_group(group).or_raise(py)?;
+    }
+    let mut model = Model::of(model);
+    for data in field("data")?.try_iter()? {
+        let (name, kind, values): (String, String, Bound<'_, PyAny>) = data?.extract()?;
+        model = model.with_data(py, &name, &values, &kind)?;
+    }
+    Ok(model)
+}
