@@ -62,7 +62,7 @@ fn guide(tally: &mut Tally) {
 }
 
 /// A program that the tests have built.
-fn built(name: &str) -> Command {
+pub(crate) fn built(name: &str) -> Command {
     let folder = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     let mut command =
         Command::new(folder.join("debug").join(name).with_extension(std::env::consts::EXE_EXTENSION));

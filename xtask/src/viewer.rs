@@ -1,7 +1,7 @@
 //! The browser viewer: its sources, the page that is made of them, and that page in a real browser.
 
 use crate::tally::Tally;
-use crate::test::{check, install_package};
+use crate::test::{built, check, features, install_package};
 use crate::{cargo, root};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
@@ -87,14 +87,14 @@ fn browser(tally: &mut Tally) {
         tally.skipped += 1;
         return;
     };
-    let mut build = cargo(&["build", "--package", "coface-cli"]);
+    // The whole workspace, as the tests build it: the program alone would have other features of what it depends on.
+    let mut build = cargo(&[&["build", "--workspace", "--bins"], features()].concat());
     if !build.stdin(Stdio::null()).status().is_ok_and(|status| status.success()) {
         println!("== the page in a browser: failed, the program cannot be built");
         tally.count(false);
         return;
     }
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-    let program = target.join("debug").join(format!("coface{}", std::env::consts::EXE_SUFFIX));
+    let program = built("coface").get_program().to_owned();
     let mut tests = npm(&["run", "--silent", "test:browser"]);
     tests.env("COFACE_PROGRAM", program).env("CHROMIUM", chromium);
     check(tally, "the page in a browser", &mut tests);
