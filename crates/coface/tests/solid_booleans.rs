@@ -272,7 +272,8 @@ proptest! {
             volume += f64::from(u8::from(formula.evaluate(is_in)));
         }
         let result = combined(&scene, text);
-        prop_assert_eq!(result.volume(), Some(volume));
+        // Sixths of determinants are added up: the last bit may be off.
+        prop_assert!(result.volume().is_some_and(|found| (found - volume).abs() < 1e-12), "{:?} {volume}", result.volume());
         prop_assert!(scene.products_are_zero().unwrap());
         let object = result.to_json().unwrap();
         prop_assert_eq!(&object["closed"], true);
