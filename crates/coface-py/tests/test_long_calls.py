@@ -16,7 +16,7 @@ import pytest
 import coface
 
 #: A grid whose homology takes a while, in its sides.
-SIDES = 24
+SIDES = 48
 
 WORK = f"""
 import coface, sys, time
