@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 
 /// The page that the program holds.
-const PAGE: &str = "crates/coface-cli/page/viewer.html";
+const PAGE: &str = "crates/coface-pages/page/viewer.html";
 
 /// Runs the checks of the viewer alone, and closes with the counts.
 pub(crate) fn run() -> ExitCode {

@@ -9,14 +9,12 @@ mod classes;
 mod commands;
 mod failure;
 mod filtration;
-mod html;
 mod input;
 mod output;
 mod progress;
 mod simplices;
 mod surface;
 mod target;
-mod text;
 
 use arguments::Arguments;
 use clap::Parser;

@@ -6,8 +6,6 @@ use crate::input;
 use crate::output::{is_json, write_json};
 use crate::progress::Progress;
 use coface::VertexId;
-use coface::chains::TwoSkeleton;
-use coface::geometry::Positions;
 use coface::io::{Format, GroupKind, Model, write_path};
 use coface::report::SurfaceModel;
 use coface::{Error, ErrorKind};
@@ -46,23 +44,6 @@ pub(crate) fn read(
     };
     let surface = surface.map_err(|error| Failure::from(explained(error).in_file(loaded.name.clone())))?;
     Ok((loaded.name, surface))
-}
-
-/// The lengths of the edges; `None` without positions.
-pub(crate) fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec<f64>> {
-    if positions.is_empty() {
-        return None;
-    }
-    let length = |ends: &[u32]| {
-        let [a, b] = [ends[0], ends[1]].map(|end| positions.point(VertexId::from_u32(end)));
-        a.iter().zip(b).map(|(x, y)| x - y).fold(0.0, f64::hypot)
-    };
-    Some(skeleton.edge_ends().chunks_exact(2).map(length).collect())
-}
-
-/// The vertex that the user names by its number in the file.
-pub(crate) fn vertex(surface: &SurfaceModel, number: u32, name: &str) -> Result<VertexId, Failure> {
-    surface.vertex(number).ok_or_else(|| Failure::new(format!("{name}: there is no vertex {number}")))
 }
 
 /// Writes the model that a verb made: in the format of the extension; as .json the answer of the verb with the faces by their

@@ -268,3 +268,27 @@ fn a_drawing_that_bounds_nothing_shows_its_lines() {
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     assert!(!run.stdout.contains("d=\"\"") && run.stdout.matches('L').count() == 2, "{}", run.stdout);
 }
+
+#[test]
+fn answers_with_a_picture_of_their_own_are_drawn_or_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let [torus, cover, picture] =
+        ["torus.off", "cover.json", "cover.svg"].map(|name| folder.path().join(name));
+    let [torus, cover, picture] = [&torus, &cover, &picture].map(|path| argument(path));
+    let done = |arguments: &[&str]| {
+        let run = coface(arguments);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        run.stderr
+    };
+    done(&["generate", "torus", "--columns", "6", "--rows", "5", "-o", torus]);
+    done(&["cover", torus, "--radius", "1", "-o", cover]);
+    let said = done(&["render", torus, "--with", cover, "-o", picture]);
+    assert!(said.contains("universal cover in the plane") && said.contains("--pane"), "{said}");
+    done(&["render", torus, "--with", cover, "--pane", "-o", picture]);
+    let drawn = std::fs::read_to_string(picture).unwrap();
+    assert!(drawn.contains("<title>universal cover in the plane</title>"), "{drawn:.200}");
+    // The deck transformations of the four neighbors stand on them.
+    assert_eq!(drawn.matches("<text").count(), 5);
+    let none = coface(&["render", torus, "--with", cover, "--pane=forest", "-o", picture]);
+    assert!(none.status == 1 && none.stderr.contains("universal cover in the plane"), "{}", none.stderr);
+}

@@ -14,10 +14,6 @@ mod errors;
 mod generate;
 mod grids;
 mod homology;
-// The pages and the words of reports are those of the program.
-#[allow(dead_code, reason = "the program uses more of it")]
-#[path = "../../coface-cli/src/html.rs"]
-mod html;
 mod incidence;
 mod json;
 mod memory;
@@ -29,9 +25,6 @@ mod products;
 mod report;
 mod source;
 mod surface;
-#[allow(dead_code, reason = "the program uses more of it")]
-#[path = "../../coface-cli/src/text.rs"]
-mod text;
 mod view;
 mod work;
 mod yin;

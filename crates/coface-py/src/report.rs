@@ -3,8 +3,8 @@
 use crate::arrays;
 use crate::json::to_python;
 use crate::source::Source;
-use crate::text;
 use coface::report;
+use coface_pages::text;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::sync::Arc;
@@ -272,10 +272,12 @@ impl Report {
     #[pyo3(signature = (title="model", figures=Vec::new()))]
     fn to_html(&self, title: &str, figures: Vec<(String, String)>) -> String {
         let items = text::items(title, self.format(), &self.report, text::FEW);
-        let figures =
-            figures.into_iter().map(|(svg, caption)| (crate::html::Figure::Svg(svg), caption)).collect();
+        let figures = figures
+            .into_iter()
+            .map(|(svg, caption)| (coface_pages::html::Figure::Svg(svg), caption))
+            .collect();
         let object = format!("{:#}", self.report.to_json(PLACES));
-        crate::html::page(title, &[crate::html::Section { items, figures, object }])
+        coface_pages::html::page(title, &[coface_pages::html::Section { items, figures, object }])
     }
 
     fn __str__(&self) -> String {

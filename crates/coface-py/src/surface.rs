@@ -1,6 +1,5 @@
 //! Surfaces: sides of faces and their mates, and what is asked about them.
 
-mod components;
 mod forms;
 mod opened;
 
@@ -14,19 +13,16 @@ use crate::model::Model;
 use crate::pi1::FundamentalGroup;
 use crate::source::{Names, Naming, Source};
 use crate::work::run;
-use coface::algebra::{Integer, RaggedArray, Sign};
-use coface::chains::{Cochain, TwoSkeleton};
-use coface::geometry::Positions;
-use coface::io::{CellData, GroupKind};
-use coface::report::{Producer, SurfaceModel, integer_to_json};
-use coface::surface::{GeneralizedMap, PathKind, Slice, SurfaceType};
+use coface::algebra::{Integer, Sign};
+use coface::chains::Cochain;
+use coface::report::{CutRequest, LayoutChoice, Producer, SurfaceModel, integer_to_json};
+use coface::surface::{GeneralizedMap, SurfaceType};
 use coface::topology::{
-    ClosedWalk, CocycleBasis, CoverExtent, CoverPlane, CutGraph, CutSurface, CycleKind, HarmonicForm,
-    ShortestCycle, SurfaceHomology, SurfaceHomotopy, TreeCotree, UniversalCover, shortest_cycle,
-    shortest_cycle_through, shortest_homology_basis, shortest_loops,
+    ClosedWalk, CocycleBasis, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology,
+    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
+    shortest_loops,
 };
-use coface::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId, io};
-use components::{Parts, around};
+use coface::{Error, ErrorKind, FaceId, HalfedgeId, VertexId};
 use forms::forms;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -37,9 +33,6 @@ use std::sync::Arc;
 
 /// How many vertices searches from all roots may reach in all.
 const MOST_REACHED: usize = 2_000_000_000;
-
-/// How much work on making seams short is done unasked: seams times sides.
-const PATIENCE: usize = 200_000_000;
 
 /// A surface: faces with sides, glued along edges.
 ///
@@ -102,25 +95,13 @@ pub(crate) fn surface_of(
     Ok(Surface { surface: Arc::new(surface), source: Arc::clone(source), of_boundary: boundary && is_volume })
 }
 
-/// The lengths of the edges; `None` without positions.
-fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec<f64>> {
-    if positions.is_empty() {
-        return None;
-    }
-    let length = |ends: &[u32]| {
-        let [a, b] = [ends[0], ends[1]].map(|end| positions.point(VertexId::from_u32(end)));
-        a.iter().zip(b).map(|(x, y)| x - y).fold(0.0, f64::hypot)
-    };
-    Some(skeleton.edge_ends().chunks_exact(2).map(length).collect())
-}
-
 impl Surface {
     fn map(&self) -> &GeneralizedMap {
         self.surface.map()
     }
 
     fn lengths(&self) -> Option<Vec<f64>> {
-        edge_lengths(self.map().skeleton(), self.surface.positions())
+        self.surface.edge_lengths()
     }
 
     /// An array with a number for each side.
@@ -128,218 +109,13 @@ impl Surface {
         PyArray1::from_vec(py, self.map().sides().map(of).collect())
     }
 
-    fn vertex_of(&self, number: u32) -> Result<VertexId, Error> {
-        self.surface.vertex(number).ok_or_else(|| {
-            Error::new(ErrorKind::NotInComplex, format!("there is no vertex {number}"))
-                .with_cells([[number]])
-                .with_cure("give a vertex of the surface")
-        })
-    }
-
-    /// The vertices of a path of steps, as numbers of the file.
-    fn numbers_along(&self, steps: &[u32]) -> Vec<u32> {
-        let ends = self.map().skeleton().edge_ends();
-        let number = |step: u32| self.surface.number(VertexId::from_u32(ends[step as usize]));
-        let first = steps.first().map(|&step| number(step));
-        first.into_iter().chain(steps.iter().map(|&step| number(step ^ 1))).collect()
-    }
-
     fn walk_numbers(&self, walk: &ClosedWalk) -> Vec<u32> {
         walk.vertices(self.map().skeleton()).into_iter().map(|vertex| self.surface.number(vertex)).collect()
-    }
-
-    /// The steps along a path of vertices of the file.
-    fn steps_of(&self, path: &[u32]) -> Result<Vec<u32>, Error> {
-        if path.len() < 2 {
-            return Err(
-                Error::invalid("a path has two vertices at least").with_cure("give its vertices in order")
-            );
-        }
-        let vertices: Vec<VertexId> =
-            path.iter().map(|&number| self.vertex_of(number)).collect::<Result<_, _>>()?;
-        let skeleton = self.map().skeleton();
-        let ends = skeleton.edge_ends();
-        let steps_at = RaggedArray::grouped(skeleton.vertex_count(), ends.iter().copied());
-        let step = |(i, pair): (usize, &[VertexId])| {
-            let mut steps = steps_at.list(pair[0].index()).iter().copied();
-            steps.find(|&step| ends[(step ^ 1) as usize] == pair[1].to_u32()).ok_or_else(|| {
-                let [a, b] = [path[i], path[i + 1]];
-                Error::new(
-                    ErrorKind::NotInComplex,
-                    format!("step {i} goes from vertex {a} to vertex {b}, but no edge joins them"),
-                )
-                .with_cells([[a, b]])
-                .with_cure("go along edges only")
-            })
-        };
-        vertices.windows(2).enumerate().map(step).collect()
     }
 
     fn naming(&self) -> Option<Naming> {
         // The cells of the boundary of a volume are not those of the model.
         (!self.of_boundary).then(|| Naming::of(Names::Source(Arc::clone(&self.source))))
-    }
-
-    /// Faces as lists of vertices of an open surface.
-    fn polygons(open: &GeneralizedMap) -> RaggedArray {
-        let faces = (0..open.skeleton().face_count()).map(FaceId::new);
-        RaggedArray::from_lists(
-            faces.map(|face| open.sides_of(face).map(|side| open.source(side).to_u32()).collect::<Vec<_>>()),
-        )
-    }
-
-    /// The sliced surface as a model: the number of the seam and the ends in the file of each edge of the cut.
-    fn cut_model(
-        &self,
-        slice: &Slice<GeneralizedMap>,
-        edges: &[EdgeId],
-        seams: &[Vec<u32>],
-    ) -> Result<io::Model, Error> {
-        let open = slice.surface();
-        let faces: Vec<FaceId> = (0..open.skeleton().face_count()).map(FaceId::new).collect();
-        let mut seam_of = vec![-1_i64; self.map().skeleton().edge_count()];
-        edges.iter().for_each(|edge| seam_of[edge.index()] = 0);
-        for (seam, number) in seams.iter().zip(1..) {
-            seam.iter().for_each(|&step| seam_of[(step >> 1) as usize] = number);
-        }
-        let (mut lines, mut numbers, mut sources) = (RaggedArray::new(), Vec::new(), Vec::new());
-        for edge in (0..open.skeleton().edge_count()).map(EdgeId::new) {
-            let source = slice.edge_sources()[edge];
-            let number = seam_of[source.index()];
-            let ends = open.skeleton().edge(edge);
-            // A loop is no line.
-            if number >= 0 && ends[0] != ends[1] {
-                lines.push(&ends.map(VertexId::to_u32));
-                numbers.push(number);
-                sources.extend(self.surface.edge_numbers(source).map(i64::from));
-            }
-        }
-        self.surface
-            .model_over(Self::polygons(open), slice.vertex_sources().as_slice(), &faces, None)?
-            .with_lines(lines)?
-            .with_data(CellData::integers("seam", GroupKind::Lines, 1, numbers)?)?
-            .with_data(CellData::integers("source", GroupKind::Lines, 2, sources)?)
-    }
-
-    fn cut_open(
-        &self,
-        simplify: bool,
-        rounds: Option<usize>,
-        base: Option<u32>,
-    ) -> Result<(Value, io::Model), Error> {
-        let map = self.map();
-        let lengths = self.lengths();
-        let base = base.map(|base| self.vertex_of(base)).transpose()?;
-        let trees = if simplify || base.is_some() {
-            TreeCotree::greedy(map, base, lengths.as_deref())?
-        } else {
-            TreeCotree::new(map)
-        };
-        let cut = CutSurface::new(map, &trees);
-        let mut graph = CutGraph::new(map, &trees, lengths.as_deref())?;
-        let mut is_shortened = false;
-        if simplify {
-            let work = graph.seams().len().saturating_mul(map.side_count());
-            let rounds = rounds.unwrap_or(if work <= PATIENCE { 4 } else { 0 });
-            if rounds > 0 {
-                graph = graph.shortened(map, lengths.as_deref(), rounds)?;
-                is_shortened = true;
-            }
-        }
-        let is_inner = |edge: &EdgeId| map.mate(map.first_side(*edge)).is_some();
-        let edges: Vec<EdgeId> =
-            if simplify { graph.edges() } else { cut.cut_graph(map).into_iter().filter(is_inner).collect() };
-        let seams: Vec<Vec<u32>> = graph.seams().iter().map(|seam| seam.steps().to_vec()).collect();
-        let slice = map.slice_edges(&edges)?;
-        let parts =
-            Parts::of(map, &slice, &edges, trees.components().len(), |face| trees.component_of_face(face));
-        let (surfaces, orientation) = (map.surfaces(), map.orientation());
-        let mut components = Vec::new();
-        for (i, found) in trees.components().iter().enumerate() {
-            let own: Vec<usize> = (0..seams.len())
-                .filter(|&seam| trees.component_of_vertex(graph.seams()[seam].ends()[0]) == Some(i))
-                .collect();
-            let relator = cut.domains()[i].relator().filter(|_| !is_shortened);
-            let mut object = parts.to_json(i);
-            object["surface"] = surfaces[orientation.component(found.root())].to_string().into();
-            object["base"] = self.surface.number(found.base()).into();
-            object["generators"] = found.generators().len().into();
-            object["relator"] = relator.map(|relator| relator.letters().to_vec()).into();
-            object["word"] = around(map, &slice, &seams, &own).into();
-            object["seams"] = own
-                .iter()
-                .map(|&number| {
-                    let seam = &graph.seams()[number];
-                    json!({
-                        "number": number + 1,
-                        "kind": seam.kind().to_string(),
-                        "edges": seam.steps().len(),
-                        "length": lengths.as_ref().map(|_| seam.length()),
-                        "vertices": self.numbers_along(seam.steps()),
-                    })
-                })
-                .collect();
-            components.push(object);
-        }
-        let value = json!({
-            "simplified": simplify,
-            "components": components,
-            "f_vector": slice.surface().f_vector(),
-            "path": null,
-        });
-        Ok((value, self.cut_model(&slice, &edges, &seams)?))
-    }
-
-    fn cut_along(&self, path: &[u32]) -> Result<(Value, io::Model), Error> {
-        let map = self.map();
-        let steps = self.steps_of(path)?;
-        let ends = map.skeleton().edge_ends();
-        let is_closed = ends[steps[0] as usize] == ends[(steps[steps.len() - 1] ^ 1) as usize];
-        let slice = if is_closed { map.slice_cycle(&steps) } else { map.slice_path(&steps) }?;
-        let edges: Vec<EdgeId> = steps.iter().map(|&step| EdgeId::from_u32(step >> 1)).collect();
-        let orientation = slice.surface().orientation();
-        let surfaces = slice.surface().surfaces();
-        let parts = Parts::of(map, &slice, &edges, surfaces.len(), |face| orientation.component(face));
-        let kind = match slice.path_kind() {
-            Some(PathKind::TwoSided) => "two-sided",
-            Some(PathKind::OneSided) => "one-sided",
-            _ => "open",
-        };
-        let components: Vec<Value> = surfaces
-            .iter()
-            .enumerate()
-            .map(|(i, surface)| {
-                let mut object = parts.to_json(i);
-                object["surface"] = surface.to_string().into();
-                object
-            })
-            .collect();
-        let value = json!({
-            "simplified": false,
-            "components": components,
-            "f_vector": slice.surface().f_vector(),
-            "path": {"kind": kind, "edges": steps.len()},
-        });
-        Ok((value, self.cut_model(&slice, &edges, &[steps])?))
-    }
-
-    fn cover_model(&self, cover: &UniversalCover, positions: Option<Positions>) -> Result<io::Model, Error> {
-        let [vertex_count, _, face_count] = cover.f_vector();
-        let vertices = || (0..vertex_count).map(VertexId::new);
-        let faces = || (0..face_count).map(FaceId::new);
-        let vertex_sources: Vec<VertexId> = vertices().map(|vertex| cover.vertex_below(vertex)).collect();
-        let face_sources: Vec<FaceId> = faces().map(|face| cover.face_below(face)).collect();
-        let data = |name: &str, kind, values: Vec<i64>| CellData::integers(name, kind, 1, values);
-        let copy_lengths: Vec<i64> =
-            (0..cover.copy_count()).map(|copy| cover.copies().length(copy) as i64).collect();
-        let lengths = faces().map(|face| copy_lengths[cover.face_copy(face)]).collect();
-        let copies_of_vertices = vertices().map(|vertex| cover.vertex_copy(vertex) as i64).collect();
-        let copies_of_faces = faces().map(|face| cover.face_copy(face) as i64).collect();
-        self.surface
-            .model_over(cover.polygons(), &vertex_sources, &face_sources, positions)?
-            .with_data(data("copy", GroupKind::Vertices, copies_of_vertices)?)?
-            .with_data(data("copy", GroupKind::Polygons, copies_of_faces)?)?
-            .with_data(data("length", GroupKind::Polygons, lengths)?)
     }
 }
 
@@ -529,9 +305,15 @@ impl Surface {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Domain> {
         let along = along.map(|path| arrays::ids(path, "the path")).transpose()?;
-        let (value, model) = run(py, progress, || match &along {
-            Some(path) => self.cut_along(path),
-            None => self.cut_open(simplify, rounds, base),
+        let (value, model) = run(py, progress, || {
+            let cut = match &along {
+                Some(path) => self.surface.cut_along(path)?,
+                None => {
+                    let base = base.map(|base| self.surface.vertex_numbered(base)).transpose()?;
+                    self.surface.cut_open(&CutRequest { simplify, rounds, base })?
+                }
+            };
+            Ok((cut.to_json(), cut.model()?))
         })?;
         Ok(Domain { value, model: Py::new(py, Model::of(model))? })
     }
@@ -579,55 +361,24 @@ impl Surface {
         if radius.is_some() && copies.is_some() {
             return Err(invalid(py, "radius and copies are both given", "give one of the two"));
         }
-        if !matches!(layout, "auto" | "flat" | "disk" | "none") {
-            return Err(invalid(
-                py,
-                format!("layout is {layout:?}"),
-                "give \"auto\", \"flat\", \"disk\" or \"none\"",
-            ));
-        }
+        let choice = match layout {
+            "auto" => Some(LayoutChoice::Any),
+            "flat" => Some(LayoutChoice::Flat),
+            "disk" => Some(LayoutChoice::Disk),
+            "none" => None,
+            _ => {
+                let cure = "give \"auto\", \"flat\", \"disk\" or \"none\"";
+                return Err(invalid(py, format!("layout is {layout:?}"), cure));
+            }
+        };
         let extent = radius.map_or(CoverExtent::Copies(copies.unwrap_or(1)), CoverExtent::Radius);
         let (value, model) = run(py, progress, || {
-            let map = self.map();
-            let trees = TreeCotree::new(map);
-            let cut = CutSurface::new(map, &trees);
-            let cover = UniversalCover::new(map, &cut, component, extent, most_cells)?;
-            let placed = match (layout, cover.layout(map, None)) {
-                ("none", _) | ("auto", Err(_)) => None,
-                (_, Err(error)) => return Err(error),
-                (_, Ok(found)) => {
-                    let plane = if found.plane() == CoverPlane::Flat { "flat" } else { "disk" };
-                    if layout != "auto" && layout != plane {
-                        return Err(Error::invalid(
-                            "the cover has no such layout, because of its Euler characteristic",
-                        )
-                        .with_cure(format!("take layout=\"{plane}\"")));
-                    }
-                    let coordinates = found.points().iter().flat_map(|&[x, y]| [x, y, 0.0]).collect();
-                    Some((plane, Positions::from_flat(3, coordinates)?))
-                }
+            let cover = self.surface.cover(component, extent, most_cells)?;
+            let placed = match choice.map(|choice| cover.placed(choice)).transpose() {
+                Err(_) if choice == Some(LayoutChoice::Any) => None,
+                placed => placed?,
             };
-            let root = trees.components()[component].root();
-            let letters: Vec<[u32; 2]> =
-                cover.letters().into_iter().map(|edge| self.surface.edge_numbers(edge)).collect();
-            let words: Vec<Vec<i32>> =
-                (0..cover.copy_count()).map(|copy| cover.copy_word(copy).letters().to_vec()).collect();
-            let value = json!({
-                "component": component,
-                "components": trees.components().len(),
-                "surface": map.surfaces()[map.orientation().component(root)].to_string(),
-                "group": cover.group().name().to_string(),
-                "copies": cover.copy_count(),
-                "complete": cover.is_complete(),
-                "spheres": cover.sphere_sizes(),
-                "f_vector": cover.f_vector(),
-                "euler_characteristic": cover.euler_characteristic(),
-                "letters": letters,
-                "words": words,
-                "layout": placed.as_ref().map(|(plane, _)| *plane),
-            });
-            let model = self.cover_model(&cover, placed.map(|(_, positions)| positions))?;
-            Ok((value, model))
+            Ok((cover.to_json(placed.as_ref()), cover.model(placed.as_ref())?))
         })?;
         Ok(Cover { value, model: Py::new(py, Model::of(model))? })
     }
@@ -640,20 +391,7 @@ impl Surface {
     ///     The cover; the data ``source`` and ``copy`` say what lies below.
     #[pyo3(signature = (*, progress=None))]
     fn double_cover(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Model> {
-        run(py, progress, || {
-            let cover = self.map().orientation_double_cover();
-            let map = cover.map();
-            let [v, _, f] = map.f_vector();
-            let vertices: Vec<VertexId> =
-                (0..v).map(|vertex| cover.vertex_below(VertexId::new(vertex))).collect();
-            let below: Vec<FaceId> = (0..f).map(|face| cover.face_below(FaceId::new(face)).0).collect();
-            let sheet = |count: usize| (0..count as i64).map(|cell| cell % 2).collect();
-            self.surface
-                .model_over(Self::polygons(map), &vertices, &below, None)?
-                .with_data(CellData::integers("copy", GroupKind::Vertices, 1, sheet(v))?)?
-                .with_data(CellData::integers("copy", GroupKind::Polygons, 1, sheet(f))?)
-        })
-        .map(Model::of)
+        run(py, progress, || Ok(self.surface.orientation_double_cover()?.1)).map(Model::of)
     }
 
     /// A basis of the first cohomology dual to loops.
@@ -783,7 +521,7 @@ impl Surface {
         run(py, progress, || {
             let map = self.map();
             let lengths = self.lengths().filter(|_| shortest);
-            let base = base.map(|base| self.vertex_of(base)).transpose()?;
+            let base = base.map(|base| self.surface.vertex_numbered(base)).transpose()?;
             let trees = TreeCotree::greedy(map, base, lengths.as_deref())?;
             let homotopy = SurfaceHomotopy::new(map, &trees)?;
             let mut groups = Vec::new();
@@ -861,7 +599,7 @@ impl Surface {
                     shortest_cycle(map, lengths.as_deref(), kind, MOST_REACHED)?.into_iter().collect()
                 }
                 (Some(kind), Some(vertex)) => {
-                    let vertex = self.vertex_of(vertex)?;
+                    let vertex = self.surface.vertex_numbered(vertex)?;
                     shortest_cycle_through(map, vertex, lengths.as_deref(), kind)?.into_iter().collect()
                 }
             })
@@ -901,8 +639,8 @@ impl Surface {
             let mut closed = Vec::new();
             for list in &lists {
                 match list[..] {
-                    [vertex] => closed.push(ClosedWalk::constant(self.vertex_of(vertex)?)),
-                    _ => closed.push(ClosedWalk::new(map.skeleton(), self.steps_of(list)?)?),
+                    [vertex] => closed.push(ClosedWalk::constant(self.surface.vertex_numbered(vertex)?)),
+                    _ => closed.push(ClosedWalk::new(map.skeleton(), self.surface.steps_along(list)?)?),
                 }
             }
             let trees = TreeCotree::new(map);
@@ -942,12 +680,7 @@ impl Surface {
         if !self.of_boundary {
             return Ok(Model { source: Arc::clone(&self.source) });
         }
-        let vertices: Vec<VertexId> = (0..self.map().skeleton().vertex_count()).map(VertexId::new).collect();
-        let faces: Vec<FaceId> = (0..self.map().skeleton().face_count()).map(FaceId::new).collect();
-        self.surface
-            .model_over(Self::polygons(self.map()), &vertices, &faces, None)
-            .or_raise(py)
-            .map(Model::of)
+        self.surface.to_model().or_raise(py).map(Model::of)
     }
 
     fn __len__(&self) -> usize {

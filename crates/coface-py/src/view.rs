@@ -5,15 +5,10 @@ use crate::model::source_of;
 use crate::work::run;
 use coface::report::{Report, Scene};
 use coface::{Error, ErrorKind};
+use coface_pages::viewer;
 use pyo3::prelude::*;
 use serde_json::Value;
 use std::sync::Arc;
-
-/// The page without a scene; the program holds the same.
-const PAGE: &str = include_str!("../../coface-cli/page/viewer.html");
-
-/// What stands in the page where the scene belongs.
-const PLACE: &str = r#"<script type="application/json" id="scene">null</script>"#;
 
 /// So many places of a problem are told in the report.
 const PLACES: usize = 100;
@@ -46,8 +41,6 @@ pub(crate) fn _page(
             let report = Report::of(model.clone())?;
             scene = scene.with_boundary().with_report(report.to_json(PLACES));
         }
-        // No text in the scene can end the element that it stands in, nor begin a comment there. Outside of strings JSON has no such sign.
-        let text = scene.to_json().to_string().replace('<', "\\u003c");
-        Ok(PAGE.replacen(PLACE, &format!(r#"<script type="application/json" id="scene">{text}</script>"#), 1))
+        Ok(viewer::page_of(&scene.to_json()))
     })
 }

@@ -5,18 +5,19 @@ use crate::chains::{Naming, read_terms};
 use crate::failure::Failure;
 use crate::output::{is_json, print_json, print_text, remark, write_json};
 use crate::progress::Progress;
-use crate::{input, surface, text};
+use crate::{input, surface};
 use clap::{Args, ValueEnum};
 use coface::algebra::{Integer, RaggedArray, Sign};
 use coface::chains::{Chain, ChainComplex, Cochain, TwoSkeleton};
 use coface::io::{CellData, Format, GroupKind, Model, write_path};
-use coface::report::{Producer, integer_to_json};
+use coface::report::{Producer, edge_lengths, integer_to_json};
 use coface::surface::GeneralizedMap;
 use coface::topology::{
     ClosedWalk, CocycleBasis, Exactness, HarmonicForm, HomologyBasis, SurfaceHomology, TreeCotree,
     cotangent_weights, exactness, exactness_within, harmonic_forms,
 };
 use coface::{EdgeId, Error, VertexId};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -99,8 +100,7 @@ impl Cocycles {
                 return Err(in_file(error).into());
             }
         };
-        let lengths =
-            map.as_ref().and_then(|map| surface::edge_lengths(map.skeleton(), producer.positions()));
+        let lengths = map.as_ref().and_then(|map| edge_lengths(map.skeleton(), producer.positions()));
         progress.stage("finding cocycles");
         let found = match &map {
             Some(map) => self.on_surface(map, lengths.as_deref(), &naming).map_err(in_file)?,

@@ -7,11 +7,11 @@ use crate::input::{self, Loaded};
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
-use crate::text;
 use clap::{Args, ValueEnum};
 use coface::arrangement::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
 use coface::io::{self, Format};
 use coface::report::{BlockRule, CongruenceRequest, ModelCongruence};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

@@ -4,14 +4,12 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
-use crate::{surface, text};
+use crate::surface;
 use clap::{ArgGroup, Args, ValueEnum};
-use coface::algebra::RaggedArray;
-use coface::geometry::Positions;
-use coface::io::{CellData, GroupKind, Model};
-use coface::report::SurfaceModel;
-use coface::topology::{CoverExtent, CoverPlane, CutSurface, TreeCotree, UniversalCover};
-use coface::{Error, FaceId, VertexId};
+use coface::Error;
+use coface::report::{LayoutChoice, SurfaceModel};
+use coface::topology::{CoverExtent, UniversalCover};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -69,93 +67,35 @@ impl Cover {
         if self.orientation {
             return self.double_cover(&name, &surface, common, progress);
         }
-        let map = surface.map();
-        progress.stage("cutting");
-        let trees = TreeCotree::new(map);
-        let cut = CutSurface::new(map, &trees);
+        let in_file = |error: Error| error.in_file(name.clone());
         let extent = match (self.radius, self.copies) {
             (Some(radius), _) => CoverExtent::Radius(radius),
             (None, copies) => CoverExtent::Copies(copies.unwrap_or(1)),
         };
-        progress.stage("gluing copies");
-        let cover = UniversalCover::new(map, &cut, self.component, extent, self.most_cells)
-            .map_err(|error| error.in_file(name.clone()))?;
-        let layout = if common.output.is_some() || matches!(self.layout, Layout::Flat | Layout::Disk) {
-            progress.stage("laying out");
-            self.layout(&cover, &surface, &name, common)?
-        } else {
-            None
+        let cover = surface.cover(self.component, extent, self.most_cells).map_err(in_file)?;
+        let choice = match self.layout {
+            Layout::None => None,
+            Layout::Auto => common.output.is_some().then_some(LayoutChoice::Any),
+            Layout::Flat => Some(LayoutChoice::Flat),
+            Layout::Disk => Some(LayoutChoice::Disk),
         };
-        let orientation = map.orientation();
-        let root = trees.components()[self.component].root();
-        let below = map.surfaces()[orientation.component(root)].to_string();
-        let letters: Vec<[u32; 2]> =
-            cover.letters().into_iter().map(|edge| surface.edge_numbers(edge)).collect();
-        let words: Vec<Vec<i32>> =
-            (0..cover.copy_count()).map(|copy| cover.copy_word(copy).letters().to_vec()).collect();
-        let plane = layout.as_ref().map(|(plane, _)| match plane {
-            CoverPlane::Flat => "flat",
-            CoverPlane::Hyperbolic => "disk",
-            _ => "other",
-        });
-        let object = json!({
-            "file": name,
-            "component": self.component,
-            "components": trees.components().len(),
-            "surface": below,
-            "group": cover.group().name().to_string(),
-            "copies": cover.copy_count(),
-            "complete": cover.is_complete(),
-            "spheres": cover.sphere_sizes(),
-            "f_vector": cover.f_vector(),
-            "euler_characteristic": cover.euler_characteristic(),
-            "letters": letters,
-            "words": words,
-            "layout": plane,
-        });
-        if let Some(path) = &common.output {
-            progress.stage(format!("writing {}", path.display()));
-            let model = model(&surface, &cover, layout.map(|(_, points)| points))?;
-            surface::save(path, &model, &object, common)?;
-        }
-        drop(progress);
-        answer(common, &object, || page(&name, &object, &cover))
-    }
-
-    /// The plane and the positions of a layout, if there is one and it is wanted.
-    fn layout(
-        &self,
-        cover: &UniversalCover,
-        surface: &SurfaceModel,
-        name: &str,
-        common: &Common,
-    ) -> Result<Option<(CoverPlane, Positions)>, Failure> {
-        if self.layout == Layout::None {
-            return Ok(None);
-        }
-        let found = match cover.layout(surface.map(), None) {
-            Ok(found) => found,
+        let placed = match choice.map(|choice| cover.placed(choice)).transpose() {
             Err(error) if self.layout == Layout::Auto => {
                 if !common.quiet {
                     remark(&format!("the mesh lies over the surface: {}", error.message()));
                 }
-                return Ok(None);
+                None
             }
-            Err(error) => return Err(error.in_file(name.to_owned()).into()),
+            placed => placed.map_err(in_file)?,
         };
-        let is_wanted = match self.layout {
-            Layout::Flat => found.plane() == CoverPlane::Flat,
-            Layout::Disk => found.plane() == CoverPlane::Hyperbolic,
-            Layout::Auto | Layout::None => true,
-        };
-        if !is_wanted {
-            let other = if self.layout == Layout::Flat { "disk" } else { "flat" };
-            return Err(Failure::new(format!(
-                "{name}: the cover has no such layout, because of its Euler characteristic; take --layout {other}"
-            )));
+        let mut object = cover.to_json(placed.as_ref());
+        object["file"] = name.clone().into();
+        if let Some(path) = &common.output {
+            progress.stage(format!("writing {}", path.display()));
+            surface::save(path, &cover.model(placed.as_ref())?, &object, common)?;
         }
-        let coordinates = found.points().iter().flat_map(|&[x, y]| [x, y, 0.0]).collect();
-        Ok(Some((found.plane(), Positions::from_flat(3, coordinates)?)))
+        drop(progress);
+        answer(common, &object, || page(&name, &object, cover.cover()))
     }
 
     fn double_cover(
@@ -165,14 +105,12 @@ impl Cover {
         common: &Common,
         progress: Progress,
     ) -> Result<(), Failure> {
-        progress.stage("covering");
-        let cover = surface.map().orientation_double_cover();
-        let map = cover.map();
+        let (map, model) = surface.orientation_double_cover()?;
         let [v, e, f] = map.f_vector();
         let surfaces = |map: &coface::surface::GeneralizedMap| -> Vec<String> {
             map.surfaces().iter().map(ToString::to_string).collect()
         };
-        let [below, above] = [surfaces(surface.map()), surfaces(map)];
+        let [below, above] = [surfaces(surface.map()), surfaces(&map)];
         let object = json!({
             "file": name,
             "copies": 2,
@@ -183,19 +121,6 @@ impl Cover {
         });
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
-            let faces: Vec<FaceId> = (0..f).map(FaceId::new).collect();
-            let polygons =
-                RaggedArray::from_lists(faces.iter().map(|&face| {
-                    map.sides_of(face).map(|side| map.source(side).to_u32()).collect::<Vec<_>>()
-                }));
-            let vertices: Vec<VertexId> =
-                (0..v).map(|vertex| cover.vertex_below(VertexId::new(vertex))).collect();
-            let below: Vec<FaceId> = faces.iter().map(|&face| cover.face_below(face).0).collect();
-            let sheet = |count: usize| (0..count as i64).map(|cell| cell % 2).collect();
-            let model = surface
-                .model_over(polygons, &vertices, &below, None)?
-                .with_data(CellData::integers("copy", GroupKind::Vertices, 1, sheet(v))?)?
-                .with_data(CellData::integers("copy", GroupKind::Polygons, 1, sheet(f))?)?;
             surface::save(path, &model, &object, common)?;
         }
         drop(progress);
@@ -218,36 +143,6 @@ fn answer(common: &Common, object: &Value, page: impl FnOnce() -> String) -> Res
         (false, Some(_)) if common.quiet => Ok(()),
         (false, _) => print_text(&page()),
     }
-}
-
-/// The cover as a mesh with its projection and copies as data.
-fn model(
-    surface: &SurfaceModel,
-    cover: &UniversalCover,
-    positions: Option<Positions>,
-) -> Result<Model, Error> {
-    let [vertex_count, _, face_count] = cover.f_vector();
-    let vertices = || (0..vertex_count).map(VertexId::new);
-    let faces = || (0..face_count).map(FaceId::new);
-    let vertex_sources: Vec<VertexId> = vertices().map(|vertex| cover.vertex_below(vertex)).collect();
-    let face_sources: Vec<FaceId> = faces().map(|face| cover.face_below(face)).collect();
-    let data = |name: &str, kind, values: Vec<i64>| CellData::integers(name, kind, 1, values);
-    let copy_lengths: Vec<i64> =
-        (0..cover.copy_count()).map(|copy| cover.copies().length(copy) as i64).collect();
-    let lengths = faces().map(|face| copy_lengths[cover.face_copy(face)]).collect();
-    surface
-        .model_over(cover.polygons(), &vertex_sources, &face_sources, positions)?
-        .with_data(data(
-            "copy",
-            GroupKind::Vertices,
-            vertices().map(|vertex| cover.vertex_copy(vertex) as i64).collect(),
-        )?)?
-        .with_data(data(
-            "copy",
-            GroupKind::Polygons,
-            faces().map(|face| cover.face_copy(face) as i64).collect(),
-        )?)?
-        .with_data(data("length", GroupKind::Polygons, lengths)?)
 }
 
 /// The names of components, not too many.

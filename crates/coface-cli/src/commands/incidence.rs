@@ -2,9 +2,9 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
+use crate::input;
 use crate::output::{is_json, print_bytes, print_text};
 use crate::progress::Progress;
-use crate::{input, text};
 use clap::Args;
 use coface::algebra::{RaggedArray, SparseMatrix};
 use coface::cellular::{LarModel, Operator, Shared};
@@ -12,6 +12,7 @@ use coface::chains::ChainComplex;
 use coface::io::matrix_market::{self, MatrixField};
 use coface::io::replace_file;
 use coface::report::Producer;
+use coface_pages::text;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::{self, Write};

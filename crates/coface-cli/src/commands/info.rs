@@ -2,16 +2,16 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::html::{self, Figure, Section};
 use crate::input;
 use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
-use crate::text;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use clap::Args;
 use coface::io::{Format, Model};
 use coface::report::{Picture, PictureStyle, Producer, Report, Scene, matrix_picture};
+use coface_pages::html::{self, Figure, Section};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -3,13 +3,14 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::{Function, read_values};
+use crate::input;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
-use crate::{input, text};
 use clap::Args;
 use coface::io::{DiagramFormat, write_diagram};
 use coface::report::Producer;
 use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -5,13 +5,13 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::Function;
 use crate::input::{self, Source};
-use crate::output::{print_bytes, print_json, write_file};
+use crate::output::{print_bytes, print_json, remark, write_file};
 use crate::progress::Progress;
 use clap::Args;
 use coface::io::Format;
 use coface::report::{
-    Camera, DiagramPoint, FlatPicture, Picture, PictureStyle, PlanarSet, Report, Scene, SetPicture,
-    SetRequest, diagram_picture, matrix_picture,
+    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, PlanarSet, Report, Scene, SetPicture,
+    SetRequest, diagram_picture, matrix_picture, pane_picture,
 };
 use coface::topology::{Coefficients, Filtration, persistence};
 use serde_json::json;
@@ -56,6 +56,9 @@ pub(crate) struct Render {
     /// Mark what is wrong: the witness of the report
     #[arg(long)]
     witness: bool,
+    /// Draw a flat picture that an answer has beside the model instead: a domain, a cover, a forest; with a part of its name if there are several
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", require_equals = true, requires = "with")]
+    pane: Option<String>,
     /// Draw the sparsity of the boundary matrices
     #[arg(long, conflicts_with_all = SCENE_OPTIONS)]
     matrix: bool,
@@ -74,8 +77,8 @@ pub(crate) struct Render {
 }
 
 /// Options of pictures in space.
-const SCENE_OPTIONS: [&str; 8] =
-    ["with", "from", "up", "perspective", "edges", "no_edges", "dark", "witness"];
+const SCENE_OPTIONS: [&str; 9] =
+    ["with", "from", "up", "perspective", "edges", "no_edges", "dark", "witness", "pane"];
 
 fn size(text: &str) -> Result<[usize; 2], String> {
     let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
@@ -238,6 +241,17 @@ impl Render {
         for path in &self.with {
             scene.add_result(&input::name(path), &read_result(path)?)?;
         }
+        if let Some(name) = &self.pane {
+            let pane = pane_named(&scene, name)?;
+            let picture = pane_picture(pane);
+            return Ok(match format {
+                PictureFormat::Png => picture.png(self.size.unwrap_or_else(|| usual_size(&picture)))?,
+                PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
+            });
+        }
+        if !scene.panes().is_empty() && !common.quiet {
+            remark(&format!("not drawn: {}; --pane draws it instead", pane_names(&scene)));
+        }
         if self.witness {
             progress.stage(format!("examining {}", loaded.name));
             scene = scene.with_report(Report::of(loaded.model).map_err(in_file)?.to_json(100));
@@ -268,6 +282,23 @@ impl Render {
         }
         style
     }
+}
+
+/// The first pane whose name has these words.
+fn pane_named<'s>(scene: &'s Scene, words: &str) -> Result<&'s Pane, Failure> {
+    if scene.panes().is_empty() {
+        return Err(Failure::new(
+            "--pane: the answers have no flat picture beside the model; coface cut -o and coface cover -o write some that have, as .json",
+        ));
+    }
+    scene.panes().iter().find(|pane| pane.name.contains(words)).ok_or_else(|| {
+        Failure::new(format!("--pane={words}: there is no such picture; there is {}", pane_names(scene)))
+    })
+}
+
+/// The names of the panes.
+fn pane_names(scene: &Scene) -> String {
+    scene.panes().iter().map(|pane| format!("{:?}", pane.name)).collect::<Vec<_>>().join(", ")
 }
 
 /// The format that was said, or that the name or the content tells.

@@ -33,12 +33,6 @@ pub(crate) struct View {
     no_report: bool,
 }
 
-/// The page without a scene. It is made from the sources in `viewer/`.
-const PAGE: &str = include_str!("../../page/viewer.html");
-
-/// What stands in the page where the scene belongs.
-const PLACE: &str = r#"<script type="application/json" id="scene">null</script>"#;
-
 impl View {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
@@ -53,7 +47,7 @@ impl View {
             scene = scene.with_boundary().with_report(report.to_json(100));
         }
         progress.stage("writing the page");
-        let page = page_of(&scene.to_json());
+        let page = coface_pages::viewer::page_of(&scene.to_json());
         drop(progress);
         match &common.output {
             Some(path) => write_file(path, page.as_bytes())?,
@@ -111,13 +105,6 @@ impl View {
     }
 }
 
-/// The page with a scene in it.
-fn page_of(scene: &Value) -> String {
-    // No text in the scene can end the element that it stands in, nor begin a comment there. Outside of strings JSON has no such sign.
-    let text = scene.to_string().replace('<', "\\u003c");
-    PAGE.replacen(PLACE, &format!(r#"<script type="application/json" id="scene">{text}</script>"#), 1)
-}
-
 pub(super) fn read_result(path: &Path) -> Result<Value, Failure> {
     let name = input::name(path);
     let bytes =
@@ -128,16 +115,4 @@ pub(super) fn read_result(path: &Path) -> Result<Value, Failure> {
             error.line()
         ))
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_page_has_a_place_for_the_scene() {
-        assert_eq!(PAGE.matches(PLACE).count(), 1);
-        let page = page_of(&json!({"title": "</script>"}));
-        assert!(page.contains(r#"{"title":"\u003c/script>"}"#));
-    }
 }

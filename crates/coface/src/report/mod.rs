@@ -45,7 +45,7 @@ pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
 pub use picture::{
     Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, colored, diagram_picture,
-    gltf, matrix_picture, palette_color, vertex_colors,
+    gltf, matrix_picture, palette_color, pane_picture, vertex_colors,
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
@@ -59,7 +59,10 @@ pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{
     InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
 };
-pub use surface_model::SurfaceModel;
+pub use surface_model::{
+    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, SurfaceCover, SurfaceCut, SurfaceModel,
+    edge_lengths,
+};
 pub use triangulation::triangulated;
 pub use yin::{KinkRequest, PlanarSet, SetPicture, SetRequest};
 

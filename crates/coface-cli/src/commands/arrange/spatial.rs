@@ -6,11 +6,11 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
 use crate::target::{Seen, Target, write_seen};
-use crate::text;
 use clap::{Args, ValueEnum};
 use coface::arrangement::spatial::NonPlanar;
 use coface::io::{self, Format, Model};
 use coface::report::{SceneArrangement, SpatialRequest, SpatialScene};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::Path;
 

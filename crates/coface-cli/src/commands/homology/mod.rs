@@ -10,14 +10,15 @@ mod sequence;
 use crate::arguments::Common;
 use crate::chains::{GivenChain, Naming};
 use crate::failure::Failure;
+use crate::input;
 use crate::output::give;
 use crate::progress::Progress;
-use crate::{input, text};
 use clap::Args;
 use coface::chains::ChainComplex;
 use coface::io::ReadOptions;
 use coface::report::{Pair, Producer, groups_to_json};
 use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyBasis, homology};
+use coface_pages::text;
 use serde_json::json;
 use std::path::PathBuf;
 

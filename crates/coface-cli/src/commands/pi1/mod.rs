@@ -8,7 +8,6 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{give, write_json};
 use crate::progress::Progress;
-use crate::text;
 use clap::Args;
 use coface::VertexId;
 use coface::algebra::{RaggedArray, Word};
@@ -20,6 +19,7 @@ use coface::topology::{
     AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
     Simplification, SubgroupClass, SurfaceGroup, homology,
 };
+use coface_pages::text;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;

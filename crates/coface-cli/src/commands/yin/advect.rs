@@ -7,10 +7,10 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{remark, write_file};
 use crate::progress::Progress;
-use crate::text;
 use clap::{Args, ValueEnum};
 use coface::report::PlanarSet;
 use coface::yin::{Flow, RungeKutta, TrackingOptions, Verification, YinSet};
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -7,12 +7,12 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::remark;
 use crate::progress::Progress;
-use crate::text;
 use clap::Args;
 use coface::arrangement::boolean::BooleanFormula;
 use coface::io::replace_file;
 use coface::report::PlanarSet;
 use coface::yin::YinSet;
+use coface_pages::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! A set as a page of facts.
 
-use crate::text;
+use coface_pages::text;
 use serde_json::Value;
 
 /// So many curves and kinks are listed.

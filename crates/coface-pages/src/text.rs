@@ -18,15 +18,15 @@ const GLOSS: Mood = Mood::Gloss;
 const PLAIN: Mood = Mood::Plain;
 
 /// How many places of a problem are listed when not all are asked for.
-pub(crate) const FEW: usize = 5;
+pub const FEW: usize = 5;
 
 /// The report on the file of this name and format. Of each list the first `limit` items are shown.
-pub(crate) fn report(name: &str, format: &str, report: &Report, limit: usize) -> String {
+pub fn report(name: &str, format: &str, report: &Report, limit: usize) -> String {
     page_of(name, format, report, limit).finished()
 }
 
 /// The same, before it is laid out: the title, the summary, then facts and problems.
-pub(crate) fn items(name: &str, format: &str, report: &Report, limit: usize) -> Vec<Item> {
+pub fn items(name: &str, format: &str, report: &Report, limit: usize) -> Vec<Item> {
     page_of(name, format, report, limit).items
 }
 
@@ -47,7 +47,7 @@ fn page_of(name: &str, format: &str, report: &Report, limit: usize) -> Page {
 }
 
 /// A list of groups for people, with a title.
-pub(crate) fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: Coefficients) -> String {
+pub fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: Coefficients) -> String {
     let ring = match ring {
         Coefficients::Modulo(n) => format!("(Z/{n})"),
         ring => ring.to_string(),
@@ -64,7 +64,7 @@ pub(crate) fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: C
 }
 
 /// A page of facts with a title: what each is called, what it is, what that means.
-pub(crate) fn facts(title: &str, facts: &[(String, String, String)]) -> String {
+pub fn facts(title: &str, facts: &[(String, String, String)]) -> String {
     let mut page = Page::default();
     page.heading(title);
     for (label, value, gloss) in facts {
@@ -86,11 +86,16 @@ fn group_over(group: &AbelianGroup, ring: &str) -> String {
 
 /// How something is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mood {
+pub enum Mood {
+    /// As it is.
     Plain,
+    /// As one hopes.
     Good,
+    /// A fault.
     Bad,
+    /// Worth a look.
     Odd,
+    /// An explanation.
     Gloss,
 }
 
@@ -108,25 +113,38 @@ impl Mood {
 
 /// A part of a report, before it is laid out.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Item {
+pub enum Item {
     /// What the report is about, and a word on it.
     Title(String, String),
+    /// The title of what follows.
     Heading(String),
+    /// An empty line.
     Blank,
+    /// Words in lines.
     Paragraph {
+        /// The column where lines begin.
         indent: usize,
+        /// How they are meant.
         mood: Mood,
+        /// The words.
         words: String,
     },
+    /// Words after a mark.
     Bullet {
+        /// How they are meant.
         mood: Mood,
+        /// The words.
         words: String,
     },
     /// What it is called, what it is, what that means.
     Fact {
+        /// What it is called.
         label: String,
+        /// How the value is meant.
         mood: Mood,
+        /// What it is.
         value: String,
+        /// What that means.
         gloss: String,
     },
 }
@@ -243,8 +261,13 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// `1 edge`, `1,204 edges`.
-pub(crate) fn count(number: usize, singular: &str) -> String {
+/// A number of things.
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_pages::text::count(1204, "vertex"), "1,204 vertices");
+/// ```
+pub fn count(number: usize, singular: &str) -> String {
     format!("{} {}", grouped(number), if number == 1 { singular.to_owned() } else { plural(singular) })
 }
 
@@ -263,7 +286,7 @@ fn plural(singular: &str) -> String {
 }
 
 /// Digits in groups of three.
-pub(crate) fn grouped(number: usize) -> String {
+pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (i, digit) in digits.chars().enumerate() {
@@ -573,7 +596,7 @@ fn data(page: &mut Page, report: &Report, limit: usize) {
 }
 
 /// Six significant digits.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".to_owned()
@@ -655,7 +678,7 @@ fn places(page: &mut Page, problem: &Problem, limit: usize) {
 const MANY: usize = 200;
 
 /// A set of simplices for people.
-pub(crate) fn simplices(what: &str, set: &SimplexSet) -> String {
+pub fn simplices(what: &str, set: &SimplexSet) -> String {
     let mut page = Page::default();
     let counts: Vec<String> = set
         .f_vector()

@@ -32,7 +32,7 @@ pre { overflow-x: auto; font-size: .8rem; }
 "#;
 
 /// A picture on a page.
-pub(crate) enum Figure {
+pub enum Figure {
     /// SVG, as it stands.
     Svg(String),
     /// PNG as base64.
@@ -40,15 +40,17 @@ pub(crate) enum Figure {
 }
 
 /// A model on a page.
-pub(crate) struct Section {
-    pub(crate) items: Vec<Item>,
-    pub(crate) figures: Vec<(Figure, String)>,
+pub struct Section {
+    /// What is said.
+    pub items: Vec<Item>,
+    /// Pictures with their captions; they stand below the summary.
+    pub figures: Vec<(Figure, String)>,
     /// The report for programs.
-    pub(crate) object: String,
+    pub object: String,
 }
 
 /// The page about some models.
-pub(crate) fn page(title: &str, sections: &[Section]) -> String {
+pub fn page(title: &str, sections: &[Section]) -> String {
     let mut page = format!("{HEAD}<title>{}</title>\n</head>\n<body>\n", escaped(title));
     for section in sections {
         page += "<article>\n";

@@ -1,10 +1,17 @@
 //! A model as a surface, and the models of surfaces that are made from it.
 
-use super::producer::{Cells, Producer};
+mod covering;
+mod cutting;
+
+pub use covering::{LayoutChoice, PlacedCover, SurfaceCover};
+pub use cutting::{CutComponent, CutRequest, CutSeam, SurfaceCut};
+
 use crate::algebra::RaggedArray;
 use crate::cellular::CellMesh;
+use crate::chains::TwoSkeleton;
 use crate::geometry::Positions;
 use crate::io::{CellData, Group, GroupKind, Model};
+use crate::report::producer::{Cells, Producer};
 use crate::surface::{GeneralizedMap, PolygonMesh};
 use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
 
@@ -153,6 +160,31 @@ impl SurfaceModel {
         found.map(VertexId::new)
     }
 
+    /// The vertex with this number in the file.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] where there is none.
+    pub fn vertex_numbered(&self, number: u32) -> Result<VertexId, Error> {
+        self.vertex(number).ok_or_else(|| {
+            Error::new(ErrorKind::NotInComplex, format!("there is no vertex {number}"))
+                .with_cells([[number]])
+                .with_cure("give a vertex of the surface")
+        })
+    }
+
+    /// The lengths of the edges; `None` without positions.
+    pub fn edge_lengths(&self) -> Option<Vec<f64>> {
+        edge_lengths(self.map.skeleton(), &self.positions)
+    }
+
+    /// The numbers in the file of the vertices along a path of steps, 2e along edge e and 2e + 1 against it.
+    pub fn numbers_along(&self, steps: &[u32]) -> Vec<u32> {
+        let ends = self.map.skeleton().edge_ends();
+        let number = |step: u32| self.number(VertexId::from_u32(ends[step as usize]));
+        let first = steps.first().map(|&step| number(step));
+        first.into_iter().chain(steps.iter().map(|&step| number(step ^ 1))).collect()
+    }
+
     /// The numbers in the file of the ends of an edge, from its start to its end.
     pub fn edge_numbers(&self, edge: EdgeId) -> [u32; 2] {
         self.map.skeleton().edge(edge).map(|end| self.number(end))
@@ -166,6 +198,17 @@ impl SurfaceModel {
     /// The numbers in the file of the vertices around a face.
     pub fn face_numbers(&self, face: FaceId) -> Vec<u32> {
         self.map.sides_of(face).map(|side| self.number(self.map.source(side))).collect()
+    }
+
+    /// The surface as a model, with its numbers in the file as data.
+    ///
+    /// # Errors
+    /// Those of [`Self::model_over`].
+    pub fn to_model(&self) -> Result<Model, Error> {
+        let [v, _, f] = self.map.f_vector();
+        let vertices: Vec<VertexId> = (0..v).map(VertexId::new).collect();
+        let faces: Vec<FaceId> = (0..f).map(FaceId::new).collect();
+        self.model_over(cutting::polygons_of_map(&self.map), &vertices, &faces, None)
     }
 
     /// A model of a surface whose vertices and faces lie over those of this one: a cover, or this one cut open.
@@ -244,6 +287,21 @@ impl SurfaceModel {
         model.check()?;
         Ok(model)
     }
+}
+
+/// The lengths of the edges of a 2-skeleton whose vertices have these positions; `None` if these are empty.
+///
+/// # Panics
+/// If a vertex has no position among some.
+pub fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec<f64>> {
+    if positions.is_empty() {
+        return None;
+    }
+    let length = |ends: &[u32]| {
+        let [a, b] = [ends[0], ends[1]].map(|end| positions.point(VertexId::from_u32(end)));
+        a.iter().zip(b).map(|(x, y)| x - y).fold(0.0, f64::hypot)
+    };
+    Some(skeleton.edge_ends().chunks_exact(2).map(length).collect())
 }
 
 /// The fault with cells by the numbers of the file, where those of the surface are others.
