@@ -12,7 +12,8 @@
 //! * [`PlacedCells`]: simplices or cuboids of one dimension with positions, as grids and shapes are made of.
 //! * An [`Assembly`] is a list of those, affine maps and further lists.
 //! * A [`CuboidGrid`] is a product of subdivided intervals; the numbers of its cells are computed, never stored.
-//! * A [`CubicalVolume`] is voxels that are set, with their faces; [`CubicalBlocks`] makes them piece by piece.
+//! * [`Voxels`] are set or not: a [`CubicalVolume`] in memory, [`FullVoxels`] of which nothing is stored, the [`VoxelWindow`] of a box.
+//!   [`CubicalBlocks`] makes the complex of their faces piece by piece, [`SimplicialBlocks`] that of the simplices they are cut into.
 //! * A [`LarModel`] is cells of any dimension as lists of vertices; an [`Operator`] relates the cells of two degrees.
 //! * [`OrientedCells`] have signs of their facets that make each boundary a cycle: [`oriented_boundary`] finds them.
 
@@ -34,7 +35,9 @@ mod two_skeleton;
 pub use assembly::{Assembly, AssemblyPart, FlatAssembly};
 pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
 pub use cell_mesh::CellMesh;
-pub use cubical::{CubicalBlocks, CubicalVolume, VoxelBox};
+pub use cubical::{
+    CubicalBlocks, CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBox, VoxelBoxes, VoxelWindow, Voxels,
+};
 pub use grids::{AxisSet, CuboidGrid, GridCell, ProductCells, product};
 pub use lar::{LarModel, Operator, Shared, TopOrientation};
 pub use manifold::{VolumeDefect, VolumeVerdict};

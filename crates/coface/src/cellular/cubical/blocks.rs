@@ -1,14 +1,17 @@
-//! Volumes cut into blocks.
+//! The cubical complexes of blocks.
 
-use super::volume::{CubicalVolume, VoxelBox};
-use crate::algebra::{RaggedArray, SparseMatrix};
+use super::boxes::{VoxelBox, VoxelBoxes};
+use super::places::BlockPlaces;
+use super::volume::CubicalVolume;
+use super::voxels::Voxels;
+use crate::Error;
+use crate::algebra::SparseMatrix;
 use crate::chains::{ChainComplex, Part, Parts};
-use crate::{Error, ErrorKind};
-use std::collections::BTreeMap;
 
 /// A volume cut into boxes of nearly equal size, the parts of its cubical complex.
 ///
-/// Block numbers run like places, the last axis fastest. A part is made when it is asked for.
+/// Block numbers run like places, the last axis fastest. A part is made when it is asked for, of the voxels of its box and one layer around
+/// it.
 ///
 /// # Examples
 /// A torus of 8 x 8 x 8 voxels in 8 blocks: one cell is left of each stratum, and 8 of the whole.
@@ -23,61 +26,46 @@ use std::collections::BTreeMap;
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
-pub struct CubicalBlocks<'v> {
-    volume: &'v CubicalVolume,
-    counts: Vec<u32>,
+pub struct CubicalBlocks<'v, V: ?Sized = CubicalVolume> {
+    volume: &'v V,
+    boxes: VoxelBoxes,
 }
 
-/// How many voxels are around a cell at most.
-const MOST_AROUND: usize = 1 << CubicalVolume::MOST_AXES;
 /// The number of no cell.
 const NONE: u32 = u32::MAX;
 
-impl<'v> CubicalBlocks<'v> {
+impl<'v, V: Voxels + ?Sized> CubicalBlocks<'v, V> {
     /// So many blocks along each axis.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] unless there is a count for each axis, from 1 to its voxels; [`ErrorKind::TooLarge`] beyond 2^32 blocks.
-    pub fn new(volume: &'v CubicalVolume, counts: &[u32]) -> Result<Self, Error> {
-        let fits = counts.len() == volume.shape().len()
-            && counts.iter().zip(volume.shape()).all(|(count, length)| (1..=*length).contains(count));
-        if !fits {
-            return Err(Error::invalid(format!(
-                "a volume of shape {:?} cannot be cut into {counts:?} blocks",
-                volume.shape()
-            ))
-            .with_cure("give a count for each axis, from 1 to the number of its voxels"));
-        }
-        if counts.iter().try_fold(1u32, |total, &count| total.checked_mul(count)).is_none() {
-            return Err(Error::new(ErrorKind::TooLarge, format!("{counts:?} are more than 2^32 blocks")));
-        }
-        Ok(Self { volume, counts: counts.to_vec() })
+    /// As [`VoxelBoxes::new`].
+    pub fn new(volume: &'v V, counts: &[u32]) -> Result<Self, Error> {
+        let boxes = VoxelBoxes::new(volume.shape(), volume.is_periodic(), counts)?;
+        Ok(Self { volume, boxes })
     }
 
     /// Blocks in all at least `part_count`, as far as there are voxels, by halving the longest side over and over.
     ///
     /// # Errors
-    /// As [`Self::new`].
-    pub fn at_least(volume: &'v CubicalVolume, part_count: u32) -> Result<Self, Error> {
-        let mut counts = vec![1u32; volume.shape().len()];
-        while counts.iter().map(|&count| u64::from(count)).product::<u64>() < u64::from(part_count) {
-            let side = |axis: &usize| volume.shape()[*axis] / counts[*axis];
-            match (0..counts.len()).max_by_key(side) {
-                Some(axis) if side(&axis) > 1 => counts[axis] *= 2,
-                _ => break,
-            }
-        }
-        Self::new(volume, &counts)
+    /// As [`VoxelBoxes::at_least`].
+    pub fn at_least(volume: &'v V, part_count: u32) -> Result<Self, Error> {
+        let boxes = VoxelBoxes::at_least(volume.shape(), volume.is_periodic(), part_count)?;
+        Ok(Self { volume, boxes })
     }
 
     /// The volume.
-    pub fn volume(&self) -> &'v CubicalVolume {
+    pub fn volume(&self) -> &'v V {
         self.volume
     }
 
     /// The number of blocks along each axis.
     pub fn counts(&self) -> &[u32] {
-        &self.counts
+        self.boxes.counts()
+    }
+
+    /// The boxes of voxels.
+    pub fn boxes(&self) -> &VoxelBoxes {
+        &self.boxes
     }
 
     /// The voxels of a block.
@@ -85,23 +73,14 @@ impl<'v> CubicalBlocks<'v> {
     /// # Panics
     /// If there is no such block.
     pub fn voxels(&self, number: u32) -> VoxelBox {
-        assert!(number < self.part_count(), "there is no block {number}");
-        let mut rest = number;
-        let mut voxels = VoxelBox { start: vec![0; self.counts.len()], end: vec![0; self.counts.len()] };
-        for axis in (0..self.counts.len()).rev() {
-            let (count, length) = (self.counts[axis], self.volume.shape()[axis]);
-            let at = rest % count;
-            rest /= count;
-            voxels.start[axis] = first_voxel(at, count, length);
-            voxels.end[axis] = first_voxel(at + 1, count, length);
-        }
-        voxels
+        self.boxes.voxels(number)
     }
 
     /// The part of a block.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] where it has 2^32 cells or entries of one dimension.
+    /// [`ErrorKind::TooLarge`](crate::ErrorKind::TooLarge) where it has 2^32 cells or entries of one dimension; what [`Voxels::window`]
+    /// says.
     ///
     /// # Complexity
     /// Linear in the places of cells of the block.
@@ -109,13 +88,27 @@ impl<'v> CubicalBlocks<'v> {
     /// # Panics
     /// If there is no such block.
     pub fn block(&self, number: u32) -> Result<Part, Error> {
-        BlockCells::new(self, number)?.into_part()
+        let window = self.volume.window(&self.boxes.voxels(number))?;
+        let places = BlockPlaces::new(&self.boxes, &window, number)?;
+        let degree_count = places.axes.len() + 1;
+        let mut number_of_place = vec![NONE; places.count];
+        let mut ids = vec![Vec::new(); degree_count];
+        let mut keys = vec![Vec::new(); degree_count];
+        let sets = places.for_each_cell(|cell| {
+            let ids = &mut ids[cell.dimension];
+            number_of_place[cell.place] = ids.len() as u32;
+            ids.push(cell.id);
+            keys[cell.dimension].push(cell.key);
+        });
+        let counts: Vec<usize> = ids.iter().map(Vec::len).collect();
+        let complex = ChainComplex::from_trusted_boundaries(boundaries(&places, &number_of_place, &counts)?);
+        Part::of_trusted_cells(number, complex, ids, &sets, keys)
     }
 }
 
-impl Parts for CubicalBlocks<'_> {
+impl<V: Voxels + ?Sized> Parts for CubicalBlocks<'_, V> {
     fn part_count(&self) -> u32 {
-        self.counts.iter().product()
+        self.boxes.count()
     }
 
     fn part(&self, number: u32) -> Result<Part, Error> {
@@ -123,224 +116,98 @@ impl Parts for CubicalBlocks<'_> {
     }
 }
 
-/// Where block `at` of `count` begins along an axis.
-fn first_voxel(at: u32, count: u32, length: u32) -> u32 {
-    (u64::from(at) * u64::from(length) / u64::from(count)) as u32
-}
-
-/// One axis, as a block sees it.
-struct Axis {
-    /// The places of its cells along the axis, rising.
-    places: Vec<u64>,
-    /// For each of them the voxels that are around it and the numbers of their blocks along the axis: one or two.
-    around: Vec<Vec<(u32, u32)>>,
-    /// For each odd place where its faces are among `places`; the same twice where the axis is one voxel long and periodic.
-    faces: Vec<[u32; 2]>,
-    /// How many places the whole axis has.
-    length: u64,
-}
-
-impl Axis {
-    fn new(blocks: &CubicalBlocks<'_>, voxels: &VoxelBox, axis: usize) -> Self {
-        let (count, voxel_count) = (blocks.counts[axis], blocks.volume.shape()[axis]);
-        let is_periodic = blocks.volume.is_periodic()[axis];
-        let length = 2 * u64::from(voxel_count) + u64::from(!is_periodic);
-        let mut places: Vec<u64> = (2 * u64::from(voxels.start[axis])..=2 * u64::from(voxels.end[axis]))
-            .map(|place| place % length)
-            .collect();
-        places.sort_unstable();
-        places.dedup();
-        // Block b ends where block b + 1 begins, so the block of voxel v is the last that begins at v or before.
-        let block_of = |voxel: u32| {
-            let guess = (u64::from(voxel) * u64::from(count) / u64::from(voxel_count)) as u32;
-            let up = guess + 1 < count && first_voxel(guess + 1, count, voxel_count) <= voxel;
-            guess + u32::from(up)
-        };
-        let around = places.iter().map(|&place| {
-            let mut voxels = Vec::with_capacity(2);
-            let at = (place / 2) as u32;
-            if place % 2 == 0 {
-                if at > 0 {
-                    voxels.push(at - 1);
-                } else if is_periodic {
-                    voxels.push(voxel_count - 1);
+/// The boundary matrices of the cells at these places, numbered within their dimensions.
+fn boundaries(
+    places: &BlockPlaces<'_>,
+    number_of_place: &[u32],
+    counts: &[usize],
+) -> Result<Vec<SparseMatrix>, Error> {
+    let mut starts: Vec<Vec<u32>> = counts
+        .iter()
+        .map(|&count| {
+            let mut starts = Vec::with_capacity(count + 1);
+            starts.push(0);
+            starts
+        })
+        .collect();
+    let mut rows: Vec<Vec<u32>> = counts
+        .iter()
+        .enumerate()
+        .map(|(dimension, &count)| Vec::with_capacity(2 * dimension * count))
+        .collect();
+    let mut entries: Vec<Vec<i32>> = rows.iter().map(|rows| Vec::with_capacity(rows.capacity())).collect();
+    let mut sorted: Vec<(u32, i32)> = Vec::with_capacity(2 * places.axes.len());
+    let (last, outer) = places.axes.split_last().expect("a volume has an axis");
+    places.for_each_row(|first, at, _, outer_dimension| {
+        let outer_steps = || outer.iter().zip(at).filter(|(axis, at)| axis.places[**at] % 2 == 1);
+        let outer_steps = || outer_steps().map(|(axis, &at)| axis.face_steps(at));
+        let at_corner = Faces::new(outer_steps());
+        let inside = Faces::new(outer_steps().chain([[-1, 1]]));
+        for (along, place) in last.places.iter().enumerate() {
+            let own = first + along;
+            if number_of_place[own] == NONE {
+                continue;
+            }
+            let is_odd = place % 2 == 1;
+            let dimension = outer_dimension + usize::from(is_odd);
+            let around_end;
+            let faces = match last.face_steps(along) {
+                _ if !is_odd => &at_corner,
+                [_, 1] => &inside,
+                steps => {
+                    around_end = Faces::new(outer_steps().chain([steps]));
+                    &around_end
                 }
-                if at < voxel_count && !voxels.contains(&at) {
-                    voxels.push(at);
-                }
-            } else {
-                voxels.push(at);
-            }
-            voxels.into_iter().map(|voxel| (voxel, block_of(voxel))).collect()
-        });
-        let around = around.collect();
-        let faces = places.iter().map(|&place| {
-            let position = |place: u64| places.binary_search(&place).map_or(NONE, |at| at as u32);
-            [position((place + length - 1) % length), position((place + 1) % length)]
-        });
-        let faces = faces.collect();
-        Self { places, around, faces, length }
-    }
-}
-
-/// The cells of a block, before they are a part.
-struct BlockCells {
-    number: u32,
-    axes: Vec<Axis>,
-    /// For each place of the block the number of the cell among those of its dimension.
-    number_of_place: Vec<u32>,
-    ids: Vec<Vec<u64>>,
-    keys: Vec<Vec<u32>>,
-    sets: RaggedArray,
-}
-
-/// Goes through the places of a box, the last axis fastest.
-fn for_each_place(axes: &[Axis], mut visit: impl FnMut(usize, &[usize])) {
-    let mut at = vec![0; axes.len()];
-    let count = axes.iter().map(|axis| axis.places.len()).product();
-    for place in 0..count {
-        visit(place, &at);
-        for axis in (0..axes.len()).rev() {
-            at[axis] += 1;
-            if at[axis] < axes[axis].places.len() {
-                break;
-            }
-            at[axis] = 0;
-        }
-    }
-}
-
-impl BlockCells {
-    fn new(blocks: &CubicalBlocks<'_>, number: u32) -> Result<Self, Error> {
-        let voxels = blocks.voxels(number);
-        let axes: Vec<Axis> = (0..blocks.counts.len()).map(|axis| Axis::new(blocks, &voxels, axis)).collect();
-        let place_count = axes.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.places.len()));
-        let Some(place_count) = place_count.filter(|&count| u32::try_from(count).is_ok()) else {
-            return Err(Error::new(
-                ErrorKind::TooLarge,
-                format!("block {number} has more than 2^32 places of cells"),
-            )
-            .with_cure("cut the volume into more blocks"));
-        };
-        let mut sets = RaggedArray::from_lists([[number]]);
-        let mut number_of_set = BTreeMap::from([(vec![number], 0u32)]);
-        let mut number_of_place = vec![NONE; place_count];
-        let mut ids = vec![Vec::new(); axes.len() + 1];
-        let mut keys = vec![Vec::new(); axes.len() + 1];
-        let mut around = Vec::with_capacity(MOST_AROUND);
-        for_each_place(&axes, |place, at| {
-            // The blocks of the voxels around that are set, this one first found.
-            around.clear();
-            blocks_around(blocks, &axes, at, &mut around);
-            around.sort_unstable();
-            around.dedup();
-            if around.binary_search(&number).is_err() {
-                return;
-            }
-            let key = if around.len() == 1 {
-                0
-            } else if let Some(&key) = number_of_set.get(&around[..]) {
-                key
-            } else {
-                let key = sets.len() as u32;
-                sets.push(&around);
-                number_of_set.insert(around.clone(), key);
-                key
             };
-            let (mut id, mut dimension) = (0, 0);
-            for (axis, &at) in axes.iter().zip(at) {
-                id = id * axis.length + axis.places[at];
-                dimension += (axis.places[at] % 2) as usize;
+            let (rows, entries) = (&mut rows[dimension], &mut entries[dimension]);
+            let number = |step: isize| number_of_place[own.wrapping_add_signed(step)];
+            if faces.rise {
+                rows.extend(faces.steps.iter().map(|&(step, _)| number(step)));
+                entries.extend(faces.steps.iter().map(|&(_, sign)| sign));
+            } else {
+                sorted.clear();
+                sorted.extend(faces.steps.iter().map(|&(step, sign)| (number(step), sign)));
+                sorted.sort_unstable();
+                rows.extend(sorted.iter().map(|&(row, _)| row));
+                entries.extend(sorted.iter().map(|&(_, sign)| sign));
             }
-            number_of_place[place] = ids[dimension].len() as u32;
-            ids[dimension].push(id);
-            keys[dimension].push(key);
-        });
-        Ok(Self { number, axes, number_of_place, ids, keys, sets })
-    }
-
-    fn into_part(self) -> Result<Part, Error> {
-        let degree_count = self.axes.len() + 1;
-        let mut strides = vec![1usize; self.axes.len()];
-        for axis in (1..self.axes.len()).rev() {
-            strides[axis - 1] = strides[axis] * self.axes[axis].places.len();
+            starts[dimension].push(rows.len() as u32);
         }
-        let mut columns: Vec<(Vec<u32>, Vec<u32>, Vec<i32>)> = self
-            .ids
-            .iter()
-            .enumerate()
-            .map(|(dimension, ids)| {
-                let count = ids.len();
-                let mut starts = Vec::with_capacity(count + 1);
-                starts.push(0);
-                (starts, Vec::with_capacity(2 * dimension * count), Vec::with_capacity(2 * dimension * count))
-            })
-            .collect();
-        let mut faces: Vec<(u32, i32)> = Vec::with_capacity(2 * self.axes.len());
-        for_each_place(&self.axes, |place, at| {
-            if self.number_of_place[place] == NONE {
-                return;
-            }
-            faces.clear();
-            let mut dimension = 0;
-            for ((axis, &at), stride) in self.axes.iter().zip(at).zip(&strides) {
-                if axis.places[at] % 2 == 0 {
-                    continue;
-                }
-                let sign = if dimension % 2 == 0 { 1 } else { -1 };
-                dimension += 1;
-                let [low, high] = axis.faces[at];
-                // An axis of one voxel that is periodic: both faces are one, and cancel.
-                if low != high {
-                    let origin = place - at * stride;
-                    faces.push((self.number_of_place[origin + low as usize * stride], -sign));
-                    faces.push((self.number_of_place[origin + high as usize * stride], sign));
-                }
-            }
-            faces.sort_unstable();
-            let (starts, rows, entries) = &mut columns[dimension];
-            rows.extend(faces.iter().map(|&(row, _)| row));
-            entries.extend(faces.iter().map(|&(_, entry)| entry));
-            starts.push(rows.len() as u32);
-        });
-        let mut matrices = Vec::with_capacity(degree_count);
-        for (dimension, (starts, rows, entries)) in columns.into_iter().enumerate().skip(1) {
-            matrices.push(SparseMatrix::from_trusted_parts(
-                self.ids[dimension - 1].len(),
-                starts,
-                rows,
-                entries,
-            )?);
-        }
-        Part::new(
-            self.number,
-            ChainComplex::from_trusted_boundaries(matrices),
-            self.ids,
-            &self.sets,
-            self.keys,
-        )
-    }
+    });
+    let matrices = (1..counts.len()).map(|dimension| {
+        let (starts, rows, entries) = (
+            std::mem::take(&mut starts[dimension]),
+            std::mem::take(&mut rows[dimension]),
+            std::mem::take(&mut entries[dimension]),
+        );
+        SparseMatrix::from_trusted_parts(counts[dimension - 1], starts, rows, entries)
+    });
+    matrices.collect()
 }
 
-/// Adds the blocks of the voxels around a place that are set.
-fn blocks_around(blocks: &CubicalBlocks<'_>, axes: &[Axis], at: &[usize], found: &mut Vec<u32>) {
-    // All choices of one voxel along each axis: (place among all voxels, block) so far.
-    let mut choices = [(0usize, 0u32); MOST_AROUND];
-    let mut count = 1;
-    for ((axis, &at), (&length, &block_count)) in
-        axes.iter().zip(at).zip(blocks.volume.shape().iter().zip(&blocks.counts))
-    {
-        let around = &axis.around[at];
-        for i in (0..count).rev() {
-            let (voxel, block) = choices[i];
-            for (j, &(x, b)) in around.iter().enumerate().rev() {
-                choices[i * around.len() + j] =
-                    (voxel * length as usize + x as usize, block * block_count + b);
+/// The steps from the place of a cell to those of its faces, with their signs.
+struct Faces {
+    steps: Vec<(isize, i32)>,
+    /// Whether the steps rise, and so the numbers of the faces: all but around the end of an axis.
+    rise: bool,
+}
+
+impl Faces {
+    /// Those of a cell with these steps along its axes, the lower and the upper.
+    fn new(steps: impl Iterator<Item = [isize; 2]>) -> Self {
+        let (mut lower, mut upper) = (Vec::new(), Vec::new());
+        for (rank, [low, high]) in steps.enumerate() {
+            let sign = if rank % 2 == 0 { 1 } else { -1 };
+            // An axis of one voxel that is periodic: both faces are one, and cancel.
+            if low == high {
+                continue;
             }
+            lower.push((low, -sign));
+            upper.push((high, sign));
         }
-        count *= around.len();
+        upper.reverse();
+        lower.append(&mut upper);
+        let rise = lower.is_sorted_by(|a, b| a.0 < b.0);
+        Self { steps: lower, rise }
     }
-    found.extend(
-        choices[..count].iter().filter(|&&(voxel, _)| blocks.volume.is_set_at(voxel)).map(|&(_, b)| b),
-    );
 }

@@ -1,10 +1,15 @@
 //! Arrays of voxels.
 
+use super::bits::Bits;
 use super::blocks::CubicalBlocks;
+use super::boxes::VoxelBox;
+use super::simplices::SimplicialBlocks;
+use super::voxels::{Voxels, check_shape};
+use super::window::VoxelWindow;
 use crate::chains::ChainComplex;
 use crate::{Error, ErrorKind};
 
-/// Voxels that are set or not.
+/// Voxels that are set or not, all in memory: a bit each.
 ///
 /// # Examples
 /// Three by three voxels without the one in the middle make an annulus:
@@ -23,16 +28,7 @@ pub struct CubicalVolume {
     shape: Vec<u32>,
     is_periodic: Vec<bool>,
     /// A bit for each voxel, the last axis running fastest.
-    words: Vec<u64>,
-}
-
-/// A box of voxels: along each axis from a first one to one before an end.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VoxelBox {
-    /// The first voxel along each axis.
-    pub start: Vec<u32>,
-    /// The voxel after the last one along each axis.
-    pub end: Vec<u32>,
+    bits: Bits,
 }
 
 impl CubicalVolume {
@@ -53,7 +49,7 @@ impl CubicalVolume {
         let mut voxel = vec![0; shape.len()];
         for at in 0..volume.voxel_count() {
             if is_set(&voxel) {
-                volume.words[at / 64] |= 1 << (at % 64);
+                volume.bits.insert(at);
             }
             for axis in (0..shape.len()).rev() {
                 voxel[axis] += 1;
@@ -72,38 +68,17 @@ impl CubicalVolume {
     /// As [`Self::new`].
     pub fn full(shape: &[u32], is_periodic: &[bool]) -> Result<Self, Error> {
         let mut volume = Self::empty(shape, is_periodic)?;
-        volume.words.fill(u64::MAX);
+        volume.bits.fill();
         Ok(volume)
     }
 
     fn empty(shape: &[u32], is_periodic: &[bool]) -> Result<Self, Error> {
-        if shape.is_empty() || shape.len() > Self::MOST_AXES || shape.len() != is_periodic.len() {
-            return Err(Error::invalid(format!(
-                "a volume of {} axes, {} of which are told periodic or not",
-                shape.len(),
-                is_periodic.len()
-            ))
-            .with_cure(format!("give 1 to {} axes, and one word for each", Self::MOST_AXES)));
-        }
-        if let Some(axis) = shape.iter().position(|&length| length == 0) {
-            return Err(Error::invalid(format!("axis {axis} of a volume has no voxels")));
-        }
-        let place_count =
-            shape.iter().try_fold(1u64, |count, &length| count.checked_mul(2 * u64::from(length) + 1));
+        check_shape(shape, is_periodic)?;
         let voxel_count = shape.iter().try_fold(1usize, |count, &length| count.checked_mul(length as usize));
-        let (Some(0..=0x7fff_ffff_ffff_ffff), Some(voxel_count)) = (place_count, voxel_count) else {
-            return Err(Error::new(
-                ErrorKind::TooLarge,
-                format!("cells of a volume of shape {shape:?} have no 63-bit places"),
-            ));
-        };
-        let word_count = voxel_count.div_ceil(64);
-        let mut words = Vec::new();
-        words.try_reserve_exact(word_count).map_err(|_| {
+        let voxel_count = voxel_count.ok_or_else(|| {
             Error::new(ErrorKind::TooLarge, format!("a volume of shape {shape:?} does not fit in memory"))
         })?;
-        words.resize(word_count, 0);
-        Ok(Self { shape: shape.to_vec(), is_periodic: is_periodic.to_vec(), words })
+        Ok(Self { shape: shape.to_vec(), is_periodic: is_periodic.to_vec(), bits: Bits::zeros(voxel_count)? })
     }
 
     /// The number of voxels along each axis.
@@ -118,7 +93,12 @@ impl CubicalVolume {
 
     /// The number of voxels, set or not.
     pub fn voxel_count(&self) -> usize {
-        self.shape.iter().map(|&length| length as usize).product()
+        self.bits.len
+    }
+
+    /// The number of voxels that are set.
+    pub fn set_count(&self) -> usize {
+        self.bits.words.iter().map(|word| word.count_ones() as usize).sum()
     }
 
     /// Whether a voxel is set.
@@ -126,16 +106,13 @@ impl CubicalVolume {
     /// # Panics
     /// If there is no such voxel.
     pub fn is_set(&self, voxel: &[u32]) -> bool {
-        let at = voxel.iter().zip(&self.shape).fold(0, |at, (&x, &length)| {
-            assert!(x < length, "there is no voxel {voxel:?} in a volume of shape {:?}", self.shape);
-            at * length as usize + x as usize
-        });
-        self.is_set_at(at)
+        let is_voxel = voxel.len() == self.shape.len() && voxel.iter().zip(&self.shape).all(|(x, n)| x < n);
+        assert!(is_voxel, "there is no voxel {voxel:?} in a volume of shape {:?}", self.shape);
+        self.bits.contains(self.place(voxel))
     }
 
-    /// Whether the voxel at this place is set, places counted with the last axis running fastest.
-    pub(super) fn is_set_at(&self, at: usize) -> bool {
-        self.words[at / 64] & (1 << (at % 64)) != 0
+    fn place(&self, voxel: &[u32]) -> usize {
+        voxel.iter().zip(&self.shape).fold(0, |at, (&x, &length)| at * length as usize + x as usize)
     }
 
     /// The chain complex of all cells, in order of their ids.
@@ -147,5 +124,32 @@ impl CubicalVolume {
     /// Linear in the places of cells.
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(CubicalBlocks::new(self, &vec![1; self.shape.len()])?.block(0)?.into_complex())
+    }
+
+    /// The chain complex of all simplices that the voxels are cut into, in order of their ids; see [`SimplicialBlocks`].
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 2^32 simplices or entries of one dimension.
+    ///
+    /// # Complexity
+    /// Linear in the places of cells and in the simplices.
+    pub fn simplicial_chain_complex(&self) -> Result<ChainComplex, Error> {
+        Ok(SimplicialBlocks::new(self, &vec![1; self.shape.len()])?.block(0)?.into_complex())
+    }
+}
+
+impl Voxels for CubicalVolume {
+    fn shape(&self) -> &[u32] {
+        &self.shape
+    }
+
+    fn is_periodic(&self) -> &[bool] {
+        &self.is_periodic
+    }
+
+    fn window(&self, inner: &VoxelBox) -> Result<VoxelWindow, Error> {
+        let mut window = VoxelWindow::empty(&self.shape, &self.is_periodic, inner)?;
+        window.add(&self.bits, |voxel| self.place(voxel));
+        Ok(window)
     }
 }

@@ -53,6 +53,14 @@ impl Keys {
         sets.into_keys(of_cell)
     }
 
+    /// The keys of cells that are given as numbers of sets.
+    pub(super) fn of_sets(key_sets: &RaggedArray, mut of_cell: Vec<Vec<u32>>) -> Self {
+        let mut sets = Sets::default();
+        let numbers: Vec<u32> = key_sets.iter().map(|set| sets.number(set.to_vec())).collect();
+        of_cell.iter_mut().flatten().for_each(|key| *key = numbers[*key as usize]);
+        sets.into_keys(of_cell)
+    }
+
     /// The keys of some of the cells, those at these positions, with each part number replaced.
     pub(super) fn renamed<'c>(
         &self,

@@ -1,6 +1,6 @@
 //! The closure of what one part owns, and what is left of it.
 
-use super::keys::{Keys, Sets};
+use super::keys::Keys;
 use crate::algebra::{Entry, Integer, RaggedArray, SparseMatrix, SparseVector};
 use crate::chains::flow::inclusions;
 use crate::chains::matching::CellClasses;
@@ -99,14 +99,26 @@ impl<E: Entry> Part<E> {
                 key_sets.len()
             )));
         }
-        let mut sets = Sets::default();
-        let numbers: Vec<u32> = key_sets.iter().map(|set| sets.number(set.to_vec())).collect();
-        let renumbered =
-            keys.into_iter().map(|keys| keys.into_iter().map(|key| numbers[key as usize]).collect());
-        let renumbered = renumbered.collect();
-        let part = Self { number, complex, ids, keys: sets.into_keys(renumbered) };
+        let part = Self { number, complex, ids, keys: Keys::of_sets(key_sets, keys) };
         part.check_keys()?;
         Ok(part)
+    }
+
+    /// The same for lists that are right by the way they were made: only debug builds look.
+    ///
+    /// # Errors
+    /// None that a right list has.
+    pub(crate) fn of_trusted_cells(
+        number: u32,
+        complex: ChainComplex<E>,
+        ids: Vec<Vec<u64>>,
+        key_sets: &RaggedArray,
+        keys: Vec<Vec<u32>>,
+    ) -> Result<Self, Error> {
+        if cfg!(debug_assertions) {
+            return Self::new(number, complex, ids, key_sets, keys);
+        }
+        Ok(Self { number, complex, ids, keys: Keys::of_sets(key_sets, keys) })
     }
 
     /// The same for lists that are right by the way they were made.
