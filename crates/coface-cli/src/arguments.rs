@@ -104,6 +104,8 @@ pub(crate) enum Verb {
     Convert(commands::convert::Convert),
     View(commands::view::View),
     Render(commands::render::Render),
+    #[command(hide = true)]
+    Worker(commands::worker::Worker),
     Completions(commands::completions::Completions),
     Man(commands::man::Man),
 }

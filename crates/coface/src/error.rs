@@ -34,6 +34,33 @@ pub enum ErrorKind {
     Coefficient,
 }
 
+impl ErrorKind {
+    /// The kind as a word for programs: `io`, `parse`, `unsupported_format`, `invalid_input`, `not_in_complex`, `not_a_complex`,
+    /// `not_pure`, `boundary_of_boundary`, `not_a_cycle`, `shape`, `too_large`, `non_manifold`, `coefficient`.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface::ErrorKind::UnsupportedFormat.word(), "unsupported_format");
+    /// ```
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Io => "io",
+            Self::Parse => "parse",
+            Self::UnsupportedFormat => "unsupported_format",
+            Self::InvalidInput => "invalid_input",
+            Self::NotInComplex => "not_in_complex",
+            Self::NotAComplex => "not_a_complex",
+            Self::NotPure => "not_pure",
+            Self::BoundaryOfBoundary => "boundary_of_boundary",
+            Self::NotACycle => "not_a_cycle",
+            Self::Shape => "shape",
+            Self::TooLarge => "too_large",
+            Self::NonManifold => "non_manifold",
+            Self::Coefficient => "coefficient",
+        }
+    }
+}
+
 /// Where in a file a fault was found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Place {

@@ -123,13 +123,26 @@ struct Counted {
     total: u64,
 }
 
-/// A stage that has begun and ends when this is dropped.
+/// A stage that has begun and ends when this is dropped. [`stage`] begins one.
 #[derive(Debug)]
-pub(crate) struct Steps(Option<(Arc<Watch>, Arc<Counted>)>);
+pub struct Steps(Option<(Arc<Watch>, Arc<Counted>)>);
 
 /// Begins a stage of so many items, 0 where that is not known. Only the thread that somebody watches can begin one: elsewhere nothing is
 /// told.
-pub(crate) fn stage(name: &str, total: usize) -> Steps {
+///
+/// # Examples
+/// ```
+/// use coface::progress::{Watch, stage};
+/// use std::sync::Arc;
+/// let watch = Arc::new(Watch::new());
+/// let done = watch.run(|| {
+///     let steps = stage("counting files", 3);
+///     steps.advance(2);
+///     watch.stage().map(|stage| stage.done)
+/// });
+/// assert_eq!(done, Ok(Some(2)));
+/// ```
+pub fn stage(name: &str, total: usize) -> Steps {
     begin(name, Unit::Items, total as u64)
 }
 
@@ -158,7 +171,7 @@ impl Steps {
     ///
     /// It costs an atomic addition: loops of a few nanoseconds a step call it once for many.
     #[inline]
-    pub(crate) fn advance(&self, count: usize) {
+    pub fn advance(&self, count: usize) {
         if let Some((watch, counted)) = &self.0 {
             counted.done.fetch_add(count as u64, Ordering::Relaxed);
             // What is told while the work unwinds, as when buffers are written out, is told to nobody.

@@ -23,6 +23,7 @@ pub(crate) mod render;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 pub(crate) mod view;
+pub(crate) mod worker;
 pub(crate) mod yin;
 
 use crate::arguments::{Arguments, Verb};
@@ -54,6 +55,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Convert(verb) => verb.run(common),
         Verb::View(verb) => verb.run(common),
         Verb::Render(verb) => verb.run(common),
+        Verb::Worker(verb) => verb.run(),
         Verb::Completions(verb) => verb.run(),
         Verb::Man(verb) => verb.run(common),
     }

@@ -1,0 +1,23 @@
+//! `coface worker`: answers requests of a pool of worker processes.
+
+use crate::failure::Failure;
+use crate::workers::Task;
+use clap::Args;
+use coface_workers::{examine, serve};
+
+/// Answer requests, one a line on standard input; for pools of this program.
+#[derive(Args)]
+pub(crate) struct Worker {
+    /// What to do with requests
+    #[arg(value_enum)]
+    task: Task,
+}
+
+impl Worker {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        match self.task {
+            Task::Info => serve(examine)?,
+        }
+        Ok(())
+    }
+}

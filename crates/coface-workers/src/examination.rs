@@ -1,0 +1,177 @@
+//! The report on one file as request and answer.
+
+use coface::Error;
+use coface::io::{self, Format, Model, ReadOptions};
+use coface::report::Report;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// A file to report on, and how.
+///
+/// # Examples
+/// ```
+/// use coface_workers::ReportRequest;
+/// # fn main() -> Result<(), coface::Error> {
+/// let request = ReportRequest::new("bunny.off");
+/// assert_eq!(ReportRequest::from_line(&request.to_line())?, request);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ReportRequest {
+    /// The file.
+    pub path: PathBuf,
+    /// How it is read.
+    pub reading: Reading,
+}
+
+/// How the files of a batch are read and how much of each is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// The format, instead of the one that name and content tell.
+    pub format: Option<Format>,
+    /// The farthest that chords may be from the curves of an SVG.
+    pub flatten: Option<f64>,
+    /// Whether every place of every problem is told, not the first hundred.
+    pub all_places: bool,
+}
+
+/// How many places of a problem are told when not all are asked for.
+const PLACES: usize = 100;
+
+impl Reading {
+    /// As the value in a request.
+    pub(crate) fn to_json(self) -> Value {
+        json!({"format": self.format.map(Format::name), "flatten": self.flatten, "all_places": self.all_places})
+    }
+
+    fn options(self) -> ReadOptions {
+        let mut options = ReadOptions::default();
+        (options.format, options.flatten) = (self.format, self.flatten);
+        options
+    }
+}
+
+impl ReportRequest {
+    /// A request for the report on this file.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        Self { path: path.into(), reading: Reading::default() }
+    }
+
+    /// The request as a line of JSON. Names of files that are no text are lists of bytes.
+    pub fn to_line(&self) -> String {
+        let mut value = self.reading.to_json();
+        value["path"] = path_to_json(&self.path);
+        value.to_string()
+    }
+
+    /// The request in a line.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Parse`](coface::ErrorKind::Parse) if there is none in it.
+    pub fn from_line(line: &str) -> Result<Self, Error> {
+        let fault = || Error::parse("this is no request for a report");
+        let value: Value = serde_json::from_str(line).map_err(|_| fault())?;
+        let path = path_from_json(&value["path"]).ok_or_else(fault)?;
+        let format = value["format"].as_str().map(Format::from_name).transpose()?;
+        let (flatten, all_places) = (value["flatten"].as_f64(), value["all_places"] == true);
+        Ok(Self { path, reading: Reading { format, flatten, all_places } })
+    }
+}
+
+/// A path as JSON: text, or a list of bytes where it is none.
+pub(crate) fn path_to_json(path: &Path) -> Value {
+    #[cfg(unix)]
+    if path.to_str().is_none() {
+        use std::os::unix::ffi::OsStrExt;
+        return path.as_os_str().as_bytes().into();
+    }
+    path.to_string_lossy().into()
+}
+
+/// The path that [`path_to_json`] made JSON.
+pub(crate) fn path_from_json(value: &Value) -> Option<PathBuf> {
+    #[cfg(unix)]
+    if let Value::Array(bytes) = value {
+        use std::os::unix::ffi::OsStringExt;
+        let bytes = bytes.iter().map(|byte| u8::try_from(byte.as_u64()?).ok()).collect::<Option<_>>()?;
+        return Some(std::ffi::OsString::from_vec(bytes).into());
+    }
+    value.as_str().map(PathBuf::from)
+}
+
+/// Answers the [request](ReportRequest) for a report: an object with everything that `coface info --json` says, or one whose only key is
+/// `error` with `kind`, `message` and `cure`, as a line of JSON.
+///
+/// # Examples
+/// ```
+/// let answer = coface_workers::examine("{\"path\":\"/no/such/file.off\"}");
+/// assert!(answer.starts_with("{\"error\":{") && answer.contains("\"kind\":\"io\""));
+/// ```
+pub fn examine(request: &str) -> String {
+    let report = ReportRequest::from_line(request).and_then(|request| {
+        let model = io::read_path_with(&request.path, &request.reading.options())?;
+        report_on(model, &request.path.display().to_string(), request.reading)
+    });
+    report.unwrap_or_else(|error| json!({"error": error_to_json(&error)})).to_string()
+}
+
+/// What is said about a model that was read from the thing of this name.
+///
+/// # Errors
+/// What [`Report::of`] finds, in the file of this name.
+pub fn report_on(model: Model, name: &str, reading: Reading) -> Result<Value, Error> {
+    let format = model.format().unwrap_or(Format::Json);
+    let report = Report::of(model).map_err(|error| error.in_file(name))?;
+    let mut row = json!({"file": name, "format": format.name()});
+    let limit = if reading.all_places { usize::MAX } else { PLACES };
+    if let (Value::Object(row), Value::Object(facts)) = (&mut row, report.to_json(limit)) {
+        row.extend(facts);
+    }
+    Ok(row)
+}
+
+/// An error as an object with `kind`, `message` (with its place) and `cure` (null where there is none).
+pub fn error_to_json(error: &Error) -> Value {
+    let whole = error.to_string();
+    let message = match error.cure() {
+        Some(cure) => whole.strip_suffix(&format!("; {cure}")).unwrap_or(&whole),
+        None => &whole,
+    };
+    json!({"kind": error.kind().word(), "message": message, "cure": error.cure()})
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coface::ErrorKind;
+
+    #[test]
+    fn requests_are_lines() {
+        let mut request = ReportRequest::new("a\nb \"c\".svg");
+        request.reading = Reading { format: Some(Format::Svg), flatten: Some(0.125), all_places: true };
+        let line = request.to_line();
+        assert!(!line.contains('\n'));
+        assert_eq!(ReportRequest::from_line(&line).unwrap(), request);
+        for line in ["", "{}", "[]", "{\"path\":7}", "{\"path\":\"a\",\"format\":\"docx\"}"] {
+            assert!(ReportRequest::from_line(line).is_err(), "{line}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_need_not_be_text() {
+        use std::os::unix::ffi::OsStringExt;
+        let request = ReportRequest::new(std::ffi::OsString::from_vec(vec![b'a', 0xff, b'\n']));
+        assert_eq!(ReportRequest::from_line(&request.to_line()).unwrap(), request);
+    }
+
+    #[test]
+    fn an_error_has_its_place_in_the_message_and_its_cure_beside_it() {
+        let error = Error::parse("bad").at_line(3).in_file("a.off").with_cure("write a number");
+        let expected = json!({"kind": "parse", "message": "a.off:3: bad", "cure": "write a number"});
+        assert_eq!(error_to_json(&error), expected);
+        let error = Error::new(ErrorKind::Io, "gone");
+        assert_eq!(error_to_json(&error), json!({"kind": "io", "message": "gone", "cure": null}));
+    }
+}
