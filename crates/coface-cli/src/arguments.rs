@@ -101,6 +101,7 @@ pub(crate) enum Verb {
     Boolean(commands::boolean::Boolean),
     Yin(commands::yin::Yin),
     Generate(commands::generate::Generate),
+    Batch(commands::batch::Batch),
     Convert(commands::convert::Convert),
     View(commands::view::View),
     Render(commands::render::Render),

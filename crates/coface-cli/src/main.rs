@@ -15,7 +15,6 @@ mod progress;
 mod simplices;
 mod surface;
 mod target;
-#[allow(dead_code, reason = "what a verb does not use yet, another will")]
 mod workers;
 
 use arguments::Arguments;

@@ -9,8 +9,11 @@
 //!         ^--Outcome------------ | <==========ready, answers====== |
 //! ```
 //!
+//! A [`Batch`] is the report on many files by such workers, [`examine`] what a worker does for it.
+//!
 //! Workers end with the process that started them, however it ends: their standard input is then at its end.
 
+mod batch;
 mod examination;
 mod limits;
 mod loss;
@@ -18,6 +21,7 @@ mod pool;
 mod process;
 mod serving;
 
+pub use batch::{Batch, Columns, Row, Summary, TableFormat, find_files, flat_row};
 pub use examination::{Reading, ReportRequest, error_to_json, examine, report_on};
 pub use limits::{Limits, bytes_text, parse_bytes, parse_duration, seconds_text};
 pub use loss::Loss;

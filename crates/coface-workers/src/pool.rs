@@ -61,6 +61,11 @@ impl WorkerPool {
         Self { command, count: count.max(1), limits }
     }
 
+    /// What a request may take.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
     /// Has requests `0..count` done, and gives what became of each to `take` as it comes, in this thread. `request` gives a request by its
     /// number, one line.
     ///

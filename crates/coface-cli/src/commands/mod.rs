@@ -1,6 +1,7 @@
 //! The verbs, one a file.
 
 pub(crate) mod arrange;
+pub(crate) mod batch;
 pub(crate) mod boolean;
 pub(crate) mod boundary;
 pub(crate) mod closure;
@@ -52,6 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Boolean(verb) => verb.run(common),
         Verb::Yin(verb) => verb.run(common),
         Verb::Generate(verb) => verb.run(common),
+        Verb::Batch(verb) => verb.run(common),
         Verb::Convert(verb) => verb.run(common),
         Verb::View(verb) => verb.run(common),
         Verb::Render(verb) => verb.run(common),

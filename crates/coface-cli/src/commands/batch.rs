@@ -1,0 +1,136 @@
+//! `coface batch`: the report over many files.
+
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::output::{print_json, print_text, remark};
+use crate::progress::Progress;
+use crate::workers::{self, Task};
+use clap::Args;
+use coface_workers::{
+    Batch as Files, Limits, Reading, Summary, TableFormat, find_files, parse_bytes, parse_duration,
+};
+use serde_json::json;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Report on many files, one row a file, into a table.
+///
+/// PATHS are files; folders, for the files of known formats in them; patterns in quotes, like 'models/**/*.ply'; @LIST, a file with one
+/// path a line; or -, the same on standard input. A row has path, bytes, seconds, error, and everything that coface info --json says. In
+/// JSON lines that is one object; in CSV cells are f_0, f_1, .., homology is betti_0, .., torsion_0, .., and lists are text.
+///
+/// Files are read by worker processes: one that crashes, takes too long or needs too much memory costs its row alone, which says so.
+/// Rows are in the order of the paths, the same for any number of jobs. A run that is cut short goes on where it was when it is started again:
+/// finished rows are kept beside OUT, which appears whole at the end.
+#[derive(Args)]
+pub(crate) struct Batch {
+    /// Files, folders, patterns, @LIST; - is a list on standard input
+    #[arg(required = true, value_name = "PATHS")]
+    paths: Vec<PathBuf>,
+    /// Take the files of folders in folders too
+    #[arg(long, short)]
+    recursive: bool,
+    /// Read at most N files at once [default: one a core]
+    #[arg(long, short, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// The longest that one file may take: 500ms, 60s, 5m, 2h, or none
+    #[arg(long, value_name = "TIME", default_value = "60s", value_parser = time_limit)]
+    timeout: Limit<Duration>,
+    /// The most memory that one file may take: 500M, 2G, or none
+    #[arg(long, value_name = "SIZE", default_value = if cfg!(unix) { "2G" } else { "none" }, value_parser = memory_limit)]
+    memory: Limit<u64>,
+    /// Do not take rows that an earlier run finished
+    #[arg(long)]
+    restart: bool,
+    /// Exit with status 1 if any row is an error
+    #[arg(long)]
+    strict: bool,
+    /// Leave out the seconds, so that equal files give equal bytes
+    #[arg(long)]
+    no_timings: bool,
+    /// List every place of every problem, not just the first hundred
+    #[arg(long)]
+    all: bool,
+}
+
+/// A limit that may be none.
+#[derive(Clone, Copy)]
+struct Limit<T>(Option<T>);
+
+fn time_limit(text: &str) -> Result<Limit<Duration>, String> {
+    limit(text, parse_duration)
+}
+
+fn memory_limit(text: &str) -> Result<Limit<u64>, String> {
+    let limit = limit(text, parse_bytes)?;
+    match limit.0 {
+        Some(bytes) if bytes < LEAST => Err("a worker needs 64M to start".to_owned()),
+        _ => Ok(limit),
+    }
+}
+
+/// Below this no worker starts.
+const LEAST: u64 = 64 << 20;
+
+fn limit<T>(text: &str, parse: fn(&str) -> Result<T, coface::Error>) -> Result<Limit<T>, String> {
+    if text == "none" {
+        return Ok(Limit(None));
+    }
+    parse(text).map(|value| Limit(Some(value))).map_err(|error| error.to_string())
+}
+
+impl Batch {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let Some(out) = &common.output else {
+            return Err(Failure::new("the rows go to a file: name it with -o, ending in .jsonl or .csv"));
+        };
+        let format = TableFormat::of_path(out)?;
+        let progress = Progress::start(common.quiet);
+        progress.stage("finding files");
+        let mut batch = Files::new(find_files(&self.paths, self.recursive, std::io::stdin().lock())?);
+        batch.reading = Reading { format: common.format, flatten: common.flatten, all_places: self.all };
+        (batch.timings, batch.restart) = (!self.no_timings, self.restart);
+        let limits = Limits { time: self.timeout.0, memory: self.memory.0 };
+        let jobs = self.jobs.map_or_else(workers::core_count, usize::from);
+        let pool = workers::pool(Task::Info, jobs, common.threads.map_or(1, usize::from), limits)?;
+        let summary = batch.write(&pool, out, format)?;
+        drop(progress);
+        if let (Some(refused), false) = (&summary.refused, common.quiet) {
+            remark(refused);
+        }
+        if common.json {
+            print_json(&json!({
+                "output": out.display().to_string(),
+                "files": summary.files,
+                "errors": summary.errors,
+                "resumed": summary.resumed,
+            }))?;
+        } else {
+            print_text(&format!("{}: {}\n", out.display(), told(&summary)))?;
+        }
+        match summary.error_count() {
+            count @ 1.. if self.strict => {
+                Err(Failure::new(format!("{count} of {} rows are errors", summary.files)))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The summary for people: `12 files, 2 errors (1 parse, 1 time)`.
+fn told(summary: &Summary) -> String {
+    let plural = |count: usize, noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" });
+    let mut text = plural(summary.files, "file");
+    match summary.error_count() {
+        0 => text += ", no errors",
+        count => {
+            let kinds: Vec<String> =
+                summary.errors.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+            text += &format!(", {} ({})", plural(count, "error"), kinds.join(", "));
+        }
+    }
+    if summary.resumed > 0 {
+        text += &format!("; {} from an earlier run", plural(summary.resumed, "row"));
+    }
+    text
+}
