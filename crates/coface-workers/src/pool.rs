@@ -255,7 +255,7 @@ mod tests {
             });
             Ok(())
         };
-        pool.run_in_order("words", words.len(), |i| words[i].to_owned(), take).unwrap();
+        pool.run_in_order("words", words.len(), |i| words[i].to_owned(), take).expect("workers start");
         all
     }
 

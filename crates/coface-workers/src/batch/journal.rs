@@ -268,7 +268,12 @@ mod tests {
         let (_folder, files, out) = finished(3);
         let (journal, _) = Journal::open(&out, "options", &files, false).unwrap();
         let mut found = Vec::new();
-        journal.each(|row| Ok(found.push(row.clone()))).unwrap();
+        journal
+            .each(|row| {
+                found.push(row.clone());
+                Ok(())
+            })
+            .unwrap();
         let expected: Vec<Row> = files.iter().enumerate().map(|(place, file)| row(file, place)).collect();
         assert_eq!(found, expected);
         journal.remove();
@@ -318,13 +323,18 @@ mod tests {
             let lines = whole[..length].iter().filter(|&&byte| byte == b'\n').count();
             let has: Vec<usize> = (0..3).filter(|&place| journal.has(place)).collect();
             assert_eq!(has.len(), lines.saturating_sub(1), "{length}");
-            for place in 0..3 {
+            for (place, file) in files.iter().enumerate() {
                 if !journal.has(place) {
-                    journal.add(place, &Stamp::of(&files[place]), &row(&files[place], place)).unwrap();
+                    journal.add(place, &Stamp::of(file), &row(file, place)).unwrap();
                 }
             }
             let mut found = Vec::new();
-            journal.each(|row| Ok(found.push(row.clone()))).unwrap();
+            journal
+                .each(|row| {
+                    found.push(row.clone());
+                    Ok(())
+                })
+                .unwrap();
             assert_eq!(found.len(), 3);
             drop(journal);
             assert_eq!(taken(&out, "options", &files), [true; 3], "{length}");
