@@ -13,6 +13,9 @@ const MOST_FACES: usize = 100_000;
 /// So many copies have their words written on them.
 const MOST_WORDS: usize = 200;
 
+/// So many words can be read beside each other.
+const FEW_WORDS: usize = 40;
+
 /// The circle around the hyperbolic plane has so many sides.
 const CIRCLE: u32 = 256;
 
@@ -122,6 +125,7 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
         }
     }
     let mut names = Layer::new("cover", "deck transformations");
+    names.is_on = words.len() <= FEW_WORDS;
     for (place, word) in
         middles(&mesh, &copy, &pane.positions, words.len()).into_iter().zip(words).take(MOST_WORDS)
     {
