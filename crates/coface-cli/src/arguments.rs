@@ -84,6 +84,9 @@ pub(crate) fn format_of_name(name: &str) -> Result<Format, String> {
 pub(crate) enum Verb {
     Info(commands::info::Info),
     Homology(commands::homology::Homology),
+    Shard(commands::shard::Shard),
+    Reduce(commands::reduce::Reduce),
+    Merge(commands::merge::Merge),
     Persistence(commands::persistence::Persistence),
     Pi1(commands::pi1::Pi1),
     Cut(commands::cut::Cut),

@@ -3,9 +3,10 @@
 use coface::progress::{Stage, Unit, Watch};
 use indicatif::{HumanBytes, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -207,8 +208,20 @@ pub(crate) fn end_on_signals() {
     let _ = ctrlc::set_handler(|| end(INTERRUPTED));
 }
 
+/// Has a folder removed, with all that is in it, when the program ends by a signal.
+pub(crate) fn remove_at_end(folder: &Path) {
+    FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).push(folder.to_path_buf());
+}
+
+/// The folders that go with this run.
+static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
 fn end(status: i32) -> ! {
     coface::io::abandon_files();
+    for folder in FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).iter() {
+        // What cannot be removed stays; there is nobody to tell any more.
+        let _ = std::fs::remove_dir_all(folder);
+    }
     let mut out = std::io::stderr();
     if IS_SHOWN.load(Ordering::Relaxed) {
         // Back to the start of the line of progress, and away with it.

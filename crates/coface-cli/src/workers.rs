@@ -13,6 +13,8 @@ use std::thread::available_parallelism;
 pub(crate) enum Task {
     /// Report on a file.
     Info,
+    /// Make, reduce and merge shards.
+    Shards,
 }
 
 /// A pool of this program: at most `count` workers at once, each with so many threads.

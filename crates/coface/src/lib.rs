@@ -12,6 +12,7 @@
 //!   witnesses: what is a manifold, what can be oriented, where the boundary runs.
 //! * [`topology`] asks: homology, cohomology, generators.
 //! * [`io`] reads and writes files; [`report`] puts everything that is known about a model together.
+//! * [`shards`] cuts complexes that are larger than memory into files, reduces these one by one and merges what is left.
 //! * [`progress`] tells how far long work is, and stops it.
 //!
 //! Answers are exact; an [`Error`] names the place, the fault and the cure. The guide is in the folder `examples`.
@@ -26,6 +27,7 @@ mod ids;
 pub mod io;
 pub mod progress;
 pub mod report;
+pub mod shards;
 pub mod simplicial;
 pub mod surface;
 pub mod topology;

@@ -73,6 +73,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "io",
         ],
     ),
+    // Beside it: parts as files.
+    (
+        "shards",
+        &["error", "progress", "algebra", "geometry", "chains", "cellular", "topology", "io", "report"],
+    ),
 ];
 
 /// Words that the code of `chains` and `topology` never has: there are no coordinates and no files there.

@@ -26,7 +26,7 @@ pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, glb, gltf
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, cfc, glb, gltf
     #[arg(long, value_name = "FORMAT", value_parser = target_of_name)]
     to: Option<Target>,
     /// Color vertices by component, by boundary, or by the JSON of another verb such as homology --generators; for obj, ply, vtk, vtu, vtp,

@@ -18,9 +18,12 @@ pub(crate) mod info;
 pub(crate) mod interior;
 pub(crate) mod link;
 pub(crate) mod man;
+pub(crate) mod merge;
 pub(crate) mod persistence;
 pub(crate) mod pi1;
+pub(crate) mod reduce;
 pub(crate) mod render;
+pub(crate) mod shard;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 pub(crate) mod view;
@@ -36,6 +39,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.verb {
         Verb::Info(verb) => verb.run(common),
         Verb::Homology(verb) => verb.run(common),
+        Verb::Shard(verb) => verb.run(common),
+        Verb::Reduce(verb) => verb.run(common),
+        Verb::Merge(verb) => verb.run(common),
         Verb::Persistence(verb) => verb.run(common),
         Verb::Pi1(verb) => verb.run(common),
         Verb::Cut(verb) => verb.run(common),

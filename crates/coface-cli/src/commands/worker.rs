@@ -1,5 +1,6 @@
 //! `coface worker`: answers requests of a pool of worker processes.
 
+use crate::commands::homology::parts;
 use crate::failure::Failure;
 use crate::workers::Task;
 use clap::Args;
@@ -17,6 +18,7 @@ impl Worker {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         match self.task {
             Task::Info => serve(examine)?,
+            Task::Shards => serve(parts::answer_request)?,
         }
         Ok(())
     }

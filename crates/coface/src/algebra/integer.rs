@@ -104,6 +104,23 @@ impl Integer {
         if self.signum() < 0 { -self } else { self.clone() }
     }
 
+    /// The value as bytes in two's complement, the lowest first; as few as there can be.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::algebra::Integer;
+    /// assert_eq!(Integer::from(-2).to_le_bytes(), [0xfe]);
+    /// assert_eq!(Integer::from_le_bytes(&[0x00, 0x01]), Integer::from(256));
+    /// ```
+    pub fn to_le_bytes(&self) -> Vec<u8> {
+        self.with_big(|value| value.to_le_bytes().into_vec())
+    }
+
+    /// The value of these bytes in two's complement, the lowest first; 0 for none.
+    pub fn from_le_bytes(bytes: &[u8]) -> Self {
+        Self::from_big(IBig::from_le_bytes(bytes))
+    }
+
     /// The number of bits of the absolute value; 0 for 0.
     pub fn bit_length(&self) -> usize {
         match &self.0 {

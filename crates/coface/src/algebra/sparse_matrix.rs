@@ -262,7 +262,7 @@ fn drop_last_zero(start: usize, rows: &mut Vec<u32>, entries: &mut Vec<Integer>)
 
 impl<E: Entry> SparseMatrix<E> {
     /// The matrix with these parts, after the checks that [`SparseMatrix::from_parts`] lists.
-    pub(super) fn checked(
+    pub(crate) fn checked(
         row_count: usize,
         column_starts: Vec<u32>,
         rows: Vec<u32>,

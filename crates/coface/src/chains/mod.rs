@@ -33,7 +33,7 @@ pub use coefficient::Coefficient;
 pub use complex::{ChainComplex, WideComplex};
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
-pub use partition::{ChainById, Part, PartTree, Partition, Parts, ReducedPart, WallHash};
+pub use partition::{ChainById, Part, PartTree, Partition, Parts, ReducedPart, WallHash, sum_of_chains};
 pub use product::ProductComplex;
 pub(crate) use product::ProductNumbers;
 pub use reduction::Reduction;

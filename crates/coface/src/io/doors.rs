@@ -2,8 +2,8 @@
 
 use super::watching::{Watched, name_of, reading};
 use super::{
-    Format, Model, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg,
-    vtk, wkt, yin,
+    Format, Model, container, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply,
+    stl, svg, vtk, wkt, yin,
 };
 use crate::{Error, ErrorKind};
 use std::fs::File;
@@ -327,6 +327,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::GeoJson => geojson::write(model, out),
         Format::Wkt => wkt::write(model, out),
         Format::Svg => svg::write(model, out),
+        Format::Container => container::write(model, out),
         Format::Dat => {
             Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
                 .with_cure("write it by coface yin, which makes a set of polygons"))
@@ -433,6 +434,7 @@ fn read_started(
         Format::Svg => svg::read_with(input, flatten)?,
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
         Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
+        Format::Container => container::read(input)?,
     };
     Ok(model.with_format(format))
 }

@@ -1,6 +1,6 @@
 //! The formats, and telling them apart by name and by content.
 
-use super::{geojson, isosig, lines_text, wkt, yin};
+use super::{container, geojson, isosig, lines_text, wkt, yin};
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
@@ -40,6 +40,8 @@ pub enum Format {
     VtkGrid,
     /// VTK XML, polygonal data.
     VtkPolygons,
+    /// The binary container of chain complexes.
+    Container,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -52,7 +54,7 @@ enum Likeness {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -69,10 +71,11 @@ impl Format {
         Self::Wkt,
         Self::Svg,
         Self::Dat,
+        Self::Container,
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`.
+    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`, `cfc`.
     ///
     /// # Examples
     /// ```
@@ -108,6 +111,7 @@ impl Format {
             Self::Dat => &["dat"],
             Self::VtkGrid => &["vtu"],
             Self::VtkPolygons => &["vtp"],
+            Self::Container => &["cfc"],
         }
     }
 
@@ -136,6 +140,7 @@ impl Format {
             Self::Dat => "binary curves",
             Self::VtkGrid => "VTK XML",
             Self::VtkPolygons => "VTK XML of polygons",
+            Self::Container => "container of chain complexes",
         }
     }
 
@@ -262,6 +267,7 @@ impl Format {
             Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
             Self::Svg => certain_if(is_svg(start)),
             Self::Dat => certain_if(yin::is_dat(start, whole)),
+            Self::Container => certain_if(start.starts_with(&container::MARK)),
             Self::VtkGrid | Self::VtkPolygons => match vtk_xml_kind(start) {
                 Some(b"PolyData") => certain_if(self == Self::VtkPolygons),
                 Some(b"UnstructuredGrid") => certain_if(self == Self::VtkGrid),
@@ -555,7 +561,7 @@ mod tests {
         all.dedup();
         assert_eq!(all.len(), count);
         assert!(Format::from_name("xyz").unwrap_err().to_string().contains(
-            "off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat"
+            "off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, cfc"
         ));
     }
 
@@ -587,6 +593,7 @@ mod tests {
             (b"MULTIPOINT\n(1 2)", Format::Wkt),
             (b"<?xml version=\"1.0\"?>\n<!-- a > b -->\n<svg width=\"1\">", Format::Svg),
             (b"<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\">", Format::Svg),
+            (b"\x89cfc\r\n\x1a\n\x01\0\0\0", Format::Container),
             (b"<svg:svg xmlns:svg=\"http://www.w3.org/2000/svg\"/>", Format::Svg),
         ] {
             assert_eq!(Format::from_content(start, true), Some(format), "{}", start.escape_ascii());

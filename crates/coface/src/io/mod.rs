@@ -6,6 +6,7 @@
 
 mod assembly;
 mod blocks;
+pub mod container;
 mod data;
 mod decimal;
 mod diagram;

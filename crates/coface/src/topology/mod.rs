@@ -60,6 +60,7 @@ pub use homology_map::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
 pub use parts::generators_of_parts;
+pub(crate) use parts::reduced_generators;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
 pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
 pub use surfaces::{

@@ -1,12 +1,11 @@
 //! Generators of homology from a complex in parts.
 
 use super::Generator;
-use super::adapted_basis::adapted_bases;
+use super::adapted_basis::{AdaptedBasis, adapted_bases};
 use super::basis::to_chain;
 use crate::Error;
-use crate::algebra::SparseVector;
-use crate::algebra::WideMatrix;
-use crate::chains::{ChainById, ChainComplex, PartTree, Partition};
+use crate::algebra::{Integer, SparseVector, WideMatrix};
+use crate::chains::{ChainById, ChainComplex, PartTree, Partition, WideComplex};
 
 /// Cycles on the cells of a complex whose classes generate its integral homology, found at the root of its tree of parts and taken down to
 /// the cells. Orders and counts are those of [`generators`](super::generators); the cycles are not made short.
@@ -32,31 +31,38 @@ use crate::chains::{ChainById, ChainComplex, PartTree, Partition};
 /// ```
 pub fn generators_of_parts(tree: &PartTree<'_, Partition<'_>>) -> Result<Vec<Vec<Generator>>, Error> {
     let complex: &ChainComplex = tree.parts().complex();
-    let root = tree.root().complex();
-    let matrix = |degree: usize| match root.boundary_matrix(degree) {
-        Some(matrix) => matrix.clone(),
-        None => {
-            WideMatrix::from_integer_columns(root.cell_count(degree - 1), []).expect("an empty matrix fits")
-        }
-    };
-    let bases = adapted_bases(root.cell_count(0), root.degree_count(), matrix);
-    let generators = bases.iter().enumerate().map(|(degree, basis)| {
-        let positions = basis.generators();
-        let images = tree.inclusions(degree, &basis.elements[positions.clone()])?;
-        let generator = |(position, image): (usize, ChainById)| {
-            // The ids of a partition are the numbers of cells.
-            let image: SparseVector = image.into_iter().map(|(id, x)| (id as u32, x)).collect();
-            Generator { order: basis.order(position).cloned(), chain: to_chain(complex, degree, image) }
-        };
-        Ok(positions.zip(images).map(generator).collect())
-    });
+    let generators =
+        reduced_generators(tree.root().complex()).into_iter().enumerate().map(|(degree, found)| {
+            let (orders, chains): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+            let images = tree.inclusions(degree, &chains)?;
+            let generator = |(order, image): (Option<Integer>, ChainById)| {
+                // The ids of a partition are the numbers of cells.
+                let image: SparseVector = image.into_iter().map(|(id, x)| (id as u32, x)).collect();
+                Generator { order, chain: to_chain(complex, degree, image) }
+            };
+            Ok(orders.into_iter().zip(images).map(generator).collect())
+        });
     generators.collect()
+}
+
+/// Cycles of a small complex whose classes generate its homology in each degree, with their orders; those of finite order first.
+pub(crate) fn reduced_generators(complex: &WideComplex) -> Vec<Vec<(Option<Integer>, SparseVector)>> {
+    let matrix = |degree: usize| match complex.boundary_matrix(degree) {
+        Some(matrix) => matrix.clone(),
+        None => WideMatrix::from_integer_columns(complex.cell_count(degree - 1), [])
+            .expect("an empty matrix fits"),
+    };
+    let bases = adapted_bases(complex.cell_count(0), complex.degree_count(), matrix);
+    let of_basis = |basis: &AdaptedBasis| {
+        let positions = basis.generators();
+        positions.map(|position| (basis.order(position).cloned(), basis.elements[position].clone())).collect()
+    };
+    bases.iter().map(of_basis).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::Integer;
     use crate::chains::{Parts, random_complexes};
     use crate::simplicial::known_spaces as spaces;
     use crate::topology::{HomologyBasis, homology};

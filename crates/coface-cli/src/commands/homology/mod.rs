@@ -4,11 +4,13 @@ mod cycles;
 mod generators;
 mod harmonic;
 mod maps;
+pub(crate) mod parts;
 mod products;
 mod sequence;
 
 use crate::arguments::Common;
 use crate::chains::{GivenChain, Naming};
+use crate::commands::merge::Question;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::give;
@@ -19,6 +21,7 @@ use coface::io::ReadOptions;
 use coface::report::{Pair, Producer, groups_to_json};
 use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyBasis, homology};
 use coface_pages::text;
+use parts::PartsOptions;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -74,14 +77,20 @@ pub(crate) struct Homology {
     /// The target of --map
     #[arg(long, value_name = "MODEL", requires = "map")]
     target: Option<PathBuf>,
+    #[command(flatten)]
+    in_parts: PartsOptions,
 }
 
-fn ring(name: &str) -> Result<Coefficients, String> {
+/// The ring of coefficients of this name.
+pub(crate) fn ring(name: &str) -> Result<Coefficients, String> {
     name.parse().map_err(|error: coface::Error| error.to_string())
 }
 
 impl Homology {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if self.in_parts.are_given() {
+            return self.in_parts.run(&self.input, &self.question_of_parts()?, common);
+        }
         let given: Vec<GivenChain> =
             self.cycle.iter().map(|argument| GivenChain::read(argument)).collect::<Result<_, _>>()?;
         let progress = Progress::start(common.quiet);
@@ -164,6 +173,27 @@ impl Homology {
         }
         drop(progress);
         give(common, &object, &page)
+    }
+
+    /// What is asked of a complex in parts, if parts answer all of it.
+    fn question_of_parts(&self) -> Result<Question, Failure> {
+        let others = [
+            ("--reduced", self.reduced),
+            ("--relative", self.relative.is_some()),
+            ("--cycle", !self.cycle.is_empty()),
+            ("--cup", self.cup.is_some()),
+            ("--intersection-form", self.intersection_form),
+            ("--harmonic", self.harmonic),
+            ("--decompose", self.decompose.is_some()),
+            ("--map", self.map.is_some()),
+        ];
+        if let Some((option, _)) = others.iter().find(|(_, is_given)| *is_given) {
+            return Err(Failure::new(format!(
+                "{option} needs the whole complex in memory; leave --parts, --memory and --work away"
+            )));
+        }
+        let Self { coefficients, cohomology, generators, .. } = self;
+        Ok(Question { coefficients: *coefficients, cohomology: *cohomology, generators: generators.clone() })
     }
 
     /// The pair with a subcomplex, if one is named.

@@ -20,11 +20,13 @@
 //! (1998).
 
 mod keys;
+mod lifting;
 mod merging;
 mod owners;
 mod part;
 mod tree;
 
+pub use lifting::{ChainById, sum_of_chains};
 pub use owners::{Partition, Parts};
 pub use part::{Part, ReducedPart, WallHash};
-pub use tree::{ChainById, PartTree};
+pub use tree::PartTree;

@@ -105,6 +105,14 @@ impl<'a> Partition<'a> {
         self.complex
     }
 
+    /// The cells of a degree that a part has in its closure, rising.
+    ///
+    /// # Panics
+    /// If there is no such part.
+    pub fn cells(&self, degree: usize, part: u32) -> &[u32] {
+        self.cells.get(degree).map_or(&[], |cells| cells.list(part as usize))
+    }
+
     /// The number of strata.
     pub fn stratum_count(&self) -> usize {
         self.keys.sets.len()

@@ -206,6 +206,11 @@ impl<E: Entry> Part<E> {
         self.keys.of_cell.iter().map(own).collect()
     }
 
+    /// How many strata are the part's own: those of which it is the first in the key. Each stratum of the whole is own to one part.
+    pub fn own_stratum_count(&self) -> usize {
+        self.keys.sets.iter().filter(|set| set[0] == self.number).count()
+    }
+
     /// Whether an incidence is 1 or -1, so that a further pair could cancel in a larger stratum.
     pub fn has_units(&self) -> bool {
         self.complex.boundary_matrices().iter().any(|matrix| matrix.entries().iter().any(E::is_unit))

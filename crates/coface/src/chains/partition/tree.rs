@@ -1,15 +1,13 @@
 //! Parts merged up a tree, and cycles taken down it again.
 
+use super::lifting::{ChainById, sum_of_chains};
 use super::merging::check_walls;
 use super::owners::Parts;
 use super::part::{Part, ReducedPart, WallHash};
 use crate::Error;
-use crate::algebra::{Entry, Integer, SparseVector};
+use crate::algebra::{Entry, SparseVector};
 use crate::progress;
 use rayon::prelude::*;
-
-/// A chain as cells by their ids, rising, with coefficients.
-pub type ChainById = Vec<(u64, Integer)>;
 
 /// All parts of a complex reduced, merged by groups of neighbors, reduced again, and so on until one is left.
 ///
@@ -106,31 +104,28 @@ impl<'p, P: Parts> PartTree<'p, P> {
             .map(|chain| chain.iter().map(|(cell, x)| (root_ids[*cell as usize], x.clone())).collect())
             .collect();
         for below in (0..self.levels.len()).rev() {
-            let parts: Vec<(&ReducedPart, u32)> =
-                self.levels[below].iter().map(|part| (part, part.number())).collect();
-            let lifted: Vec<Vec<ChainById>> = parts
+            let lifted: Vec<Vec<ChainById>> = self.levels[below]
                 .par_iter()
-                .map(|&(left, number)| {
-                    let own = own_terms(left, degree, &chains);
-                    if own.iter().all(Vec::is_empty) {
+                .map(|left| {
+                    let number = left.number();
+                    if !has_own_terms(left, degree, &chains) {
                         return Ok(vec![Vec::new(); chains.len()]);
                     }
                     match below.checked_sub(1) {
-                        None => Ok(lift(&self.parts.part(number)?, degree, &own)),
+                        None => self.parts.part(number)?.lifted(degree, &chains),
                         Some(level) => {
                             let children =
                                 self.levels[level].chunks(self.fan_in as usize).nth(number as usize);
                             let merged = ReducedPart::merged(number, children.unwrap_or_default(), |part| {
                                 part / self.fan_in
                             });
-                            Ok(lift(&merged?, degree, &own))
+                            merged?.lifted(degree, &chains)
                         }
                     }
                 })
                 .collect::<Result<_, Error>>()?;
-            chains = (0..chains.len())
-                .map(|i| summed(lifted.iter().flat_map(|part| part[i].iter().cloned())))
-                .collect();
+            chains =
+                (0..chains.len()).map(|i| sum_of_chains(lifted.iter().map(|part| part[i].clone()))).collect();
         }
         Ok(chains)
     }
@@ -147,38 +142,12 @@ fn is_done(levels: &[Vec<ReducedPart>]) -> bool {
     }
 }
 
-/// The terms of chains, given by ids, that lie on cells of which the part is the first to have them: by their numbers in the part.
-fn own_terms(part: &ReducedPart, degree: usize, chains: &[ChainById]) -> Vec<SparseVector> {
+/// Whether chains have a term on a cell of which the part is the first to have it.
+fn has_own_terms(part: &ReducedPart, degree: usize, chains: &[ChainById]) -> bool {
     let ids = part.ids(degree);
-    let own = |(id, x): &(u64, Integer)| {
-        let cell = ids.binary_search(id).ok()?;
-        (part.key(degree, cell)[0] == part.number()).then(|| (cell as u32, x.clone()))
-    };
-    chains.iter().map(|chain| chain.iter().filter_map(own).collect()).collect()
-}
-
-/// Chains on what is left of a part as chains on its cells, by ids.
-fn lift<E: Entry>(part: &Part<E>, degree: usize, chains: &[SparseVector]) -> Vec<ChainById> {
-    let matching = part.matching();
-    let ids = part.ids(degree);
-    let images = part.inclusions(&matching, degree, chains.iter().map(Vec::as_slice));
-    let by_id = |image: SparseVector| image.into_iter().map(|(cell, x)| (ids[cell as usize], x)).collect();
-    images.into_iter().map(by_id).collect()
-}
-
-/// Terms with those of one cell added, by rising ids.
-fn summed(terms: impl Iterator<Item = (u64, Integer)>) -> ChainById {
-    let mut terms: Vec<(u64, Integer)> = terms.collect();
-    terms.sort_by_key(|&(id, _)| id);
-    let mut sum: ChainById = Vec::with_capacity(terms.len());
-    for (id, x) in terms {
-        match sum.last_mut() {
-            Some((last, total)) if *last == id => *total += &x,
-            _ => sum.push((id, x)),
-        }
-    }
-    sum.retain(|(_, x)| !x.is_zero());
-    sum
+    let is_own =
+        |id: &u64| ids.binary_search(id).is_ok_and(|cell| part.key(degree, cell)[0] == part.number());
+    chains.iter().flatten().any(|(id, _)| is_own(id))
 }
 
 fn reduced_with_walls<E: Entry>(part: &Part<E>) -> (ReducedPart, Vec<WallHash>) {

@@ -1,0 +1,378 @@
+//! `coface homology --parts`: the complex in shards, reduced and merged by worker processes of limited memory.
+//!
+//! The process that was called reads no model and no shard: it hands out requests, one a line, and shows what comes back.
+
+use crate::arguments::Common;
+use crate::commands::merge::{Answer, Question};
+use crate::commands::shard::{Cut, cut_input, fingerprint};
+use crate::failure::Failure;
+use crate::output::give;
+use crate::progress::{Progress, remove_at_end};
+use crate::workers::{Task, core_count, pool};
+use clap::Args;
+use coface::Error;
+use coface::shards::{ReducedStep, ShardFolder};
+use coface_workers::{Limits, Loss, bytes_text, parse_bytes};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Work in parts.
+#[derive(Args)]
+pub(super) struct PartsOptions {
+    /// Cut the complex into N parts that are reduced by worker processes, so that it may be larger than memory [default with --memory: as
+    /// many as memory asks for]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), help_heading = "In parts")]
+    parts: Option<u32>,
+    /// The memory of all worker processes together, as in 500M or 2G; what needs more is an error
+    #[arg(long, value_name = "SIZE", value_parser = memory, help_heading = "In parts")]
+    memory: Option<u64>,
+    /// Keep shards and what is left of them in this folder, and go on with what is finished there
+    #[arg(long, value_name = "FOLDER", help_heading = "In parts")]
+    work: Option<PathBuf>,
+    /// How many neighbors are merged at once
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(2..=1_000_000), help_heading = "In parts")]
+    fan_in: u32,
+    /// Which part each maximal cell goes to; see coface shard
+    #[arg(long, value_name = "positions|walk|random|FILE", help_heading = "In parts")]
+    owners: Option<PathBuf>,
+}
+
+fn memory(text: &str) -> Result<u64, String> {
+    parse_bytes(text).map_err(|error| error.to_string())
+}
+
+/// A worker that does anything at all takes so much.
+const LEAST: u64 = 64 << 20;
+/// Workers are not started for less each, as long as one can do the work.
+const COMFORT: u64 = 256 << 20;
+
+impl PartsOptions {
+    /// Whether work in parts is asked for.
+    pub(super) fn are_given(&self) -> bool {
+        self.parts.is_some() || self.memory.is_some() || self.work.is_some()
+    }
+
+    /// Answers the question about an input.
+    pub(super) fn run(&self, input: &Path, question: &Question, common: &Common) -> Result<(), Failure> {
+        question.check()?;
+        if let Some(memory) = self.memory.filter(|&memory| memory < LEAST) {
+            return Err(Failure::new(format!(
+                "{} of memory is too little for any part; give --memory {} or more",
+                bytes_text(memory),
+                bytes_text(LEAST)
+            )));
+        }
+        let progress = Progress::start(common.quiet);
+        let work = WorkFolder::new(self.work.as_deref())?;
+        let runner = Runner::new(self, common, &work.path);
+        let input = work.standard_input(input)?;
+        let (part_count, fan_in) = runner.shard(&input, common)?;
+        runner.reduce(part_count)?;
+        runner.merge(part_count, fan_in)?;
+        let answer = runner.answer(question)?;
+        drop(progress);
+        drop(work);
+        if let Some(Some(place)) = &question.generators {
+            crate::output::write_json(place, &json!({ "generators": answer.object["generators"] }))?;
+        }
+        give(common, &answer.object, &answer.page)
+    }
+}
+
+/// Where shards stand: a folder of the user, or one that goes with this run.
+struct WorkFolder {
+    path: PathBuf,
+    is_temporary: bool,
+}
+
+impl WorkFolder {
+    fn new(given: Option<&Path>) -> Result<Self, Failure> {
+        let made = |path: &Path| {
+            std::fs::create_dir_all(path).map_err(|error| {
+                Failure::new(format!(
+                    "{}: the folder cannot be made: {error}; name another with --work",
+                    path.display()
+                ))
+            })
+        };
+        if let Some(path) = given {
+            made(path)?;
+            return Ok(Self { path: path.to_path_buf(), is_temporary: false });
+        }
+        let base = std::env::temp_dir();
+        for attempt in 0..1000 {
+            let path = base.join(format!("coface-parts-{}-{attempt}", std::process::id()));
+            if path.exists() {
+                continue;
+            }
+            made(&path)?;
+            remove_at_end(&path);
+            return Ok(Self { path, is_temporary: true });
+        }
+        Err(Failure::new(format!(
+            "{}: there is no free name for a folder; name one with --work",
+            base.display()
+        )))
+    }
+
+    /// A file instead of the standard input, which workers do not see.
+    fn standard_input(&self, input: &Path) -> Result<PathBuf, Failure> {
+        if input.as_os_str() != "-" {
+            return Ok(input.to_path_buf());
+        }
+        let path = self.path.join("standard input");
+        let copied = coface::io::replace_file(&path, |out| {
+            Ok(std::io::copy(&mut std::io::stdin().lock(), out).map(|_| ())?)
+        });
+        copied.map(|()| path).map_err(Failure::from)
+    }
+}
+
+impl Drop for WorkFolder {
+    fn drop(&mut self) {
+        if self.is_temporary {
+            // What cannot be removed stays in the folder for temporary files.
+            let _ = std::fs::remove_dir_all(&self.path);
+        }
+    }
+}
+
+struct Runner<'a> {
+    options: &'a PartsOptions,
+    folder: &'a Path,
+    workers: usize,
+}
+
+impl<'a> Runner<'a> {
+    fn new(options: &'a PartsOptions, common: &Common, folder: &'a Path) -> Self {
+        let threads = common.threads.map_or_else(core_count, usize::from);
+        let fit = options.memory.map_or(usize::MAX, |memory| (memory / COMFORT).max(1) as usize);
+        Self { options, folder, workers: threads.min(fit) }
+    }
+
+    /// Has shards made, unless they are there. Gives the number of parts and the fan-in.
+    fn shard(&self, input: &Path, common: &Common) -> Result<(u32, u32), Failure> {
+        let cut = Cut {
+            parts: self.options.parts.unwrap_or(0),
+            fan_in: self.options.fan_in,
+            owners: self.options.owners.clone(),
+        };
+        let fingerprint = fingerprint(input, &cut, common);
+        if let Ok(folder) = ShardFolder::open(self.folder)
+            && !fingerprint.is_empty()
+            && folder.manifest().source.fingerprint == fingerprint
+            && (0..folder.manifest().part_count).all(|number| folder.shard_path(number).exists())
+        {
+            return Ok((folder.manifest().part_count, folder.manifest().fan_in));
+        }
+        let text = |path: &Path| {
+            path.to_str().map(str::to_owned).ok_or_else(|| {
+                Failure::new(format!(
+                    "{}: a name that is no text cannot be handed to workers; rename it",
+                    path.display()
+                ))
+            })
+        };
+        let request = json!({
+            "task": "shard",
+            "folder": text(self.folder)?,
+            "input": text(input)?,
+            "parts": self.options.parts,
+            "memory": self.options.memory.map(|memory| memory / self.workers as u64),
+            "fan_in": self.options.fan_in,
+            "owners": self.options.owners.as_deref().map(text).transpose()?,
+            "format": common.format.map(|format| format.name()),
+            "flatten": common.flatten,
+        });
+        let answer = self.ask("cutting into shards", 1, 1, |_| request.to_string())?.remove(0);
+        let answer = answer.map_err(|loss| {
+            Failure::new(match loss {
+                Loss::Memory { .. } => format!(
+                    "{}: {loss} to be cut into parts; allow more, or cut it on a larger machine by coface shard",
+                    input.display()
+                ),
+                loss => format!("{}: it could not be cut into parts: {loss}; {}", input.display(), loss.cure()),
+            })
+        })?;
+        let number = |key: &str| answer[key].as_u64().unwrap_or(0) as u32;
+        Ok((number("parts"), number("fan_in")))
+    }
+
+    fn reduce(&self, part_count: u32) -> Result<(), Failure> {
+        let request =
+            |number: u32| json!({"task": "reduce", "folder": self.folder, "number": number}).to_string();
+        self.ask_all("reducing parts", part_count, request, |number, loss| match loss {
+            Loss::Memory { limit } => format!(
+                "part {number} of {part_count} needs more than {} of memory; cut into more by --parts {}, or allow more",
+                limit.map_or("all".to_owned(), bytes_text),
+                u64::from(part_count) * 2
+            ),
+            loss => format!("part {number} of {part_count} could not be reduced: {loss}; {}", loss.cure()),
+        })?;
+        Ok(())
+    }
+
+    fn merge(&self, part_count: u32, fan_in: u32) -> Result<(), Failure> {
+        let mut width = part_count;
+        for level in 1.. {
+            let was_one = width == 1;
+            if was_one && self.is_root(level - 1)? {
+                break;
+            }
+            width = width.div_ceil(fan_in);
+            let request = |number: u32| {
+                json!({"task": "merge", "folder": self.folder, "level": level, "number": number}).to_string()
+            };
+            let stage = format!("merging parts to level {level}");
+            self.ask_all(&stage, width, request, |number, loss| match loss {
+                Loss::Memory { limit } => format!(
+                    "merging to part {number} of level {level} needs more than {} of memory; merge fewer at once by --fan-in 2, or cut so that parts \
+                     have smaller walls: by --owners positions, or into fewer",
+                    limit.map_or("all".to_owned(), bytes_text)
+                ),
+                loss => format!("part {number} of level {level} could not be merged: {loss}; {}", loss.cure()),
+            })?;
+        }
+        Ok(())
+    }
+
+    fn is_root(&self, level: u32) -> Result<bool, Failure> {
+        let request = |_| json!({"task": "look", "folder": self.folder, "level": level}).to_string();
+        let answers = self.ask_all("looking at what is left", 1, request, |_, loss| {
+            format!("what is left could not be looked at: {loss}; {}", loss.cure())
+        })?;
+        Ok(answers[0]["is_root"] == true)
+    }
+
+    fn answer(&self, question: &Question) -> Result<Answer, Failure> {
+        let request = json!({
+            "task": "answer",
+            "folder": self.folder,
+            "coefficients": question.coefficients.to_string(),
+            "cohomology": question.cohomology,
+            "generators": question.generators.is_some(),
+        });
+        let answers = self.ask_all(
+            "asking what is left",
+            1,
+            |_| request.to_string(),
+            |_, loss| format!("what is left could not be asked: {loss}; {}", loss.cure()),
+        )?;
+        let page = answers[0]["page"].as_str().unwrap_or_default().to_owned();
+        Ok(Answer { object: answers[0]["object"].clone(), page })
+    }
+
+    /// Asks workers side by side, and those requests again that need more memory than one has then, alone with all of it.
+    fn ask_all(
+        &self,
+        stage: &str,
+        count: u32,
+        request: impl Fn(u32) -> String + Sync,
+        fault: impl Fn(u32, Loss) -> String,
+    ) -> Result<Vec<Value>, Failure> {
+        let first = self.ask(stage, self.workers, count as usize, |number| request(number as u32))?;
+        let mut answers = Vec::with_capacity(first.len());
+        for (number, outcome) in (0..).zip(first) {
+            answers.push(
+                match outcome {
+                    Err(Loss::Memory { .. }) if self.workers > 1 => {
+                        self.ask(stage, 1, 1, |_| request(number))?.remove(0)
+                    }
+                    outcome => outcome,
+                }
+                .map_err(|loss| Failure::new(fault(number, loss)))?,
+            );
+        }
+        Ok(answers)
+    }
+
+    /// What so many workers, that share the memory, say to requests.
+    fn ask(
+        &self,
+        stage: &str,
+        workers: usize,
+        count: usize,
+        request: impl Fn(usize) -> String + Sync,
+    ) -> Result<Vec<Result<Value, Loss>>, Failure> {
+        let workers = workers.min(count).max(1);
+        let limits = Limits { time: None, memory: self.options.memory.map(|memory| memory / workers as u64) };
+        let mut answers = Vec::with_capacity(count);
+        pool(Task::Shards, workers, 1, limits)?.run_in_order(stage, count, request, |_, outcome| {
+            answers.push(match outcome {
+                Ok(answer) => {
+                    let value: Value = serde_json::from_str(&answer.line)
+                        .map_err(|error| Error::parse(format!("a worker said what is no JSON: {error}")))?;
+                    if let Some(message) = value["error"].as_str() {
+                        return Err(Error::invalid(message));
+                    }
+                    Ok(value)
+                }
+                Err(loss) => Err(loss),
+            });
+            Ok(())
+        })?;
+        Ok(answers)
+    }
+}
+
+/// What a worker says to a request: a line of JSON, with the key `error` where it cannot do it.
+pub(crate) fn answer_request(request: &str) -> String {
+    match answered(request) {
+        Ok(value) => value.to_string(),
+        Err(Failure::Message(message)) => json!({ "error": message }).to_string(),
+        Err(_) => json!({"error": "the request could not be answered"}).to_string(),
+    }
+}
+
+fn answered(request: &str) -> Result<Value, Failure> {
+    let request: Value = serde_json::from_str(request)
+        .map_err(|error| Failure::new(format!("a worker was asked what is no JSON: {error}")))?;
+    let text = |key: &str| request[key].as_str().unwrap_or_default();
+    let number = |key: &str| request[key].as_u64().unwrap_or(0) as u32;
+    let folder = Path::new(text("folder"));
+    match text("task") {
+        "shard" => shard(&request, folder),
+        "reduce" => Ok(step(&ShardFolder::open(folder)?.reduce(number("number"), false)?)),
+        "merge" => Ok(step(&ShardFolder::open(folder)?.merge(number("level"), number("number"), false)?)),
+        "look" => {
+            let folder = ShardFolder::open(folder)?;
+            Ok(json!({"is_root": folder.is_root(number("level"))?}))
+        }
+        "answer" => {
+            let folder = ShardFolder::open(folder)?;
+            let question = Question {
+                coefficients: super::ring(text("coefficients")).map_err(Failure::new)?,
+                cohomology: request["cohomology"] == true,
+                generators: (request["generators"] == true).then_some(None),
+            };
+            let answer = Answer::of(&folder, &question, false)?;
+            Ok(json!({"object": answer.object, "page": answer.page}))
+        }
+        other => Err(Failure::new(format!("a worker was asked for {other:?}, which it does not know"))),
+    }
+}
+
+fn step(step: &ReducedStep) -> Value {
+    json!({"is_new": step.is_new})
+}
+
+fn shard(request: &Value, folder: &Path) -> Result<Value, Failure> {
+    let text = |key: &str| request[key].as_str().map(str::to_owned);
+    let input = PathBuf::from(text("input").unwrap_or_default());
+    let cut = Cut {
+        parts: request["parts"].as_u64().unwrap_or(0) as u32,
+        fan_in: request["fan_in"].as_u64().unwrap_or(8) as u32,
+        owners: text("owners").map(PathBuf::from),
+    };
+    let common = Common {
+        json: true,
+        quiet: true,
+        threads: None,
+        output: None,
+        format: text("format").and_then(|name| crate::arguments::format_of_name(&name).ok()),
+        flatten: request["flatten"].as_f64(),
+    };
+    let progress = Progress::start(true);
+    let shards = cut_input(&input, folder, &cut, request["memory"].as_u64(), false, &common, &progress)?;
+    Ok(json!({"parts": shards.manifest().part_count, "fan_in": shards.manifest().fan_in}))
+}

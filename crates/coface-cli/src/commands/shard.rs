@@ -1,0 +1,158 @@
+//! `coface shard`: a complex cut into files.
+
+use crate::arguments::Common;
+use crate::failure::Failure;
+use crate::input::Source;
+use crate::output::{print_json, print_text};
+use crate::progress::Progress;
+use clap::{Args, ValueEnum};
+use coface::shards::{Owners, ShardFolder, ShardRequest, shard_model};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Cut a model into shards: files that are reduced one by one and merged.
+///
+/// The folder of -o gets shards.json and part-000000.shard and so on. Then `coface reduce` works on each of them, on as many machines as
+/// there are, and `coface merge` gives the homology of the whole. `coface homology --parts N` does all of this on one machine.
+#[derive(Args)]
+pub(crate) struct Shard {
+    /// The model; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    pub(super) cut: Cut,
+    /// Replace the shards of another complex in the folder
+    #[arg(long)]
+    force: bool,
+}
+
+/// How a complex is cut.
+#[derive(Args, Clone)]
+pub(crate) struct Cut {
+    /// The number of shards
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) parts: u32,
+    /// How many neighbors are merged at once
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    pub(crate) fan_in: u32,
+    /// Which shard each maximal cell goes to: by positions, by a walk through neighbors, at random, or the numbers in a text file, for the
+    /// cells that are a face of no other, by rising degree, then by number [default: positions if there are any, else walk]
+    #[arg(long, value_name = "positions|walk|random|FILE")]
+    pub(crate) owners: Option<PathBuf>,
+}
+
+/// The ways of cutting that have a name.
+#[derive(Clone, Copy, ValueEnum)]
+enum NamedOwners {
+    Positions,
+    Walk,
+    Random,
+}
+
+impl Cut {
+    /// What the library is asked for.
+    fn request(&self, name: &str) -> Result<ShardRequest, Failure> {
+        let mut request = ShardRequest::new(name, self.parts);
+        request.fan_in = self.fan_in;
+        request.owners = self.owners.as_deref().map_or(Ok(Owners::Automatic), owners)?;
+        Ok(request)
+    }
+}
+
+fn owners(how: &Path) -> Result<Owners, Failure> {
+    let named = how.to_str().and_then(|name| NamedOwners::from_str(name, false).ok());
+    match named {
+        Some(NamedOwners::Positions) => return Ok(Owners::Positions),
+        Some(NamedOwners::Walk) => return Ok(Owners::Walk),
+        Some(NamedOwners::Random) => return Ok(Owners::Random),
+        None => {}
+    }
+    let file = how.display();
+    let text = std::fs::read_to_string(how).map_err(|error| {
+        Failure::new(format!(
+            "{file}: the list of owners cannot be read: {error}; name a file, or positions, walk or random"
+        ))
+    })?;
+    let mut list = Vec::new();
+    for (line, words) in (1..).zip(text.lines()) {
+        for word in words.split_whitespace() {
+            list.push(word.parse().map_err(|_| {
+                let word: String = word.chars().take(40).collect();
+                Failure::new(format!(
+                    "{file}:{line}: \"{}\" is no number of a part; write numbers from 0 on",
+                    word.escape_debug()
+                ))
+            })?);
+        }
+    }
+    Ok(Owners::Listed(list))
+}
+
+/// Something that changes with a file and how it is cut.
+pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
+    let Ok(metadata) = std::fs::metadata(input) else { return String::new() };
+    let changed = metadata.modified().ok().and_then(|time| time.duration_since(std::time::UNIX_EPOCH).ok());
+    let Some(changed) = changed.filter(|_| metadata.is_file()) else { return String::new() };
+    let owners = cut.owners.as_deref().map_or(String::new(), |how| how.display().to_string());
+    format!(
+        "{} bytes of {}.{:09}, {} by {} {owners} {:?} {:?}",
+        metadata.len(),
+        changed.as_secs(),
+        changed.subsec_nanos(),
+        cut.parts,
+        cut.fan_in,
+        common.format,
+        common.flatten
+    )
+}
+
+/// Cuts what a path names into shards in a folder: into as many as parts of so much memory ask for, if no number is given.
+pub(crate) fn cut_input(
+    input: &Path,
+    folder: &Path,
+    cut: &Cut,
+    memory: Option<u64>,
+    replaces: bool,
+    common: &Common,
+    progress: &Progress,
+) -> Result<ShardFolder, Failure> {
+    let loaded = Source::of(input)?.model(common.reading(), progress)?;
+    let mut request = cut.request(&loaded.name)?;
+    request.replaces = replaces;
+    request.part_memory = memory;
+    request.source.fingerprint = fingerprint(input, cut, common);
+    progress.stage("cutting into shards");
+    Ok(shard_model(loaded.model, folder, &request).map_err(|error| error.in_file(loaded.name))?)
+}
+
+impl Shard {
+    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let Some(folder) = &common.output else {
+            return Err(Failure::new("no folder for the shards: give -o FOLDER"));
+        };
+        let progress = Progress::start(common.quiet);
+        let shards = cut_input(&self.input, folder, &self.cut, None, self.force, common, &progress)?;
+        drop(progress);
+        let manifest = shards.manifest();
+        let sizes = (0..manifest.part_count)
+            .map(|number| std::fs::metadata(shards.shard_path(number)).map_or(0, |file| file.len()));
+        let (mut total, mut largest) = (0u64, 0);
+        sizes.for_each(|size| (total, largest) = (total + size, largest.max(size)));
+        if common.json {
+            return print_json(&json!({
+                "file": manifest.source.name,
+                "output": folder.display().to_string(),
+                "parts": manifest.part_count,
+                "fan_in": manifest.fan_in,
+                "bytes": total,
+                "largest": largest,
+            }));
+        }
+        print_text(&format!(
+            "{} shards of {} in {}: {total} bytes, the largest {largest}\n",
+            manifest.part_count,
+            manifest.source.name,
+            folder.display()
+        ))
+    }
+}
