@@ -163,7 +163,7 @@ proptest! {
 #[test]
 fn torsion_comes_through_shards() {
     let klein = spaces::klein_grid(4, 4).unwrap().chain_complex().unwrap();
-    let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]]).unwrap().chain_complex().unwrap();
+    let circle = SimplicialComplex::from_facets([[0, 1], [1, 2], [0, 2]]).unwrap().chain_complex().unwrap();
     let mut complexes: Vec<ChainComplex> = [
         spaces::klein_grid(7, 6),
         spaces::projective_plane(),
@@ -280,7 +280,7 @@ fn neighbors_that_disagree_are_named_with_their_wall() {
 
 #[test]
 fn every_flipped_bit_of_a_shard_and_what_is_made_of_it_is_seen() {
-    let complex = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]]).unwrap().chain_complex().unwrap();
+    let complex = SimplicialComplex::from_facets([[0, 1], [1, 2], [0, 2]]).unwrap().chain_complex().unwrap();
     let tree = Tree::new(&Partition::by_walk(&complex, 2).unwrap(), 2);
     let chains = root_chains(tree.root()).unwrap();
     let flips = |bytes: &[u8], fails: &dyn Fn(&[u8]) -> coface::Error| {
@@ -310,7 +310,8 @@ fn lies_in_sections_are_errors() {
         let lie = forged(shard, role, index, |bytes| bytes.fill(0xff));
         assert!(reduce(&lie).is_err(), "section {role} {index}");
         let lie = forged(left, role, index, |bytes| bytes.fill(0xff));
-        assert!(summary(&lie).is_err() || (role, index) == (5, 2), "section {role} {index}");
+        // Sections without a number cannot lie.
+        assert!(summary(&lie).is_err() || lie == *left, "section {role} {index}");
     }
     for role in [12, 14] {
         let lie = forged(left, role, u32::from(role == 14), |bytes| bytes.fill(0xff));
@@ -433,7 +434,7 @@ fn what_is_missing_or_of_another_complex_is_named() {
     let bottle = || Model::from_structure(Structure::Chains(bottle()));
     let error = shard_model(bottle(), folder.path(), &request).unwrap_err();
     assert!(error.to_string().contains("--force"), "{error}");
-    let mut force = request.clone();
+    let mut force = request;
     force.replaces = true;
     let other = shard_model(bottle(), folder.path(), &force).unwrap();
     // The reduced shard of the torus is not of this shard.
@@ -481,7 +482,7 @@ fn cells_of_generators_are_named_by_vertices() {
 
 #[test]
 fn owners_are_those_asked_for() {
-    let path = SimplicialComplex::from_facets(&(0..8).map(|i| [i, i + 1]).collect::<Vec<_>>())
+    let path = SimplicialComplex::from_facets((0..8).map(|i| [i, i + 1]).collect::<Vec<_>>())
         .unwrap()
         .chain_complex()
         .unwrap();
