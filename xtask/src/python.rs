@@ -12,6 +12,9 @@ const PACKAGE: &str = "crates/coface-py";
 /// What the checks need beside the package: names for pip.
 const REQUIREMENTS: &str = "tests/requirements.txt";
 
+/// What tests use where it can be installed, and are skipped without.
+const RAY: &str = "tests/requirements-ray.txt";
+
 /// Runs the checks of the Python package alone, and closes with the counts.
 pub(crate) fn run() -> ExitCode {
     let mut tally = Tally::default();
@@ -117,20 +120,29 @@ fn prepare() -> Result<(), String> {
             return Err("python3 -m venv makes no environment".to_owned());
         }
     }
-    let requirements = root().join(PACKAGE).join(REQUIREMENTS);
-    let installed = environment.join("requirements.txt");
-    let wanted = fs::read(&requirements).map_err(|error| format!("{REQUIREMENTS}: {error}"))?;
+    install(REQUIREMENTS, "requirements.txt")
+        .map_err(|_| "pip cannot install what its tests need".to_owned())?;
+    if install(RAY, "requirements-ray.txt").is_err() {
+        println!("== python: pip cannot install Ray; its tests are skipped");
+    }
+    Ok(())
+}
+
+/// Installs what a file of requirements names, unless that was done before.
+fn install(requirements: &str, record: &str) -> io::Result<()> {
+    let installed = environment().join(record);
+    let wanted = fs::read(root().join(PACKAGE).join(requirements))?;
     if fs::read(&installed).is_ok_and(|found| found == wanted) {
         return Ok(());
     }
-    println!("== python: pip install -r {REQUIREMENTS}");
+    println!("== python: pip install -r {requirements}");
     let quietly = ["--quiet", "--disable-pip-version-check", "--retries=1"];
-    let install = [&["-m", "pip", "install"], &quietly[..], &["-r", REQUIREMENTS]].concat();
+    let install = [&["-m", "pip", "install"], &quietly[..], &["-r", requirements]].concat();
     if !is_done(&mut interpreter(&install)) {
-        return Err("pip cannot install what its tests need".to_owned());
+        return Err(io::Error::other("pip failed"));
     }
     // Says what is installed; without it the next run asks pip again.
-    fs::write(&installed, wanted).map_err(|error| error.to_string())
+    fs::write(&installed, wanted)
 }
 
 /// Python of the environment, in the folder of the package.

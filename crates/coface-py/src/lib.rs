@@ -7,6 +7,7 @@
 mod answer;
 mod arrangement;
 mod arrays;
+mod batch;
 mod chain_complex;
 mod complex;
 mod congruence;
@@ -95,6 +96,12 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(generate::generate, module)?)?;
     module.add_function(wrap_pyfunction!(generate::families, module)?)?;
     module.add_function(wrap_pyfunction!(view::_page, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_batch_lines, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_batch_write, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_csv_of_lines, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_find_files, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_flat_line, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_serve, module)?)?;
     // What is public is for the package to say.
     module.delattr("__all__")?;
     Ok(())

@@ -109,9 +109,26 @@ pub(crate) fn path_from_json(value: &Value) -> Option<PathBuf> {
 /// assert!(answer.starts_with("{\"error\":{") && answer.contains("\"kind\":\"io\""));
 /// ```
 pub fn examine(request: &str) -> String {
+    examine_with(request, |_| None)
+}
+
+/// Answers as [`examine`] does; `fetch` gives the bytes of what is no file here, such as those at a URL.
+///
+/// # Examples
+/// ```
+/// use coface_workers::{ReportRequest, examine_with};
+/// let request = ReportRequest::new("memory://segment.lines").to_line();
+/// let answer = examine_with(&request, |_| Some(Ok(b"0,0,1,1".to_vec())));
+/// assert!(answer.contains("\"f_vector\":[2,1]"), "{answer}");
+/// ```
+pub fn examine_with(request: &str, fetch: impl FnOnce(&Path) -> Option<Result<Vec<u8>, Error>>) -> String {
     let report = ReportRequest::from_line(request).and_then(|request| {
-        let model = io::read_path_with(&request.path, &request.reading.options())?;
-        report_on(model, &request.path.display().to_string(), request.reading)
+        let (name, options) = (request.path.display().to_string(), request.reading.options());
+        let model = match fetch(&request.path) {
+            Some(bytes) => io::read_named(&bytes?[..], &name, &options)?,
+            None => io::read_path_with(&request.path, &options)?,
+        };
+        report_on(model, &name, request.reading)
     });
     report.unwrap_or_else(|error| json!({"error": error_to_json(&error)})).to_string()
 }

@@ -21,8 +21,8 @@ mod pool;
 mod process;
 mod serving;
 
-pub use batch::{Batch, Columns, Row, Summary, TableFormat, find_files, flat_row};
-pub use examination::{Reading, ReportRequest, error_to_json, examine, report_on};
+pub use batch::{Batch, Columns, Row, Summary, TableFormat, csv_of_lines, find_files, flat_row};
+pub use examination::{Reading, ReportRequest, error_to_json, examine, examine_with, report_on};
 pub use limits::{Limits, bytes_text, parse_bytes, parse_duration, seconds_text};
 pub use loss::Loss;
 pub use pool::{Answer, Outcome, WorkerPool};

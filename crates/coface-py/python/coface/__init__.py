@@ -80,6 +80,7 @@ from coface._coface import (
     read,
     render,
 )
+from coface._batch import BatchSummary, batch
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
 from coface._questions import (
     arrange,
@@ -121,6 +122,7 @@ from coface._plot import plot
 from coface._plot import plot_method as _plot_method
 
 __all__ = [
+    "BatchSummary",
     "BoundaryOfBoundaryError",
     "Chain",
     "ChainComplex",
@@ -169,6 +171,7 @@ __all__ = [
     "as_complex",
     "as_model",
     "as_surface",
+    "batch",
     "boolean",
     "classes",
     "classify",

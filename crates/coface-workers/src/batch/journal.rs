@@ -186,6 +186,13 @@ impl Journal {
     }
 }
 
+impl Drop for Journal {
+    fn drop(&mut self) {
+        // A process that is being started may still share the file, and the lock with it.
+        let _ = self.file.unlock();
+    }
+}
+
 /// The journal of this output.
 fn beside(out: &Path) -> Result<PathBuf, Error> {
     let Some(name) = out.file_name() else {

@@ -13,7 +13,7 @@ mod table;
 pub use files::find_files;
 pub use flat::{Columns, flat_row};
 pub use row::Row;
-pub use table::TableFormat;
+pub use table::{TableFormat, csv_of_lines};
 
 use crate::examination::{Reading, ReportRequest};
 use crate::{Outcome, WorkerPool};

@@ -3,7 +3,8 @@
 use super::flat::Columns;
 use coface::Error;
 use serde_json::Value;
-use std::io::Write;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 
 /// How rows are written.
@@ -67,6 +68,45 @@ pub(crate) fn write_row(
 ) -> Result<(), Error> {
     let values: Vec<String> = columns.values(row, timings).iter().map(field).collect();
     Ok(writeln!(out, "{}", values.join(","))?)
+}
+
+/// Writes rows in a file of JSON lines as CSV, which takes the place of `out` when it is whole.
+///
+/// # Errors
+/// [`ErrorKind::Io`](coface::ErrorKind::Io) when a file cannot be read or written; [`ErrorKind::Parse`](coface::ErrorKind::Parse) with the line that is no row.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface::Error> {
+/// let folder = std::env::temp_dir();
+/// let (lines, out) = (folder.join("coface-rows.jsonl"), folder.join("coface-rows.csv"));
+/// std::fs::write(&lines, "{\"path\":\"a.off\",\"f_vector\":[3,3,1]}\n")?;
+/// coface_workers::csv_of_lines(&lines, &out, false)?;
+/// let text = std::fs::read_to_string(&out)?;
+/// assert!(text.starts_with("path,bytes,") && text.contains(",f_0,f_1,f_2,") && text.contains("\na.off,,"));
+/// # std::fs::remove_file(&lines)?;
+/// # std::fs::remove_file(&out)?;
+/// # Ok(()) }
+/// ```
+pub fn csv_of_lines(lines: &Path, out: &Path, timings: bool) -> Result<(), Error> {
+    let each = |take: &mut dyn FnMut(&Value) -> Result<(), Error>| -> Result<(), Error> {
+        let in_lines = |error: Error| error.in_file(lines.display().to_string());
+        let file = File::open(lines).map_err(|error| in_lines(error.into()))?;
+        for (line, number) in BufReader::new(file).lines().zip(1..) {
+            let line = line.map_err(|error| in_lines(error.into()))?;
+            let row = serde_json::from_str(&line).map_err(|error| {
+                in_lines(Error::parse(format!("this is no row: {error}")).at_line(number))
+            })?;
+            take(&row)?;
+        }
+        Ok(())
+    };
+    let mut columns = Columns::default();
+    each(&mut |row| columns.see(row))?;
+    coface::io::replace_file(out, |file| {
+        write_header(file, &columns, timings)?;
+        each(&mut |row| write_row(file, &columns, row, timings))
+    })
 }
 
 /// A value as a field: empty for null, in quotes where it must be.

@@ -150,6 +150,34 @@ pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error
     read_started(&start, whole, &mut input, format, options.flatten)
 }
 
+/// Reads a model from the bytes of a file of this name, as [`read_path_with`] does from the file itself: for what was fetched from
+/// elsewhere.
+///
+/// # Errors
+/// As [`read_path_with`].
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, ReadOptions};
+/// # fn main() -> Result<(), coface::Error> {
+/// let model = io::read_named(&b"0,0,1,1"[..], "https://example.org/a.lines", &ReadOptions::default())?;
+/// assert_eq!(model.format(), Some(io::Format::Lines));
+/// # Ok(()) }
+/// ```
+pub fn read_named(input: impl Read, name: &str, options: &ReadOptions) -> Result<Model, Error> {
+    let read = || {
+        options.check()?;
+        let mut input = reading(name, input, 0);
+        let (start, whole) = start_of(&mut input)?;
+        let format = match options.format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(Path::new(name)))?,
+        };
+        read_started(&start, whole, &mut input, format, options.flatten)
+    };
+    read().map_err(|error: Error| error.in_file(name))
+}
+
 /// Reads a model whose format only its content tells, such as one from the standard input.
 ///
 /// # Errors

@@ -45,8 +45,8 @@ pub mod yin;
 pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
 pub use doors::{
-    ReadOptions, read, read_boundary, read_boundary_path, read_boundary_with, read_path, read_path_with,
-    read_unknown, read_with, write, write_path,
+    ReadOptions, read, read_boundary, read_boundary_path, read_boundary_with, read_named, read_path,
+    read_path_with, read_unknown, read_with, write, write_path,
 };
 pub(crate) use drawing::{Features, Shape, shapes};
 pub use format::Format;

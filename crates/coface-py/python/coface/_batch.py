@@ -1,0 +1,276 @@
+"""The report over many files."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any, TypedDict, overload
+
+from coface import _coface
+from coface._coface import InvalidInputError
+
+_Path = str | os.PathLike[str]
+_Progress = bool | Callable[[str, int, int], object] | None
+
+#: The memory that a file may take unless it is said.
+MEMORY = 2 << 30
+
+
+class BatchSummary(TypedDict):
+    """What came of a batch that was written to a file."""
+
+    #: The number of files, which is that of rows.
+    files: int
+    #: The number of rows that are errors, by kind.
+    errors: dict[str, int]
+    #: The number of rows taken from an earlier run that was cut short.
+    resumed: int
+
+
+@overload
+def batch(
+    paths: _Path | Iterable[_Path],
+    out: None = None,
+    *,
+    recursive: bool = ...,
+    jobs: int | None = ...,
+    timeout: float | None = ...,
+    memory: int | None = ...,
+    format: str | None = ...,
+    flatten: float | None = ...,
+    all_places: bool = ...,
+    timings: bool = ...,
+    restart: bool = ...,
+    progress: _Progress = ...,
+) -> list[dict[str, Any]]: ...
+@overload
+def batch(
+    paths: _Path | Iterable[_Path],
+    out: _Path,
+    *,
+    recursive: bool = ...,
+    jobs: int | None = ...,
+    timeout: float | None = ...,
+    memory: int | None = ...,
+    format: str | None = ...,
+    flatten: float | None = ...,
+    all_places: bool = ...,
+    timings: bool = ...,
+    restart: bool = ...,
+    progress: _Progress = ...,
+) -> BatchSummary: ...
+def batch(
+    paths: _Path | Iterable[_Path],
+    out: _Path | None = None,
+    *,
+    recursive: bool = False,
+    jobs: int | None = None,
+    timeout: float | None = 60.0,
+    memory: int | None = MEMORY,
+    format: str | None = None,
+    flatten: float | None = None,
+    all_places: bool = False,
+    timings: bool = True,
+    restart: bool = False,
+    progress: _Progress = False,
+) -> list[dict[str, Any]] | BatchSummary:
+    """Report on many files: one row a file, errors as rows.
+
+    Files are read by worker processes, so one that crashes, never ends or needs too much memory costs its row alone. A row is a
+    dictionary: ``path``, ``bytes`` (``None`` of a URL), ``seconds``, ``error`` (``None``, or ``kind``, ``message`` and ``cure``), and everything that
+    ``coface info --json`` says.
+
+    Parameters
+    ----------
+    paths
+        Files, folders (their files of known formats), patterns with ``*``, ``?``, ``[``, ``@list.txt`` with one path a line; URLs of
+        files and patterns that fsspec understands. One of them or many.
+    out
+        A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet`` (by pyarrow). It appears whole at the end; a call that was cut
+        short goes on where it was. Tables have one value a column, as those of ``coface batch``.
+    recursive
+        Whether files of folders in folders are taken too.
+    jobs
+        How many files are read at once; one a core by default.
+    timeout, memory
+        The seconds and bytes that one file may take; ``None`` is any.
+    format, flatten
+        As those of :func:`read`.
+    all_places
+        Whether every place of every problem is told, not the first hundred.
+    timings
+        Whether rows have ``seconds``; without them, equal files give equal bytes.
+    restart
+        Whether rows that an earlier call finished are done again.
+    progress
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    list of dict, or BatchSummary
+        The rows, in the order of the paths; with `out` the numbers of files, errors and rows from an earlier call.
+
+    Examples
+    --------
+    >>> import coface, pathlib, tempfile
+    >>> folder = pathlib.Path(tempfile.mkdtemp())
+    >>> _ = (folder / "a.off").write_text("OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n")
+    >>> _ = (folder / "b.off").write_text("OFF\\n1 0 0\\n0 0 nan\\n")
+    >>> [(row.get("name"), row["error"] and row["error"]["kind"]) for row in coface.batch(folder)]
+    [('disk', None), (None, 'parse')]
+    """
+    options = worker_options(
+        jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten,
+        all_places=all_places, timings=timings, restart=restart,
+    )  # fmt: skip
+    files = find_files(paths, recursive)
+    if out is None:
+        return [json.loads(line) for line in _coface._batch_lines(files, options, progress)]
+    target = Path(out)
+    if target.suffix.lower() != ".parquet":
+        return _summary(_coface._batch_write(files, target, options, progress))
+    _pyarrow()
+    lines = target.with_name(f".{target.name}.jsonl")
+    summary = _summary(_coface._batch_write(files, lines, options, progress))
+    write_parquet(lines, target, timings)
+    lines.unlink()
+    return summary
+
+
+def worker_options(**options: Any) -> dict[str, Any]:
+    """What the compiled part is told about a batch: how workers are started, beside these options."""
+    if not sys.executable:
+        raise InvalidInputError("this Python has no executable, so no worker can be started")
+    worker = Path(__file__).with_name("_worker.py")
+    environment = {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path), "RAYON_NUM_THREADS": "1"}
+    return {
+        "command": [sys.executable, str(worker), str(_coface.__file__)],
+        "environment": environment,
+        **options,
+    }
+
+
+def find_files(paths: _Path | Iterable[_Path], recursive: bool) -> list[str]:
+    """The files that words name, in their order, none twice; URLs stay as they are, patterns in them are looked up."""
+    words = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    files: dict[str, None] = {}
+    for word in [os.fspath(word) for word in words]:
+        if "://" not in word:
+            files.update(dict.fromkeys(map(os.fspath, _coface._find_files([word], recursive))))
+        elif any(sign in word for sign in "*?["):
+            import fsspec
+
+            system, pattern = fsspec.core.url_to_fs(word)
+            found = sorted(system.glob(pattern))
+            files.update(dict.fromkeys(system.unstrip_protocol(path) for path in found))
+        else:
+            files[word] = None
+    if not files:
+        raise InvalidInputError("no files are named here", cure="name files, folders or patterns")
+    return list(files)
+
+
+def write_lines(lines: Iterable[str], out: _Path, timings: bool) -> BatchSummary:
+    """Write rows that come as lines of JSON, in their order, to a file that appears whole at the end."""
+    target = Path(out)
+    suffix = target.suffix.lower()
+    if suffix not in {".jsonl", ".ndjson", ".csv", ".parquet"}:
+        message = f"{target}: the extension {suffix!r} is no table known here"
+        raise InvalidInputError(message, cure="end it in .jsonl, .csv or .parquet")
+    errors: dict[str, int] = {}
+    count = 0
+    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".jsonl", dir=target.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            for line in lines:
+                file.write(line + "\n")
+                count += 1
+                error = json.loads(line)["error"]
+                if error is not None:
+                    errors[error["kind"]] = errors.get(error["kind"], 0) + 1
+        if suffix == ".csv":
+            _coface._csv_of_lines(name, target, timings)
+        elif suffix == ".parquet":
+            write_parquet(Path(name), target, timings)
+        else:
+            os.replace(name, target)
+    finally:
+        Path(name).unlink(missing_ok=True)
+    return {"files": count, "errors": dict(sorted(errors.items())), "resumed": 0}
+
+
+def write_parquet(lines: Path, out: Path, timings: bool) -> None:
+    """Write rows in a file of JSON lines as Parquet, one value a column, a block at a time."""
+    arrow, parquet = _pyarrow()
+    schema = arrow.schema([])
+    for table in _tables(arrow, lines, timings):
+        schema = arrow.unify_schemas([schema, table.schema], promote_options="permissive")
+    names = _in_order(schema.names)
+    schema = arrow.schema([_typed(arrow, schema.field(name)) for name in names])
+    hidden = out.with_name(f".{out.name}.part")
+    try:
+        with parquet.ParquetWriter(hidden, schema) as writer:
+            for table in _tables(arrow, lines, timings):
+                columns = [
+                    table[name].cast(field.type) if name in table.column_names else arrow.nulls(len(table), field.type)
+                    for name, field in zip(names, schema, strict=True)
+                ]
+                writer.write_table(arrow.table(columns, schema=schema))
+        os.replace(hidden, out)
+    finally:
+        hidden.unlink(missing_ok=True)
+
+
+def _tables(arrow: Any, lines: Path, timings: bool) -> Iterable[Any]:
+    """The rows in blocks, each as a table of Arrow."""
+    block: list[dict[str, Any]] = []
+    with lines.open(encoding="utf-8") as file:
+        for line in file:
+            block.append(dict(json.loads(_coface._flat_line(line, timings))))
+            if len(block) == 4096:
+                yield _table(arrow, block)
+                block = []
+    if block:
+        yield _table(arrow, block)
+
+
+def _table(arrow: Any, rows: list[dict[str, Any]]) -> Any:
+    names = _in_order({name: None for row in rows for name in row})
+    return arrow.table({name: [row.get(name) for row in rows] for name in names})
+
+
+def _in_order(names: Iterable[str]) -> list[str]:
+    """Numbered columns behind each other, all others where they are first."""
+    found = list(names)
+    stems: dict[str, int] = {}
+    for name in found:
+        stems.setdefault(_stem(name)[0], len(stems))
+    return sorted(found, key=lambda name: (stems[_stem(name)[0]], _stem(name)[1]))
+
+
+def _stem(name: str) -> tuple[str, int]:
+    stem, _, number = name.rpartition("_")
+    return (stem, int(number)) if number.isdigit() else (name, 0)
+
+
+def _typed(arrow: Any, field: Any) -> Any:
+    """A column in which no row has a value is one of text."""
+    return arrow.field(field.name, arrow.string()) if arrow.types.is_null(field.type) else field
+
+
+def _pyarrow() -> tuple[Any, Any]:
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError as error:
+        raise ImportError("Parquet is written by pyarrow: pip install pyarrow") from error
+    return pyarrow, pyarrow.parquet
+
+
+def _summary(told: tuple[int, dict[str, int], int]) -> BatchSummary:
+    files, errors, resumed = told
+    return {"files": files, "errors": errors, "resumed": resumed}

@@ -1,0 +1,135 @@
+//! Reports on many files by worker processes.
+
+use crate::errors::{OrRaise, invalid};
+use crate::model::format_of;
+use crate::work::run;
+use coface::{Error, ErrorKind};
+use coface_workers::{Batch, Limits, Reading, TableFormat, WorkerCommand, WorkerPool};
+use pyo3::exceptions::PyMemoryError;
+use pyo3::prelude::*;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+use std::time::Duration;
+
+/// How a batch is done, as the function of Python says it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Options {
+    /// The program of workers and its arguments.
+    command: Vec<String>,
+    environment: BTreeMap<String, String>,
+    jobs: Option<usize>,
+    timeout: Option<f64>,
+    memory: Option<u64>,
+    format: Option<String>,
+    flatten: Option<f64>,
+    all_places: bool,
+    timings: bool,
+    restart: bool,
+}
+
+impl Options {
+    fn pool(&self, py: Python<'_>) -> PyResult<WorkerPool> {
+        let time = self.timeout.map(Duration::try_from_secs_f64).transpose().ok();
+        let Some(time) = time.filter(|time| time.is_none_or(|time| !time.is_zero())) else {
+            return Err(invalid(py, "the timeout is no time", "give seconds above 0, or None"));
+        };
+        let Some((program, arguments)) = self.command.split_first() else {
+            return Err(invalid(py, "workers have no program", "run in a Python with an executable"));
+        };
+        let mut command = WorkerCommand::new(program, arguments);
+        command.environment =
+            self.environment.iter().map(|(name, value)| (name.into(), value.into())).collect();
+        let jobs = self.jobs.unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+        Ok(WorkerPool::new(command, jobs, Limits { time, memory: self.memory }))
+    }
+
+    fn batch(&self, py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Batch> {
+        let format = format_of(py, self.format.as_deref())?;
+        let mut batch = Batch::new(files);
+        batch.reading = Reading { format, flatten: self.flatten, all_places: self.all_places };
+        (batch.timings, batch.restart) = (self.timings, self.restart);
+        Ok(batch)
+    }
+}
+
+/// The rows of files as lines of JSON, in their order.
+#[pyfunction]
+#[pyo3(signature = (files, options, progress=None))]
+pub(crate) fn _batch_lines(
+    py: Python<'_>,
+    files: Vec<PathBuf>,
+    options: Options,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<String>> {
+    let (pool, batch) = (options.pool(py)?, options.batch(py, files)?);
+    let mut lines = vec![String::new(); batch.files.len()];
+    run(py, progress, || {
+        batch.rows(&pool, |place, row| {
+            lines[place] = row.to_line(batch.timings);
+            Ok(())
+        })
+    })?;
+    Ok(lines)
+}
+
+/// Writes the rows of files to a file of JSON lines or CSV: the numbers of rows, of errors by kind, and of rows from an earlier run.
+#[pyfunction]
+#[pyo3(signature = (files, out, options, progress=None))]
+pub(crate) fn _batch_write(
+    py: Python<'_>,
+    files: Vec<PathBuf>,
+    out: PathBuf,
+    options: Options,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(usize, BTreeMap<String, usize>, usize)> {
+    let (pool, batch) = (options.pool(py)?, options.batch(py, files)?);
+    let format = TableFormat::of_path(&out).or_raise(py)?;
+    let summary = run(py, progress, || batch.write(&pool, &out, format))?;
+    Ok((summary.files, summary.errors, summary.resumed))
+}
+
+/// Writes rows in a file of JSON lines as CSV.
+#[pyfunction]
+pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timings: bool) -> PyResult<()> {
+    run(py, None, || coface_workers::csv_of_lines(&lines, &out, timings))
+}
+
+/// A row in a line of JSON as a list of names and values, one a column, in a line of JSON.
+#[pyfunction]
+pub(crate) fn _flat_line(py: Python<'_>, line: &str, timings: bool) -> PyResult<String> {
+    let flat = || {
+        let row = serde_json::from_str(line).map_err(|error| Error::parse(format!("no row: {error}")))?;
+        coface_workers::flat_row(&row, timings)
+    };
+    Ok(serde_json::json!(flat().or_raise(py)?).to_string())
+}
+
+/// The files that words name: see `coface batch`.
+#[pyfunction]
+pub(crate) fn _find_files(py: Python<'_>, words: Vec<PathBuf>, recursive: bool) -> PyResult<Vec<PathBuf>> {
+    coface_workers::find_files(&words, recursive, std::io::empty()).or_raise(py)
+}
+
+/// Answers requests on standard input until there are no more: what a worker does. `fetch` gives the bytes at a URL.
+#[pyfunction]
+pub(crate) fn _serve(py: Python<'_>, fetch: Py<PyAny>) -> PyResult<()> {
+    let bytes_at = |path: &Path| {
+        let url = path.to_str().filter(|path| path.contains("://"))?;
+        Some(Python::attach(|py| {
+            let bytes = fetch.call1(py, (url,)).and_then(|bytes| bytes.extract::<Vec<u8>>(py));
+            bytes.map_err(|fault| {
+                if fault.is_instance_of::<PyMemoryError>(py) {
+                    // Told as the library does, so that the pool knows.
+                    let _ = writeln!(std::io::stderr(), "memory allocation of a file failed");
+                    std::process::abort();
+                }
+                Error::new(ErrorKind::Io, fault.to_string()).in_file(url)
+            })
+        }))
+    };
+    py.detach(|| coface_workers::serve(|request| coface_workers::examine_with(request, bytes_at)))
+        .or_raise(py)
+}
