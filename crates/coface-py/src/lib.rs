@@ -24,6 +24,7 @@ mod pi1;
 mod pictures;
 mod products;
 mod report;
+mod shards;
 mod source;
 mod surface;
 mod view;
@@ -102,6 +103,12 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(batch::_find_files, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_flat_line, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_serve, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_shard, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_reduce, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_merge, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_summary, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_root_homology, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_folder_homology, module)?)?;
     // What is public is for the package to say.
     module.delattr("__all__")?;
     Ok(())

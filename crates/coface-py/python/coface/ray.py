@@ -16,9 +16,11 @@ from typing import Any, overload
 import ray
 
 from coface import _coface
-from coface._batch import MEMORY, BatchSummary, _Path, find_files, worker_options, write_lines
+from coface._batch import MEMORY, BatchSummary, _Path, _Progress, find_files, worker_options, write_lines
+from coface._progress import Bar
+from coface.shards import Level, ShardHomology, Tree, merge, reduce, root_homology, summary
 
-__all__ = ["batch", "start"]
+__all__ = ["batch", "homology", "start"]
 
 
 def start(**options: Any) -> None:
@@ -126,3 +128,118 @@ def _examine(files: dict[str, Any], options: dict[str, Any]) -> dict[str, list[s
     paths = [str(path) for path in files["path"]]
     told = worker_options(jobs=1, restart=False, **options)
     return {"line": _coface._batch_lines(paths, told)}
+
+
+def homology(
+    folder: _Path,
+    *,
+    write: bool = True,
+    retries: int = 3,
+    progress: _Progress = False,
+) -> ShardHomology:
+    """The integral homology of shards in a folder: a task of Ray for each shard, and one for each merge of the tree.
+
+    What is left of shards goes from task to task as objects of Ray. A task whose worker died is done again by Ray; the bytes are the same.
+
+    Parameters
+    ----------
+    folder
+        A folder that all machines share, or a URL of fsspec, with the shards that ``coface shard`` or :func:`coface.shards.shard` made.
+    write
+        Whether reduced shards are written to the folder too, with the names and bytes that ``coface merge`` gives them.
+    retries
+        How often Ray does a task again whose worker died.
+    progress
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    ShardHomology
+        Homology, cells, and for each level its strata, critical cells and bytes.
+    """
+    import fsspec
+
+    start()
+    root = os.fspath(folder)
+    with fsspec.open(f"{root}/shards.json", "rb") as file:
+        tree = Tree.of_manifest(json.load(file))
+    options = {"num_returns": 2, "max_retries": retries}
+    reduce_task = ray.remote(_reduce_task).options(**options)
+    merge_task = ray.remote(_merge_task).options(**options)
+    with _Told(progress) as told:
+        found = [reduce_task.remote(root, number, write) for number in range(tree.parts)]
+        told("reducing parts", [said for _, said in found])
+        levels = [[said for _, said in found]]
+        while len(found) > 1 or not ray.get(found[0][1])["is_root"]:
+            level = len(levels)
+            found = [
+                merge_task.remote(root, tree, level, number, write, *(found[child][0] for child in tree.children(level, number)))
+                for number in range(tree.width(level))
+            ]
+            told(f"merging parts to level {level}", [said for _, said in found])
+            levels.append([said for _, said in found])
+    counts = [_level(ray.get(level)) for level in levels]
+    return ShardHomology(root_homology(ray.get(found[0][0])), ray.get(found[0][1])["cells"], counts)
+
+
+def _reduce_task(folder: str, number: int, write: bool) -> tuple[bytes, dict[str, Any]]:
+    """What is left of a shard, and its counts."""
+    import fsspec
+
+    with fsspec.open(f"{folder}/part-{number:06}.shard", "rb") as file:
+        reduced = reduce(file.read())
+    if write:
+        _put(f"{folder}/part-{number:06}.reduced", reduced)
+    return reduced, summary(reduced)
+
+
+def _merge_task(folder: str, tree: Tree, level: int, number: int, write: bool, *children: bytes) -> tuple[bytes, dict[str, Any]]:
+    """What is left of some neighbors together, and its counts."""
+    reduced = merge(children, tree, level, number)
+    if write:
+        _put(f"{folder}/level-{level}-{number:06}.reduced", reduced)
+    return reduced, summary(reduced)
+
+
+def _put(url: str, content: bytes) -> None:
+    """Write a file that appears whole: where files are not objects, by way of a temporary one."""
+    import fsspec
+
+    system, path = fsspec.core.url_to_fs(url)
+    if "file" not in (system.protocol if isinstance(system.protocol, tuple) else (system.protocol,)):
+        system.pipe_file(path, content)
+        return
+    hidden = f"{path}.{os.getpid()}.part"
+    system.pipe_file(hidden, content)
+    os.replace(hidden, path)
+
+
+def _level(parts: list[dict[str, Any]]) -> Level:
+    """The counts of a level from those of its parts."""
+    degrees = max(len(part["critical"]) for part in parts)
+    critical = [sum(part["critical"][k] for part in parts if k < len(part["critical"])) for k in range(degrees)]
+    return Level(len(parts), sum(part["strata"] for part in parts), critical, sum(part["bytes"] for part in parts))
+
+
+class _Told:
+    """Waits for the tasks of a stage, and tells how many are done."""
+
+    def __init__(self, progress: _Progress) -> None:
+        self._bar = Bar() if progress is True else None
+        self._tell = self._bar if self._bar is not None else (progress if callable(progress) else None)
+
+    def __enter__(self) -> _Told:
+        return self
+
+    def __exit__(self, *fault: object) -> None:
+        if self._bar is not None:
+            self._bar.close()
+
+    def __call__(self, stage: str, tasks: list[Any]) -> None:
+        left = list(tasks)
+        while left:
+            done, left = ray.wait(left)
+            # Raises what a task raised.
+            ray.get(done)
+            if self._tell is not None:
+                self._tell(stage, len(tasks) - len(left), len(tasks))

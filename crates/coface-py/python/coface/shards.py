@@ -1,0 +1,180 @@
+"""Complexes larger than memory: cut into shards, reduced one by one, merged up a tree.
+
+A **shard** is a part of a complex as bytes. A **reduced shard** is what is left of it, critical cells with their exact boundaries; reduced shards of
+neighbors are merged level after level to the **root**, which has the integral homology of the whole. The same bytes in give the same bytes out, so
+shards may be reduced anywhere: by :func:`homology` here, by the program, or over Ray (:func:`coface.ray.homology`).
+
+Examples
+--------
+>>> import coface.shards, tempfile
+>>> folder = tempfile.mkdtemp()
+>>> coface.shards.shard(coface.generate("torus"), folder, 4)
+4
+>>> found = coface.shards.homology(folder)
+>>> found.homology
+Homology(Z, Z^2, Z)
+>>> found.levels[0].parts, found.levels[-1].parts
+(4, 1)
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from coface import _coface
+from coface._coface import Homology
+from coface._models import as_model
+
+__all__ = ["Level", "ShardHomology", "Tree", "homology", "merge", "reduce", "root_homology", "shard", "summary"]
+
+_Path = str | os.PathLike[str]
+_Progress = bool | Callable[[str, int, int], object] | None
+
+
+@dataclass(frozen=True)
+class Tree:
+    """How the shards of a complex are merged, as ``shards.json`` says it."""
+
+    #: A number that shards of this complex, cut in this way, have.
+    complex: int
+    #: The number of shards.
+    parts: int
+    #: How many neighbors are merged at once.
+    fan_in: int
+
+    @classmethod
+    def of_manifest(cls, manifest: dict[str, Any]) -> Tree:
+        """The tree in a ``shards.json``."""
+        return cls(int(manifest["complex"], 16), int(manifest["parts"]), int(manifest["fan_in"]))
+
+    def width(self, level: int) -> int:
+        """How many reduced shards a level has.
+
+        Examples
+        --------
+        >>> [Tree(7, 10, 4).width(level) for level in range(4)]
+        [10, 3, 1, 1]
+        """
+        width = self.parts
+        for _ in range(level):
+            width = -(-width // self.fan_in)
+        return width
+
+    def children(self, level: int, number: int) -> range:
+        """The numbers of those of the level below that are merged to one.
+
+        Examples
+        --------
+        >>> Tree(7, 10, 4).children(1, 2)
+        range(8, 10)
+        """
+        below = self.width(level - 1)
+        return range(min(number * self.fan_in, below), min((number + 1) * self.fan_in, below))
+
+
+@dataclass(frozen=True)
+class Level:
+    """The reduced shards of one level together."""
+
+    #: How many there are.
+    parts: int
+    #: The strata before the level was reduced.
+    strata: int
+    #: The critical cells in each degree.
+    critical: list[int]
+    #: The bytes of all: what is sent to the next level.
+    bytes: int
+
+    @property
+    def critical_per_stratum(self) -> float:
+        """Critical cells for each stratum: 1 where all strata are balls."""
+        return sum(self.critical) / max(self.strata, 1)
+
+
+@dataclass(frozen=True)
+class ShardHomology:
+    """What shards say together."""
+
+    #: The integral homology of the whole.
+    homology: Homology
+    #: The number of cells of the whole in each degree.
+    cells: list[int]
+    #: The levels, from the shards on.
+    levels: list[Level]
+
+    @property
+    def bytes_sent(self) -> int:
+        """The bytes of all reduced shards but the root."""
+        return sum(level.bytes for level in self.levels[:-1])
+
+
+def shard(
+    model: Any,
+    folder: _Path,
+    parts: int = 0,
+    *,
+    memory: int | None = None,
+    fan_in: int = 8,
+    name: str = "model",
+    replace: bool = False,
+    progress: _Progress = False,
+) -> int:
+    """Cut a model into shards in a folder.
+
+    Parameters
+    ----------
+    model
+        Anything that :func:`coface.as_model` understands.
+    folder
+        Where the shards go, with ``shards.json``.
+    parts
+        The number of shards; 0 for as many as `memory` asks for.
+    memory
+        The bytes that reducing a shard may take, as far as that can be estimated.
+    fan_in
+        How many neighbors are merged at once.
+    name
+        What the model is called in reports.
+    replace
+        Whether shards of another complex in the folder are replaced.
+    progress
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    int
+        The number of shards.
+    """
+    return _coface._shard(as_model(model), folder, parts, memory, fan_in, name, replace, progress)
+
+
+def reduce(shard: bytes, *, progress: _Progress = False) -> bytes:
+    """What is left of a shard."""
+    return _coface._reduce(shard, progress)
+
+
+def merge(children: Iterable[bytes], tree: Tree, level: int, number: int, *, progress: _Progress = False) -> bytes:
+    """The reduced shard of a place, from those of ``tree.children(level, number)`` in their order."""
+    return _coface._merge(list(children), tree.complex, tree.parts, tree.fan_in, level, number, progress)
+
+
+def summary(reduced: bytes) -> dict[str, Any]:
+    """The counts of a reduced shard: ``level``, ``number``, ``cells``, ``strata``, ``critical``, ``bytes``, ``is_root``, ``checksum``, ``sources``."""
+    return _coface._summary(reduced)
+
+
+def root_homology(root: bytes) -> Homology:
+    """The homology of the whole, from the reduced shard that is the root."""
+    return _coface._root_homology(root)
+
+
+def homology(folder: _Path, *, replace: bool = False, progress: _Progress = False) -> ShardHomology:
+    """Reduce the shards of a folder one by one and merge them.
+
+    What is finished, and made from what is there, is not made again unless `replace` is set.
+    """
+    found, cells, levels = _coface._folder_homology(folder, replace, progress)
+    return ShardHomology(found, cells, [Level(**level) for level in levels])

@@ -1,0 +1,124 @@
+//! Complexes larger than memory: shards as bytes and in folders.
+
+use crate::errors::OrRaise;
+use crate::homology::Homology;
+use crate::model::source_of;
+use crate::work::run;
+use coface::shards::{
+    self, FolderLevel, FolderSummary, ReducedSummary, ShardFolder, ShardPlace, ShardRequest,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Cuts a model into shards in a folder: the number of shards.
+#[pyfunction]
+#[pyo3(signature = (model, folder, parts, memory, fan_in, name, replace, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "all of them are given by the function of Python")]
+pub(crate) fn _shard(
+    py: Python<'_>,
+    model: &Bound<'_, PyAny>,
+    folder: PathBuf,
+    parts: u32,
+    memory: Option<u64>,
+    fan_in: u32,
+    name: &str,
+    replace: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<u32> {
+    let source = source_of(model)?;
+    let mut request = ShardRequest::new(name, parts);
+    (request.fan_in, request.part_memory, request.replaces) = (fan_in, memory, replace);
+    run(py, progress, || {
+        let model = Arc::clone(&source).model.clone();
+        Ok(shards::shard_model(model, &folder, &request)?.manifest().part_count)
+    })
+}
+
+/// Reduces a shard.
+#[pyfunction]
+#[pyo3(signature = (shard, progress=None))]
+pub(crate) fn _reduce<'py>(
+    py: Python<'py>,
+    shard: &Bound<'py, PyBytes>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    // Bytes of Python do not change, and are kept by the caller.
+    let shard = shard.as_bytes();
+    Ok(PyBytes::new(py, &run(py, progress, || shards::reduce(shard))?))
+}
+
+/// Merges the reduced shards of a level that belong to a place.
+#[pyfunction]
+#[pyo3(signature = (children, complex, parts, fan_in, level, number, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "a place is five numbers")]
+pub(crate) fn _merge<'py>(
+    py: Python<'py>,
+    children: Vec<Bound<'py, PyBytes>>,
+    complex: u64,
+    parts: u32,
+    fan_in: u32,
+    level: u32,
+    number: u32,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let place = ShardPlace::new(complex, parts, fan_in, 0).or_raise(py)?.at(level, number);
+    let children: Vec<&[u8]> = children.iter().map(|child| child.as_bytes()).collect();
+    Ok(PyBytes::new(py, &run(py, progress, || shards::merge(place, &children))?))
+}
+
+/// The counts of a reduced shard.
+#[pyfunction]
+pub(crate) fn _summary<'py>(py: Python<'py>, reduced: &[u8]) -> PyResult<Bound<'py, PyDict>> {
+    let ReducedSummary { place, cells, strata, critical, bytes, is_root, checksum, sources, .. } =
+        shards::summary(reduced).or_raise(py)?;
+    let told = PyDict::new(py);
+    told.set_item("level", place.level)?;
+    told.set_item("number", place.number)?;
+    told.set_item("cells", cells)?;
+    told.set_item("strata", strata)?;
+    told.set_item("critical", critical)?;
+    told.set_item("bytes", bytes)?;
+    told.set_item("is_root", is_root)?;
+    told.set_item("checksum", checksum)?;
+    told.set_item("sources", sources)?;
+    Ok(told)
+}
+
+/// The homology that a root has.
+#[pyfunction]
+pub(crate) fn _root_homology(py: Python<'_>, root: &[u8]) -> PyResult<Homology> {
+    let homology = shards::root_homology(root).or_raise(py)?;
+    Ok(Homology::of_groups(homology.groups(), false))
+}
+
+/// Reduces the shards of a folder and merges them, unless that is done: homology, cells and levels.
+#[pyfunction]
+#[pyo3(signature = (folder, replace, progress=None))]
+pub(crate) fn _folder_homology<'py>(
+    py: Python<'py>,
+    folder: PathBuf,
+    replace: bool,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Homology, Vec<u64>, Vec<Bound<'py, PyDict>>)> {
+    let summary = run(py, progress, || {
+        let folder = ShardFolder::open(&folder)?;
+        for number in 0..folder.manifest().part_count {
+            folder.reduce(number, replace)?;
+        }
+        folder.merge_all(replace)
+    })?;
+    let FolderSummary { homology, cells, levels, .. } = summary;
+    let levels = levels.iter().map(|level| level_to_python(py, level)).collect::<PyResult<_>>()?;
+    Ok((Homology::of_groups(homology.groups(), false), cells, levels))
+}
+
+fn level_to_python<'py>(py: Python<'py>, level: &FolderLevel) -> PyResult<Bound<'py, PyDict>> {
+    let told = PyDict::new(py);
+    told.set_item("parts", level.parts)?;
+    told.set_item("strata", level.strata)?;
+    told.set_item("critical", &level.critical)?;
+    told.set_item("bytes", level.bytes)?;
+    Ok(told)
+}
