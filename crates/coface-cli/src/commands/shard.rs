@@ -2,11 +2,11 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::input::Source;
+use crate::input::{self, Source};
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
-use coface::shards::{Owners, ShardFolder, ShardRequest, shard_model};
+use coface::shards::{Owners, ShardFolder, ShardRequest, shard_mesh_file, shard_model};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -106,23 +106,40 @@ pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
     )
 }
 
-/// Cuts what a path names into shards in a folder: into as many as parts of so much memory ask for, if no number is given.
+/// What is cut, and where to.
+pub(crate) struct CutRequest<'a> {
+    pub(crate) input: &'a Path,
+    /// What the input is called, if not by its path.
+    pub(crate) name: Option<String>,
+    pub(crate) folder: &'a Path,
+    pub(crate) cut: &'a Cut,
+    /// The memory of a part, which decides their number if none is given.
+    pub(crate) memory: Option<u64>,
+    /// Whether shards of another complex are replaced.
+    pub(crate) replaces: bool,
+}
+
+/// Cuts what a path names into shards in a folder: a mesh of simplices while it is read, anything else from memory.
 pub(crate) fn cut_input(
-    input: &Path,
-    folder: &Path,
-    cut: &Cut,
-    memory: Option<u64>,
-    replaces: bool,
+    asked: &CutRequest<'_>,
     common: &Common,
     progress: &Progress,
 ) -> Result<ShardFolder, Failure> {
-    let loaded = Source::of(input)?.model(common.reading(), progress)?;
-    let mut request = cut.request(&loaded.name)?;
-    request.replaces = replaces;
-    request.part_memory = memory;
+    let CutRequest { input, folder, cut, .. } = *asked;
+    let name = asked.name.clone().unwrap_or_else(|| input::name(input));
+    let mut request = cut.request(&name)?;
+    request.replaces = asked.replaces;
+    request.part_memory = asked.memory;
     request.source.fingerprint = fingerprint(input, cut, common);
+    if input.is_file() {
+        progress.stage("cutting into shards");
+        if let Some(shards) = shard_mesh_file(input, common.format, folder, &request)? {
+            return Ok(shards);
+        }
+    }
+    let loaded = Source::of(input)?.model(common.reading(), progress)?;
     progress.stage("cutting into shards");
-    Ok(shard_model(loaded.model, folder, &request).map_err(|error| error.in_file(loaded.name))?)
+    Ok(shard_model(loaded.model, folder, &request).map_err(|error| error.in_file(name))?)
 }
 
 impl Shard {
@@ -131,7 +148,15 @@ impl Shard {
             return Err(Failure::new("no folder for the shards: give -o FOLDER"));
         };
         let progress = Progress::start(common.quiet);
-        let shards = cut_input(&self.input, folder, &self.cut, None, self.force, common, &progress)?;
+        let asked = CutRequest {
+            input: &self.input,
+            name: None,
+            folder,
+            cut: &self.cut,
+            memory: None,
+            replaces: self.force,
+        };
+        let shards = cut_input(&asked, common, &progress)?;
         drop(progress);
         let manifest = shards.manifest();
         let sizes = (0..manifest.part_count)

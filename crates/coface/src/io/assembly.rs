@@ -4,6 +4,7 @@ use super::CellData;
 use super::data::without_repeated_names;
 use super::lists::Lists;
 use super::model::{Group, GroupKind, Model, repeated_vertex};
+use super::scratch_mesh::ScratchMesh;
 use crate::cellular::CellShape;
 use crate::geometry::Positions;
 use crate::{Error, ErrorKind, VertexId};
@@ -67,12 +68,24 @@ pub(crate) struct Assembly {
     reduced_count: u64,
     data: Vec<CellData>,
     pub(crate) warnings: Vec<String>,
+    /// Where vertices and elements go instead of being kept.
+    scratch: Option<ScratchMesh>,
 }
 
 impl Assembly {
     /// A mesh without anything, for points of so many coordinates.
     pub(crate) fn new(dimension: usize) -> Self {
         Self { dimension, ..Self::default() }
+    }
+
+    /// A mesh whose vertices and elements go to files, and whose groups are forgotten.
+    pub(crate) fn streaming(dimension: usize, scratch: Option<ScratchMesh>) -> Self {
+        Self { scratch, ..Self::new(dimension) }
+    }
+
+    /// The files that vertices and elements went to.
+    pub(crate) fn into_scratch(self) -> Option<ScratchMesh> {
+        self.scratch
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
@@ -84,8 +97,11 @@ impl Assembly {
         if self.vertex_count == u32::MAX as usize {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 vertices"));
         }
-        self.coordinates.extend_from_slice(coordinates);
         self.vertex_count += 1;
+        if let Some(scratch) = &mut self.scratch {
+            return scratch.add_vertex(coordinates);
+        }
+        self.coordinates.extend_from_slice(coordinates);
         Ok(())
     }
 
@@ -119,6 +135,9 @@ impl Assembly {
         if let Some(vertex) = repeated {
             return Err(Error::invalid(format!("a {} repeats vertex {}", name(), number(vertex)))
                 .with_cure(format!("remove the {}, or the repeated vertex", name())));
+        }
+        if let Some(scratch) = &mut self.scratch {
+            return scratch.add(kind, corners, vertices.len()).map(|()| 0);
         }
         if vertices.len() > corner_count {
             self.reduced_count += 1;
@@ -168,6 +187,9 @@ impl Assembly {
 
     /// Puts a vertex or an element into the group of this number.
     pub(crate) fn add_to_group(&mut self, kind: GroupKind, number: i64, member: u32) {
+        if self.scratch.is_some() {
+            return;
+        }
         self.groups.entry((kind, number)).or_default().push(member);
     }
 

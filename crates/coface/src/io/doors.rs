@@ -1,5 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
+use super::scratch_mesh::{self, ScratchMesh};
 use super::watching::{Watched, name_of, reading};
 use super::{
     Format, Model, container, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply,
@@ -424,6 +425,42 @@ fn open(path: &Path) -> Result<File, Error> {
         return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
     }
     Ok(file)
+}
+
+/// Reads a mesh of simplices from a file into flat files of a folder, without keeping it in memory; `None` if the file is of a format, or has
+/// elements, for which that is not done.
+pub(crate) fn stream_mesh(
+    path: &Path,
+    format: Option<Format>,
+    folder: &Path,
+) -> Result<Option<ScratchMesh>, Error> {
+    let read = || {
+        let mut file = watched(path)?;
+        let (start, whole) = start_of(&mut file)?;
+        let format = match format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+        };
+        if !matches!(format, Format::Medit | Format::Msh) {
+            return Ok(None);
+        }
+        format::check_told(format, &start, whole)?;
+        let input = format::without_mark(&start).chain(file);
+        let scratch = ScratchMesh::create(folder)?;
+        let read = match format {
+            Format::Medit => medit::read_into(input, scratch),
+            _ => msh::read_into(input, scratch),
+        };
+        match read {
+            Ok(mut scratch) => {
+                scratch.finish()?;
+                Ok(Some(scratch))
+            }
+            Err(error) if error.message() == scratch_mesh::NOT_SIMPLICIAL => Ok(None),
+            Err(error) => Err(error),
+        }
+    };
+    read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
 /// The first bytes of a stream, and whether they are all of it.

@@ -34,6 +34,7 @@ pub mod ply;
 #[cfg(test)]
 mod samples;
 mod scanner;
+mod scratch_mesh;
 pub mod stl;
 pub mod svg;
 mod values;
@@ -44,6 +45,7 @@ pub mod yin;
 
 pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
+pub(crate) use doors::stream_mesh;
 pub use doors::{
     ReadOptions, read, read_boundary, read_boundary_path, read_boundary_with, read_named, read_path,
     read_path_with, read_unknown, read_with, write, write_path,

@@ -91,7 +91,12 @@ impl GridShards {
     ///
     /// # Complexity
     /// A few hundred bytes a shard.
-    pub fn shard_full(&self, folder: &Path, source: ShardSource, replaces: bool) -> Result<ShardFolder, Error> {
+    pub fn shard_full(
+        &self,
+        folder: &Path,
+        source: ShardSource,
+        replaces: bool,
+    ) -> Result<ShardFolder, Error> {
         let shards = self.create(folder, source, 0, replaces)?;
         let steps = progress::stage("writing shards", self.boxes.count() as usize);
         for number in 0..self.boxes.count() {
@@ -135,7 +140,10 @@ impl GridShards {
     }
 
     /// The grid of a shard, and its voxels if not all are set.
-    pub(super) fn of(container: &Container<'_>, place: ShardPlace) -> Result<(Self, Option<Vec<u64>>), Error> {
+    pub(super) fn of(
+        container: &Container<'_>,
+        place: ShardPlace,
+    ) -> Result<(Self, Option<Vec<u64>>), Error> {
         let lie = |message: &str| container.lie(Role::Grid, 0, message);
         let numbers = container.array::<u32>(Role::Grid, 0)?;
         let &[sort @ 0..=1, axis_count @ 1..=8, ref rest @ ..] = &numbers[..] else {
@@ -145,14 +153,16 @@ impl GridShards {
         if rest.len() != 3 * axis_count || rest[axis_count..2 * axis_count].iter().any(|&number| number > 1) {
             return Err(lie("this describes no grid"));
         }
-        let is_periodic: Vec<bool> = rest[axis_count..2 * axis_count].iter().map(|&number| number == 1).collect();
+        let is_periodic: Vec<bool> =
+            rest[axis_count..2 * axis_count].iter().map(|&number| number == 1).collect();
         let boxes = VoxelBoxes::new(&rest[..axis_count], &is_periodic, &rest[2 * axis_count..])
             .map_err(|error| lie(error.message()))?;
         if boxes.count() != place.part_count {
             return Err(lie("there are not as many boxes as parts"));
         }
         let sort = if sort == 1 { GridSort::Simplices } else { GridSort::Cubes };
-        let words = container.has(Role::Bits, 0).then(|| container.array::<u64>(Role::Bits, 0)).transpose()?;
+        let words =
+            container.has(Role::Bits, 0).then(|| container.array::<u64>(Role::Bits, 0)).transpose()?;
         Ok((Self { sort, boxes, fan_in: place.fan_in }, words.map(std::borrow::Cow::into_owned)))
     }
 
@@ -178,8 +188,13 @@ impl GridShards {
     /// The corners of a cell by its id: numbers of the points of the grid, the last axis running fastest; an axis that is not periodic has one
     /// point more than voxels. A simplex has them in its order.
     pub(super) fn vertices(&self, id: u64) -> Vec<u64> {
-        let axes: Vec<(u64, bool)> =
-            self.boxes.shape().iter().map(|&length| u64::from(length)).zip(self.boxes.is_periodic().iter().copied()).collect();
+        let axes: Vec<(u64, bool)> = self
+            .boxes
+            .shape()
+            .iter()
+            .map(|&length| u64::from(length))
+            .zip(self.boxes.is_periodic().iter().copied())
+            .collect();
         let kind_count = match self.sort {
             GridSort::Cubes => 1,
             GridSort::Simplices => SimplicialBlocks::<FullVoxels>::kind_count(axes.len()),
@@ -202,7 +217,9 @@ impl GridShards {
         };
         match self.sort {
             // The last axis runs fastest: its bit is the highest of the set.
-            GridSort::Cubes => (0..1u32 << odd.len()).map(|i| corner(i.reverse_bits().checked_shr(32 - odd.len() as u32).unwrap_or(0))).collect(),
+            GridSort::Cubes => (0..1u32 << odd.len())
+                .map(|i| corner(i.reverse_bits().checked_shr(32 - odd.len() as u32).unwrap_or(0)))
+                .collect(),
             GridSort::Simplices => {
                 let chain = chain_of_sets(odd.len() as u32, kind);
                 std::iter::once(0).chain(chain).map(corner).collect()

@@ -11,14 +11,17 @@
 //! # Bytes and folders
 //! [`reduce`], [`merge`], [`root_homology`], [`root_chains`], [`chains_below_merge`], [`chains_on_cells`] and [`sum_chains`] take bytes and give bytes, the same for
 //! the same, so that any runner can call them on any storage. A [`ShardFolder`] keeps them as files: what is finished and made of what is there is not
-//! made again. [`shard_model`] makes the shards of a model.
+//! made again. [`shard_model`] makes the shards of a model, [`shard_mesh_file`] those of a file that is not kept in memory, [`GridShards`] those of grids and
+//! volumes.
 //!
 //! # References
 //! See [`crate::chains::Part`].
 
 mod chains;
 mod folder;
+mod grid;
 mod manifest;
+mod meshes;
 mod models;
 mod names;
 mod owners;
@@ -30,7 +33,9 @@ pub use chains::{
     ShardChain, ShardChains, ShardTerm, chains_below_merge, chains_on_cells, root_chains, sum_chains,
 };
 pub use folder::{FolderLevel, FolderSummary, ReducedStep, ShardFolder, reduce_file};
+pub use grid::{GridShards, GridSort, VolumeFolder};
 pub use manifest::{ShardManifest, ShardSource};
+pub use meshes::shard_mesh_file;
 pub use models::{ShardRequest, shard_model};
 pub use owners::Owners;
 pub use place::ShardPlace;

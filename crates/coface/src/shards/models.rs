@@ -40,7 +40,7 @@ const PER_CELL: u64 = 96;
 
 impl ShardRequest {
     /// The number of shards for so many cells and incidences together.
-    fn part_count_for(&self, size: u64) -> u32 {
+    pub(super) fn part_count_for(&self, size: u64) -> u32 {
         let (0, Some(memory)) = (self.part_count, self.part_memory) else { return self.part_count };
         let room = memory.saturating_sub(FIXED).max(FIXED / 4);
         size.saturating_mul(PER_CELL).div_ceil(room).clamp(1, 1_000_000) as u32

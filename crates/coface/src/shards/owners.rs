@@ -72,7 +72,7 @@ impl Owners {
 }
 
 /// The part of a cell by a hash of its number.
-fn scattered(degree: usize, cell: u32, part_count: u32) -> u32 {
+pub(super) fn scattered(degree: usize, cell: u32, part_count: u32) -> u32 {
     let hash = (u64::from(cell) + ((degree as u64) << 32) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     ((hash >> 32) % u64::from(part_count.max(1))) as u32
 }

@@ -1,5 +1,6 @@
 //! Shards as bytes.
 
+use super::grid::{GridShards, push_grid};
 use super::names::Names;
 use super::place::ShardPlace;
 use crate::Error;
@@ -78,6 +79,19 @@ pub(super) fn write_shard(
     writer.write(out)
 }
 
+/// The shard of a box of a grid: its description, and its voxels if not all are set.
+pub(super) fn write_grid_shard(
+    place: ShardPlace,
+    grid: &GridShards,
+    words: Option<&[u64]>,
+    out: &mut (impl Write + ?Sized),
+) -> Result<Written, Error> {
+    let mut writer = ContainerWriter::new(Kind::Shard);
+    writer.push_owned(Role::Meta, 0, &place.to_meta());
+    push_grid(&mut writer, grid, words);
+    writer.write(out)
+}
+
 /// The part of a complex that a shard is.
 ///
 /// # Errors
@@ -100,6 +114,10 @@ impl<'a> Shard<'a> {
     }
 
     pub(super) fn part(&self) -> Result<Part, Error> {
+        if self.container.has(Role::Grid, 0) {
+            let (grid, words) = GridShards::of(&self.container, self.place)?;
+            return grid.part(self.place.number, words);
+        }
         let complex = to_complex(&self.container)?;
         let (ids, sets, keys) = part_lists(&self.container, complex.degree_count())?;
         Part::new(self.place.number, complex, ids, &sets, keys)
@@ -108,6 +126,9 @@ impl<'a> Shard<'a> {
     /// How the cells of the part are named, which has so many degrees.
     pub(super) fn names(&self, part: &Part) -> Result<Names, Error> {
         let degree_count = part.complex().degree_count();
+        if self.container.has(Role::Grid, 0) {
+            return Ok(Names::Grid(GridShards::of(&self.container, self.place)?.0));
+        }
         if !self.container.has(Role::NameStarts, 0) {
             return Ok(Names::Ids);
         }

@@ -4,7 +4,7 @@
 
 use crate::arguments::Common;
 use crate::commands::merge::{Answer, Question};
-use crate::commands::shard::{Cut, cut_input, fingerprint};
+use crate::commands::shard::{Cut, CutRequest, cut_input, fingerprint};
 use crate::failure::Failure;
 use crate::output::give;
 use crate::progress::{Progress, remove_at_end};
@@ -65,8 +65,10 @@ impl PartsOptions {
         let progress = Progress::start(common.quiet);
         let work = WorkFolder::new(self.work.as_deref())?;
         let runner = Runner::new(self, common, &work.path);
-        let input = work.standard_input(input)?;
-        let (part_count, fan_in) = runner.shard(&input, common)?;
+        let given = input;
+        let input = work.standard_input(given)?;
+        let name = (input != given).then(|| crate::input::name(given));
+        let (part_count, fan_in) = runner.shard(&input, name, common)?;
         runner.reduce(part_count)?;
         runner.merge(part_count, fan_in)?;
         let answer = runner.answer(question)?;
@@ -151,7 +153,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Has shards made, unless they are there. Gives the number of parts and the fan-in.
-    fn shard(&self, input: &Path, common: &Common) -> Result<(u32, u32), Failure> {
+    fn shard(&self, input: &Path, name: Option<String>, common: &Common) -> Result<(u32, u32), Failure> {
         let cut = Cut {
             parts: self.options.parts.unwrap_or(0),
             fan_in: self.options.fan_in,
@@ -177,6 +179,7 @@ impl<'a> Runner<'a> {
             "task": "shard",
             "folder": text(self.folder)?,
             "input": text(input)?,
+            "name": name,
             "parts": self.options.parts,
             "memory": self.options.memory.map(|memory| memory / self.workers as u64),
             "fan_in": self.options.fan_in,
@@ -373,6 +376,14 @@ fn shard(request: &Value, folder: &Path) -> Result<Value, Failure> {
         flatten: request["flatten"].as_f64(),
     };
     let progress = Progress::start(true);
-    let shards = cut_input(&input, folder, &cut, request["memory"].as_u64(), false, &common, &progress)?;
+    let asked = CutRequest {
+        input: &input,
+        name: text("name"),
+        folder,
+        cut: &cut,
+        memory: request["memory"].as_u64(),
+        replaces: false,
+    };
+    let shards = cut_input(&asked, &common, &progress)?;
     Ok(json!({"parts": shards.manifest().part_count, "fan_in": shards.manifest().fan_in}))
 }

@@ -42,7 +42,7 @@ pub(crate) fn hash_array<T: Element>(hash: &mut Xxh3, array: &[T]) {
 }
 
 /// The array with these bytes, whose number is a multiple of the width: in place where memory has them as the machine wants them.
-pub(super) fn from_bytes<T: Element>(bytes: &[u8]) -> Cow<'_, [T]> {
+pub(crate) fn array_of_bytes<T: Element>(bytes: &[u8]) -> Cow<'_, [T]> {
     match bytemuck::try_cast_slice(bytes) {
         Ok(array) if cfg!(target_endian = "little") => Cow::Borrowed(array),
         _ => {

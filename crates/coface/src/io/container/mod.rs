@@ -39,7 +39,7 @@ mod writing;
 
 pub(crate) use complexes::{push_complex, push_wide_complex, to_complex, to_wide_complex};
 pub use complexes::{read, write};
-pub(crate) use elements::hash_array;
+pub(crate) use elements::{array_of_bytes, hash_array};
 pub(crate) use integers::{integers, push_integers};
 pub(crate) use reading::{Container, checksum_of_header};
 pub(crate) use writing::{ContainerWriter, Written};

@@ -1,6 +1,6 @@
 //! Opening containers.
 
-use super::elements::{Element, from_bytes};
+use super::elements::{Element, array_of_bytes};
 use super::writing::head_checksum;
 use super::{ALIGNMENT, HEADER, Kind, MARK, ROW, Role, VERSION};
 use crate::{Error, ErrorKind};
@@ -164,7 +164,7 @@ impl<'a> Container<'a> {
                 section.start,
             ));
         }
-        Ok(from_bytes(&self.bytes[section.start..section.start + section.length]))
+        Ok(array_of_bytes(&self.bytes[section.start..section.start + section.length]))
     }
 
     /// The error that what a section holds cannot be.

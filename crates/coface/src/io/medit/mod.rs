@@ -12,4 +12,5 @@ mod tests;
 mod writing;
 
 pub use reading::read;
+pub(super) use reading::read_into;
 pub use writing::write;

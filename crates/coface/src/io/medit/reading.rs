@@ -5,6 +5,7 @@ use crate::io::Model;
 use crate::io::assembly::Assembly;
 use crate::io::model::GroupKind;
 use crate::io::scanner::{Scanner, quoted};
+use crate::io::scratch_mesh::ScratchMesh;
 use crate::io::values::{Encoding, NumberType, Values};
 use crate::{Error, ErrorKind};
 use std::io::Read;
@@ -42,26 +43,40 @@ const FIRST_MARK: i64 = i64::MAX / 2;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, None)?.finish()
+}
+
+/// Reads a mesh into files.
+pub(crate) fn read_into(input: impl Read, scratch: ScratchMesh) -> Result<ScratchMesh, Error> {
+    let reader = read_with(input, Some(scratch))?;
+    let scratch = reader.assembly.and_then(|(assembly, _)| assembly.into_scratch());
+    scratch.ok_or_else(|| {
+        Error::parse("the file ends without a dimension").with_cure("it was cut short: write it again")
+    })
+}
+
+fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Reader<impl Read>, Error> {
     let mut first = [0; 1];
     let mut input = input;
     let start = loop {
         match input.read(&mut first) {
-            Ok(count) => break &first[..count],
+            Ok(count) => break first[..count].to_vec(),
             Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
             Err(error) => return Err(error.into()),
         }
     };
-    let encoding = match start {
+    let encoding = match start[..] {
         [0] => Encoding::BigEndian,
         [1] => Encoding::LittleEndian,
         _ => Encoding::Ascii,
     };
-    let scanner = Scanner::new(start.chain(input)).with_comments(b'#');
+    let scanner = Scanner::new(std::io::Cursor::new(start).chain(input)).with_comments(b'#');
     let mut reader = Reader {
         values: Values::new(scanner, encoding),
         integer: NumberType::Int32,
         float: NumberType::Float64,
         assembly: None,
+        scratch,
         runs: Vec::new(),
         marked: Vec::new(),
     };
@@ -70,7 +85,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     } else {
         reader.read_binary()?;
     }
-    reader.finish()
+    Ok(reader)
 }
 
 struct Reader<R> {
@@ -80,6 +95,8 @@ struct Reader<R> {
     float: NumberType,
     /// The mesh so far, and its dimension, once the file has told it.
     assembly: Option<(Assembly, usize)>,
+    /// Where the mesh goes instead of being kept, until the file has told its dimension.
+    scratch: Option<ScratchMesh>,
     /// The sections of elements so far, with the position of their first among the elements of their kind.
     runs: Vec<(Elements, usize, usize)>,
     /// Marked vertices and elements, by number from 0.
@@ -158,7 +175,8 @@ impl<R: Read> Reader<R> {
 
     fn set_dimension(&mut self, dimension: i64) -> Result<(), Error> {
         if let (2 | 3, None) = (dimension, &self.assembly) {
-            self.assembly = Some((Assembly::new(dimension as usize), dimension as usize));
+            self.assembly =
+                Some((Assembly::streaming(dimension as usize, self.scratch.take()), dimension as usize));
             return Ok(());
         }
         let message = match self.assembly {

@@ -15,4 +15,5 @@ mod version_4;
 mod writing;
 
 pub use reading::read;
+pub(super) use reading::read_into;
 pub use writing::{Version, write};

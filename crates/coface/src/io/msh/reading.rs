@@ -6,6 +6,7 @@ use crate::io::Model;
 use crate::io::assembly::Assembly;
 use crate::io::model::GroupKind;
 use crate::io::scanner::{Scanner, quoted};
+use crate::io::scratch_mesh::ScratchMesh;
 use crate::io::values::{Encoding, NumberType, Values};
 use crate::{Error, ErrorKind};
 use std::collections::BTreeMap;
@@ -52,10 +53,19 @@ use std::io::Read;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, None)?.finish()
+}
+
+/// Reads a mesh into files.
+pub(crate) fn read_into(input: impl Read, scratch: ScratchMesh) -> Result<ScratchMesh, Error> {
+    Ok(read_with(input, Some(scratch))?.into_scratch().expect("the files that were given"))
+}
+
+fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Assembly, Error> {
     let mut reader = Reader {
         values: Values::new(Scanner::new(input), Encoding::Ascii),
         size: NumberType::UInt64,
-        assembly: Assembly::new(3),
+        assembly: Assembly::streaming(3, scratch),
         nodes: Nodes::default(),
         physical: BTreeMap::new(),
     };
@@ -113,7 +123,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             .at_line(reader.values.scanner.line_number())
             .with_cure("it was cut short: write it again"));
     }
-    reader.assembly.finish()
+    Ok(reader.assembly)
 }
 
 /// A version that is read.
