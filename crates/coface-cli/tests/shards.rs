@@ -385,7 +385,7 @@ mod killed {
     #[test]
     fn a_part_too_large_for_the_memory_says_how_many_to_cut() {
         let folder = tempfile::tempdir().unwrap();
-        let input = generated(folder.path(), "grid.mesh", &["grid", "--shape", "40,40,40"]);
+        let input = generated(folder.path(), "grid.mesh", &["grid", "--shape", "28,28,28"]);
         let work = folder.path().join("work");
         let shards = coface(&["shard", argument(&input), "-o", argument(&work), "--parts", "1"]);
         assert_eq!(shards.status, 0, "{}", shards.stderr);
