@@ -251,7 +251,7 @@ impl Mesh<'_> {
             match planes[at] {
                 Plane::Part(part) => return part,
                 Plane::Split { axis, at: value, children } => {
-                    at = children[usize::from(point[axis] >= value)] as usize
+                    at = children[usize::from(point[axis] >= value)] as usize;
                 }
             }
         }

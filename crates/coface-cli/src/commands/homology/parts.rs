@@ -68,7 +68,7 @@ impl PartsOptions {
         let given = input;
         let input = work.standard_input(given)?;
         let name = (input != given).then(|| crate::input::name(given));
-        let (part_count, fan_in) = runner.shard(&input, name, common)?;
+        let (part_count, fan_in) = runner.shard(&input, name.as_deref(), common)?;
         runner.reduce(part_count)?;
         runner.merge(part_count, fan_in)?;
         let answer = runner.answer(question)?;
@@ -153,7 +153,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Has shards made, unless they are there. Gives the number of parts and the fan-in.
-    fn shard(&self, input: &Path, name: Option<String>, common: &Common) -> Result<(u32, u32), Failure> {
+    fn shard(&self, input: &Path, name: Option<&str>, common: &Common) -> Result<(u32, u32), Failure> {
         let cut = Cut {
             parts: self.options.parts.unwrap_or(0),
             fan_in: self.options.fan_in,
