@@ -156,6 +156,17 @@ fn fill_rules_of_curves_on_a_lattice() {
     });
 }
 
+/// Two pieces leave their common knot in one direction with one curvature: next to it they are nearer than the resolution.
+#[test]
+fn a_cusp_of_equal_curvatures_is_one_point() {
+    let controls =
+        vec![[0.5, -1.0], [-0.5, 0.0], [0.5, -0.5], [0.0, -0.5], [0.5, -0.5], [1.0, 0.0], [0.5, -1.0]];
+    let curve = Curve::from_controls(Order::CUBIC, controls, vec![0.0, 1.0, 2.0]).unwrap();
+    for curve in [curve.reversed(), curve] {
+        check_rules(&[curve], "cusp", &mut Random::new(1)).unwrap();
+    }
+}
+
 /// A set that is hard to tell from another: near it, or with common arcs, or tiny and at its boundary.
 fn relative(of: &YinSet, random: &mut Random) -> Result<(&'static str, YinSet), Error> {
     let other = smooth_set(random, 1.0);

@@ -450,6 +450,21 @@ mod tests {
         let slanted_comb: Vec<[f64; 2]> =
             comb.clone().chain([[1.0, -0.1], [0.0, -0.1]]).map(|[x, y]| [x - 0.4 * y, y + 0.3 * x]).collect();
         let comb: Vec<[f64; 2]> = comb.chain([[1.0, -0.1], [0.0, -0.1]]).collect();
+        // Two combs with their teeth between those of each other.
+        let lower: Vec<[f64; 2]> = (0..count)
+            .flat_map(|i| {
+                let [left, right] = [0.0, 0.25].map(|part| (i as f64 + part) * step);
+                [[left, 0.0], [left, 1.0], [right, 1.0], [right, 0.0]]
+            })
+            .chain([[1.0, -0.1], [0.0, -0.1]])
+            .collect();
+        let upper = lower.iter().map(|&[x, y]| [x + 0.5 * step, 1.1 - y]).collect();
+        let combs = vec![lower, upper];
+        let slanted = |rings: &[Vec<[f64; 2]>]| {
+            let slanted =
+                |ring: &Vec<[f64; 2]>| ring.iter().map(|[x, y]| [x - 0.4 * y, y + 0.3 * x]).collect();
+            rings.iter().map(slanted).collect::<Vec<Vec<[f64; 2]>>>()
+        };
         let spiral = (0..2 * count).map(|i| {
             let [radius, corner] = [1.0 - 0.4 * i as f64 * step, (i % 4) as f64];
             let (sine, cosine) = (upright * (2.0 * corner + 1.0)).sin_cos();
@@ -493,6 +508,10 @@ mod tests {
             ),
             ("comb", vec![comb]),
             ("slanted comb", vec![slanted_comb]),
+            ("comb against comb", combs.clone()),
+            ("slanted comb against comb", slanted(&combs)),
+            ("comb against comb with long teeth", scaled(combs.clone(), [1.0, 1e3])),
+            ("comb against comb with long slanted teeth", slanted(&scaled(combs, [1.0, 1e2]))),
             ("spiral", vec![spiral.collect()]),
             ("holes", with(vec![polygon(4, [0.5, 0.5], 2.0, 0.0)], holes.collect())),
             ("fan", fan.collect()),

@@ -30,21 +30,20 @@ impl Windings {
         step: impl Fn(u32, &mut Vec<(u32, i32)>),
     ) -> Result<Self, Error> {
         let face_count = faces.orbits.len();
+        let face_of = |halfedge: u32| faces.of_orbit[orbits.orbit_of[halfedge as usize] as usize];
         let mut found = Self {
             lists: WindingLists::default(),
             list_of_face: vec![NONE; face_count],
             entries: Vec::with_capacity(face_count),
         };
         let mut across_edge = Vec::new();
-        // Faces are flooded from the unbounded one.
-        let mut waiting = vec![NONE];
-        while let Some(face) = waiting.pop() {
-            let (around, here) = match face {
-                NONE => (&faces.unbounded_orbits[..], 0),
-                face => (faces.orbits.list(face as usize), found.list_of_face[face as usize]),
-            };
+        // Faces are flooded from the unbounded one, those first that were entered first: what is asked about next is known early, and
+        // along the front of the flood neighbors are near each other in memory.
+        let (mut around, mut here) = (&faces.unbounded_orbits[..], 0);
+        let mut next = 0;
+        loop {
             for &halfedge in around.iter().flat_map(|&orbit| orbits.orbits.list(orbit as usize)) {
-                let across = faces.of_orbit[orbits.orbit_of[(halfedge ^ 1) as usize] as usize];
+                let across = face_of(halfedge ^ 1);
                 if across == NONE || found.list_of_face[across as usize] != NONE {
                     continue;
                 }
@@ -55,8 +54,11 @@ impl Windings {
                 }
                 found.list_of_face[across as usize] = list;
                 found.entries.push(halfedge ^ 1);
-                waiting.push(across);
             }
+            let Some(&entry) = found.entries.get(next) else { break };
+            next += 1;
+            let face = face_of(entry) as usize;
+            (around, here) = (faces.orbits.list(face), found.list_of_face[face]);
         }
         if u32::try_from(found.lists.numbers.len()).is_err() {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 winding numbers"));

@@ -25,6 +25,73 @@ pub(super) fn has_no_other_point(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4], reach: f6
 
 /// The same for cubics by their power coefficients, the constant ones zero; up to a parameter of the first in both directions.
 pub(super) fn is_alone(of_a: &[Coefficients; 2], of_b: &[Coefficients; 2], reach: f64) -> bool {
+    is_away_from_roots(resultant(of_a, of_b).into_iter().skip_while(|c| c.sign().is_eq()), reach)
+}
+
+/// Whether two cubic pieces that begin in one point have, for certain, no common point where the parameter of the first is between
+/// two numbers.
+///
+/// As in [`has_no_other_point`], with the polynomial around the middle of the interval, or of its halves and their halves: it may have
+/// roots next to the common end, which is where rounding puts some.
+pub(super) fn has_no_point_between(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4], range: [f64; 2]) -> bool {
+    /// How often the interval is halved.
+    const DEPTH: usize = 16;
+    let origin = a[0];
+    if b[0] != origin {
+        return false;
+    }
+    let of = |piece: &[[f64; 2]; 4]| {
+        [0, 1].map(|axis| power_coefficients(piece.map(|point| point[axis]), origin[axis]))
+    };
+    let resultant = resultant(&of(a), &of(b));
+    let mut waiting = vec![(range, DEPTH)];
+    while let Some(([low, high], depth)) = waiting.pop() {
+        let middle = 0.5 * (low + high);
+        // Also false for what is not a number.
+        if !(low < middle && middle < high) {
+            return false;
+        }
+        let reach = (middle - low).max(high - middle).next_up();
+        if is_away_from_roots(around(&resultant, middle).into_iter(), reach) {
+            continue;
+        }
+        if depth == 0 {
+            return false;
+        }
+        waiting.extend([[low, middle], [middle, high]].map(|half| (half, depth - 1)));
+    }
+    true
+}
+
+/// Whether the constant coefficient of a polynomial is larger than all others together can be, up to an argument.
+fn is_away_from_roots(coefficients: impl Iterator<Item = Dyadic>, reach: f64) -> bool {
+    let mut others = coefficients.map(|c| size(&c));
+    let Some(constant) = others.next() else { return false };
+    let reach = Dyadic::from(reach);
+    let mut power = reach.clone();
+    let mut sum = Dyadic::from(0.0);
+    for coefficient in others {
+        sum = &sum + &(&coefficient * &power);
+        power = &power * &reach;
+    }
+    (&constant - &sum).sign().is_gt()
+}
+
+/// The coefficients of a polynomial in the argument from a number on.
+fn around(coefficients: &[Dyadic], at: f64) -> Coefficients {
+    let at = Dyadic::from(at);
+    let mut found = coefficients.to_vec();
+    // Horner's scheme, again and again.
+    for first in 0..found.len() {
+        for k in (first..found.len() - 1).rev() {
+            found[k] = &found[k] + &(&at * &found[k + 1]);
+        }
+    }
+    found
+}
+
+/// The resultant by s of $x_B(s) - x_A(t)$ and $y_B(s) - y_A(t)$, by the power coefficients of both cubics, the constant ones zero.
+fn resultant(of_a: &[Coefficients; 2], of_b: &[Coefficients; 2]) -> Coefficients {
     // The coefficients of both polynomials in s; the constant ones are polynomials in t.
     let coefficient = |axis: usize, power: usize| -> Coefficients {
         if power == 0 { of_a[axis].iter().map(|c| -c).collect() } else { vec![of_b[axis][power].clone()] }
@@ -47,17 +114,7 @@ pub(super) fn is_alone(of_a: &[Coefficients; 2], of_b: &[Coefficients; 2], reach
     let first = times(&e00, &minor(&e11, &e12, &e12, &e22));
     let second = times(&e01, &minor(&e01, &e12, &e02, &e22));
     let third = times(&e02, &minor(&e01, &e11, &e02, &e12));
-    let resultant = plus(&minus(&first, &second), &third);
-    let mut others = resultant.iter().skip_while(|c| c.sign().is_eq()).map(size);
-    let Some(constant) = others.next() else { return false };
-    let reach = Dyadic::from(reach);
-    let mut power = reach.clone();
-    let mut sum = Dyadic::from(0.0);
-    for coefficient in others {
-        sum = &sum + &(&coefficient * &power);
-        power = &power * &reach;
-    }
-    (&constant - &sum).sign().is_gt()
+    plus(&minus(&first, &second), &third)
 }
 
 /// The power coefficients of a cubic from those in the Bernstein basis, less a constant.
@@ -132,5 +189,41 @@ mod tests {
         let slope = -1.0 / 4096.0;
         assert!(has_no_other_point(&parabola, &cubic(slope), 1e-3));
         assert!(!has_no_other_point(&parabola, &cubic(slope), 1e-2));
+        // The crossing is at 1 / 192.
+        assert!(has_no_point_between(&parabola, &cubic(slope), [1e-6, 5.2e-3]));
+        assert!(!has_no_point_between(&parabola, &cubic(slope), [5.2e-3, 5.21e-3]));
+        assert!(has_no_point_between(&parabola, &cubic(slope), [5.21e-3, 1.0]));
+    }
+
+    /// Both arcs turn alike at their common end, but for rounding, which makes their continuations cross near it.
+    #[test]
+    fn arcs_are_apart_between_parameters() {
+        let first = [
+            [0.0, -0.5],
+            [0.022898896049784862, -0.5],
+            [0.045797792099569724, -0.4989512811194023],
+            [0.06860063013082557, -0.4970459593952649],
+        ];
+        let second = [
+            [0.0, -0.5],
+            [0.02679491924311228, -0.5],
+            [0.04928203230275511, -0.49856406460551017],
+            [0.068, -0.496],
+        ];
+        assert!(!has_no_other_point(&first, &second, 1e-4));
+        assert!(has_no_point_between(&first, &second, [1e-6, 1e-3]));
+        assert!(has_no_point_between(&first, &second, [1e-12, 1e-9]));
+        assert!(!has_no_point_between(&first, &second, [0.0, 1e-3]));
+        assert!(!has_no_point_between(&first, &first, [1e-6, 1e-3]));
+        assert!(!has_no_point_between(&first, &second, [f64::NAN, 1e-3]));
+    }
+
+    #[test]
+    fn a_polynomial_around_a_number_has_the_same_values() {
+        // (t - 1) (t - 2) (t - 3) from 2 on is (t + 1) t (t - 1).
+        let found = around(&[-6.0, 11.0, -6.0, 1.0].map(Dyadic::from), 2.0);
+        let expected = [0.0, -1.0, 0.0, 1.0].map(Dyadic::from);
+        assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).sign().is_eq()) && found.len() == 4);
+        assert!(around(&[], 2.0).is_empty());
     }
 }

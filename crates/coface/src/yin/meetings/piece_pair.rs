@@ -1,6 +1,6 @@
 //! All common points of two pieces.
 
-use super::common_end::has_no_other_point;
+use super::common_end::{has_no_other_point, has_no_point_between};
 use super::contacts::{Cluster, Contact, clusters};
 use super::line_contact::{LineContact, line_contact};
 use super::overlaps::{foot, overlaps_of};
@@ -272,7 +272,7 @@ impl<'a> PairSolver<'a> {
             found.points.push(meeting);
         }
         for group in groups {
-            if self.is_shared(pair, group.ranges) {
+            if self.is_shared(pair, group.ranges) || self.is_beside_shared_end(pair, group.ranges) {
                 continue;
             }
             let at = group.nearest(&p, &q);
@@ -328,6 +328,26 @@ impl<'a> PairSolver<'a> {
             point: a[0],
             is_certified: true,
         })
+    }
+
+    /// Whether two cubic pieces are neighbors that are proven to have nothing in common in a cluster: they leave their common end side
+    /// by side, within the resolution of each other.
+    fn is_beside_shared_end(&self, pair: [u32; 2], ranges: [[f64; 2]; 2]) -> bool {
+        let [p, q] = pair.map(|piece| piece as usize);
+        if p == q {
+            return false;
+        }
+        let cubic = |piece: usize| <[[f64; 2]; 4]>::try_from(&self.pieces.given(piece)[..]).ok();
+        let (Some(a), Some(b)) = (cubic(p), cubic(q)) else { return false };
+        let reversed = |mut controls: [[f64; 2]; 4]| {
+            controls.reverse();
+            controls
+        };
+        // From the common end on, more than rounding can take away.
+        let [low, high] = ranges[0];
+        let wide = |low: f64, high: f64| [low - f64::EPSILON, high + f64::EPSILON];
+        (self.pieces.next(p) == q && has_no_point_between(&reversed(a), &b, wide(1.0 - high, 1.0 - low)))
+            || (self.pieces.next(q) == p && has_no_point_between(&a, &reversed(b), wide(low, high)))
     }
 
     /// The one meeting of a cluster of two cubic pieces at parameters that are simple fractions, where it is proven that there is no

@@ -205,6 +205,30 @@ fn a_part_of_a_piece_overlaps_it() {
     }
 }
 
+/// Thirds cannot be written in binary: only the fractions themselves prove that the parts are parts.
+#[test]
+fn parts_between_thirds_are_proven_to_overlap() {
+    // y = 27 t^2 (1 - t) over x = 27 t, and a way back around the middle third or the last.
+    let piece = [[0.0, 0.0], [9.0, 0.0], [18.0, 9.0], [27.0, 0.0]];
+    let middle = [[9.0, 2.0], [12.0, 3.0], [15.0, 4.0], [18.0, 4.0]];
+    let last = [[18.0, 4.0], [21.0, 4.0], [24.0, 3.0], [27.0, 0.0]];
+    for (part, range) in [(middle, [1.0 / 3.0, 2.0 / 3.0]), (last, [2.0 / 3.0, 1.0])] {
+        let is_certified = |part: &[[f64; 2]]| {
+            let [a, b] = [&piece[..], part].map(|own| arena(4, &[closed_by_segment(own)]));
+            let found = of(&[&a, &b]);
+            let overlaps: Vec<_> = found.overlaps.iter().filter(|overlap| overlap.pieces == [0, 2]).collect();
+            assert_eq!(overlaps.len(), 1, "{:?}", found.overlaps);
+            assert!((0..2).all(|k| (overlaps[0].ranges[0][k] - range[k]).abs() < 1e-8), "{:?}", overlaps[0]);
+            overlaps[0].is_certified
+        };
+        assert!(is_certified(&part));
+        // By the last digit it is another cubic, within the resolution of the first.
+        let mut moved = part;
+        moved[1][1] = moved[1][1].next_up();
+        assert!(!is_certified(&moved));
+    }
+}
+
 #[test]
 fn segments_meet_exactly_in_any_order() {
     // A triangle, and one whose corner is on its lower side; both have parts of that side's line.

@@ -90,11 +90,15 @@ impl Events<'_> {
     fn within_sides(&self) -> Vec<u64> {
         let key = |side: u32, event: u32| u64::from(side) << 32 | u64::from(event);
         let Meetings { touches, crossings, .. } = self.meetings;
-        let mut found = Vec::with_capacity(touches.len() + 2 * crossings.len());
-        found.extend(touches.iter().map(|&[side, corner]| key(side, self.special.number(corner))));
-        for (event, crossing) in (self.special.corners.len() as u32..).zip(crossings) {
-            found.extend(crossing.segments.map(|side| key(side, event)));
-        }
+        let mut found = vec![0; touches.len() + 2 * crossings.len()];
+        let (of_touches, of_crossings) = found.split_at_mut(touches.len());
+        let of_touches = of_touches.par_iter_mut().zip(touches).with_min_len(AT_ONCE);
+        of_touches.for_each(|(pair, &[side, corner])| *pair = key(side, self.special.number(corner)));
+        let of_crossings = of_crossings.as_chunks_mut::<2>().0.par_iter_mut().zip(crossings).enumerate();
+        of_crossings.with_min_len(AT_ONCE).for_each(|(number, (pairs, crossing))| {
+            let event = (self.special.corners.len() + number) as u32;
+            *pairs = crossing.segments.map(|side| key(side, event));
+        });
         found.par_sort_unstable();
         found
     }

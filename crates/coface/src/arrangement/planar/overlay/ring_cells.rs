@@ -66,8 +66,11 @@ impl RingCells {
         let face = |halfedge: u32| face_of_orbit(self.orbits.orbit_of[halfedge as usize]);
         // Orbits are asked one by one, so that halfedges have little to look up.
         let orbit_count = self.faces.of_orbit.len() as u32;
-        let is_orbit_inside: Vec<bool> =
-            (0..orbit_count).map(|orbit| is_inside[face_of_orbit(orbit) as usize]).collect();
+        let is_orbit_inside: Vec<bool> = (0..orbit_count)
+            .into_par_iter()
+            .with_min_len(1 << 14)
+            .map(|orbit| is_inside[face_of_orbit(orbit) as usize])
+            .collect();
         let orbit_pairs = self.orbits.orbit_of.as_chunks::<2>().0;
         let mut is_boundary = vec![false; self.orbits.next.len()];
         let by_edge = is_boundary.as_chunks_mut::<2>().0;
@@ -78,11 +81,11 @@ impl RingCells {
         });
         let mut polygons = UnionFind::new(is_inside.len());
         if !walls {
-            for &orbits in orbit_pairs {
-                if orbits.iter().all(|&orbit| is_orbit_inside[orbit as usize]) {
-                    let [left, right] = orbits.map(face_of_orbit);
-                    polygons.unite(left, right);
-                }
+            let pairs = orbit_pairs.par_iter().with_min_len(1 << 14);
+            let inner = pairs.filter(|orbits| orbits.iter().all(|&orbit| is_orbit_inside[orbit as usize]));
+            let inner: Vec<[u32; 2]> = inner.map(|orbits| orbits.map(face_of_orbit)).collect();
+            for [left, right] in inner {
+                polygons.unite(left, right);
             }
         }
         drop(is_orbit_inside);

@@ -34,10 +34,13 @@ impl PlanarOverlay {
         &self,
         condition: impl Fn(&[(u32, i32)]) -> bool,
     ) -> Result<(PlanarPolygons<'_>, Vec<Option<u32>>), Error> {
-        let traced = self.trace(&self.cells.faces_where(condition), false);
-        let parents =
-            self.cells.parents_in_order(&traced.halfedges, &traced.starts, traced.by_polygon.items());
-        Ok((self.write(traced)?, parents))
+        let mut traced = self.trace(&self.cells.faces_where(condition), false);
+        let polygon_of_face = std::mem::take(&mut traced.polygon_of_face);
+        let (polygons, parents) = rayon::join(
+            || self.write(&traced, polygon_of_face),
+            || self.cells.parents_in_order(&traced.halfedges, &traced.starts, traced.by_polygon.items()),
+        );
+        Ok((polygons?, parents))
     }
 
     /// The polygons of faces, of which the unbounded one is the last. With walls each face is a polygon by itself.
@@ -45,7 +48,9 @@ impl PlanarOverlay {
     /// # Errors
     /// As [`Self::select`].
     pub(crate) fn outline(&self, is_inside: &[bool], walls: bool) -> Result<PlanarPolygons<'_>, Error> {
-        self.write(self.trace(is_inside, walls))
+        let mut traced = self.trace(is_inside, walls);
+        let polygon_of_face = std::mem::take(&mut traced.polygon_of_face);
+        self.write(&traced, polygon_of_face)
     }
 
     fn trace(&self, is_inside: &[bool], walls: bool) -> TracedRings {
@@ -53,11 +58,12 @@ impl PlanarOverlay {
         self.cells.trace_with(is_inside, walls, |halfedges| self.is_counterclockwise(&parts, halfedges))
     }
 
-    fn write(&self, traced: TracedRings) -> Result<PlanarPolygons<'_>, Error> {
-        let TracedRings { halfedges, starts, by_polygon, has_exterior, polygon_of_face } = traced;
+    /// The polygons along traced rings, given the polygon of each bounded face.
+    fn write(&self, traced: &TracedRings, polygon_of_face: Vec<u32>) -> Result<PlanarPolygons<'_>, Error> {
+        let TracedRings { halfedges, starts, by_polygon, has_exterior, .. } = traced;
         // Rings are written polygon after polygon.
-        let mut writer = Writer::new(self, &halfedges);
-        let passages = writer.passages(&halfedges, &starts);
+        let mut writer = Writer::new(self, halfedges);
+        let passages = writer.passages(halfedges, starts);
         for &ring in by_polygon.items() {
             let own = starts[ring as usize]..starts[ring as usize + 1];
             writer.write(&halfedges[own.clone()], &passages[own]);
@@ -67,7 +73,7 @@ impl PlanarOverlay {
         let polygons = RaggedArray::from_lists(
             by_polygon.iter().map(|list| ring_numbers.by_ref().take(list.len()).collect::<Vec<_>>()),
         );
-        writer.finish(polygons, polygon_of_face, has_exterior)
+        writer.finish(polygons, polygon_of_face, *has_exterior)
     }
 
     /// Whether a simple ring runs counterclockwise: it does at its lowest point.
