@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 pub(crate) const USAGE: &str = "usage:
   coface-bench list
-  coface-bench write INPUT FILE                write an input; FILE ends in .raw, .obj, .off or .ply
+  coface-bench write INPUT FILE                write an input; FILE ends in .raw, .obj, .off, .ply or .npy
   coface-bench run [TASK[@INPUT]]...           measure tasks, all of them when none is named
   coface-bench compare TASK INPUT --peer LABEL=COMMAND...
                                                measure a task beside other programs, in turns; {} in COMMAND is the

@@ -30,7 +30,7 @@ fn main() -> ExitCode {
 fn perform(arguments: &Arguments) -> Result<(), Error> {
     match &arguments.verb {
         Verb::List => list(),
-        Verb::Write { input, path } => inputs::generate(input)?.write(path)?,
+        Verb::Write { input, path } => inputs::write(input, path)?,
         Verb::Sample { task, path } => println!("{}", tasks::sample(task, path)?.to_line()),
         Verb::Run { names } => run::run(names, arguments)?,
         Verb::Compare { task, input, peers } => compare::compare(task, input, peers, arguments)?,

@@ -25,7 +25,7 @@ impl Store {
     pub(crate) fn file(&self, input: &str, extension: &str) -> Result<PathBuf, Error> {
         let path = self.folder.join(format!("{input}.{extension}"));
         if !Path::new(&path).exists() {
-            inputs::generate(input)?.write(&path)?;
+            inputs::write(input, &path)?;
         }
         Ok(path)
     }

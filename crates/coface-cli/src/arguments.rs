@@ -3,7 +3,8 @@
 use crate::commands;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
-use coface::io::{Format, ReadOptions};
+use coface::cellular::CubicalVolume;
+use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
 use std::path::PathBuf;
 
 const STYLES: Styles = Styles::styled()
@@ -57,6 +58,72 @@ pub(crate) struct Common {
     #[arg(long, value_name = "LENGTH", global = true, help_heading = "Common options",
           allow_negative_numbers = true, value_parser = flatness)]
     pub(crate) flatten: Option<f64>,
+    #[command(flatten)]
+    pub(crate) voxels: VoxelArguments,
+}
+
+/// Which voxels of a volume are set.
+#[derive(Args)]
+pub(crate) struct VoxelArguments {
+    /// Of a volume (.npy, NRRD, NIfTI) take the voxels of T and above, instead of all that are not 0
+    #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
+          value_parser = number, conflicts_with_all = ["below", "between", "value"])]
+    threshold: Option<f64>,
+    /// The voxels below T
+    #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
+          value_parser = number, conflicts_with_all = ["between", "value"])]
+    below: Option<f64>,
+    /// The voxels of A, B and all between
+    #[arg(long, value_names = ["A", "B"], num_args = 2, global = true, help_heading = "Volumes",
+          allow_negative_numbers = true, value_parser = number, conflicts_with = "value")]
+    between: Option<Vec<f64>>,
+    /// The voxels of one value, such as a label
+    #[arg(long, value_name = "V", global = true, help_heading = "Volumes", allow_negative_numbers = true,
+          value_parser = number)]
+    value: Option<f64>,
+    /// Axes of a volume whose last voxels meet the first: x, y, z or numbers from 0, with commas between them
+    #[arg(long, value_name = "AXES", global = true, help_heading = "Volumes", value_parser = periodic_axes)]
+    periodic: Option<PeriodicAxes>,
+}
+
+/// Which axes are periodic.
+type PeriodicAxes = [bool; CubicalVolume::MOST_AXES];
+
+impl VoxelArguments {
+    /// Which axes are periodic.
+    pub(crate) fn periodic(&self) -> PeriodicAxes {
+        self.periodic.unwrap_or_default()
+    }
+
+    pub(crate) fn reading(&self) -> VolumeReading {
+        let rule = match (self.threshold, self.below, self.between.as_deref(), self.value) {
+            (Some(bound), ..) => VoxelRule::AtLeast(bound),
+            (_, Some(bound), ..) => VoxelRule::Below(bound),
+            (_, _, Some(&[low, high]), _) => VoxelRule::Between(low, high),
+            (.., Some(value)) => VoxelRule::Equal(value),
+            _ => VoxelRule::Nonzero,
+        };
+        VolumeReading { rule, periodic: self.periodic() }
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    let number: Option<f64> = text.parse().ok().filter(|number: &f64| !number.is_nan());
+    number.ok_or_else(|| "give a number".to_owned())
+}
+
+fn periodic_axes(text: &str) -> Result<PeriodicAxes, String> {
+    let mut axes = PeriodicAxes::default();
+    for name in text.split(',').map(str::trim) {
+        let axis = match name {
+            "x" => Some(0),
+            "y" => Some(1),
+            "z" => Some(2),
+            _ => name.parse().ok().filter(|&axis: &usize| axis < axes.len()),
+        };
+        axes[axis.ok_or("name axes by x, y, z or numbers from 0 to 7, with commas between them")?] = true;
+    }
+    Ok(axes)
 }
 
 impl Common {
@@ -64,6 +131,7 @@ impl Common {
     pub(crate) fn reading(&self) -> ReadOptions {
         let mut options = ReadOptions::default();
         (options.format, options.flatten) = (self.format, self.flatten);
+        options.volume = self.voxels.reading();
         options
     }
 }

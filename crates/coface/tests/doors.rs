@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// One sound file of each format: a triangle, or a tetrahedron where the format has cells.
-const SAMPLES: [(Format, &str); 15] = [
+const SAMPLES: [(Format, &str); 16] = [
     (Format::Off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     (Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     (
@@ -61,6 +61,7 @@ const SAMPLES: [(Format, &str); 15] = [
     ),
     (Format::Json, "{\"facets\":[[0,1,2]]}"),
     (Format::Isosig, "# figure 8\ncPcbbbiht\n"),
+    (Format::Nrrd, "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 2 2\nencoding: ascii\n\n1 0 1 1\n"),
     (Format::Lines, "0,0,1,0\n1,0,0,1\n0,1,0,0\n"),
     (
         Format::GeoJson,

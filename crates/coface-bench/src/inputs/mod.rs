@@ -21,6 +21,8 @@
 //! * `random_N`, `gear_N`, `circle_N`, `grid_N`: the same at random angles, with radii 0.9 and 1 in turns, regular, and squares that are not
 //!   turned: their edges overlap.
 //! * `flower_N`: two polygons with radii 0.8 and 1.2 in turns, through which smooth flowers go.
+//! * `torus_NxP`: the 3-torus of N by N by N voxels, to be cut into P blocks; the file holds the name alone.
+//! * `gyroid_N`, `box_N`: N by N by N voxels: one side of the gyroid with noise, and all.
 //! * `nested_N`: N squares one around the other, turned by 0.3 radians, counterclockwise and clockwise in turns.
 
 mod cubes;
@@ -30,12 +32,15 @@ mod plate;
 mod random_simplices;
 mod soups;
 mod sphere;
+mod volumes;
 
 pub(crate) use mesh::Mesh;
 pub(crate) use random_simplices::random_values;
+pub(crate) use volumes::torus;
 
 use coface::Error;
 use coface::simplicial::known_spaces::sum_complex;
+use std::path::Path;
 
 /// The families, as a person writes them.
 pub(crate) const FAMILIES: &[(&str, &str)] = &[
@@ -79,7 +84,18 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("grid_N", "a grid of N/4 squares and the same moved along, with overlapping edges (grid_1000000)"),
     ("nested_N", "N squares one around the other, their directions in turns (nested_32000)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
+    ("torus_NxP", "the 3-torus of N N N voxels in P blocks, of which only the name is stored (torus_256x64)"),
+    ("gyroid_N", "N N N voxels of one side of the gyroid, one in sixteen turned over (gyroid_128)"),
+    ("box_N", "N N N voxels, all set (box_128)"),
 ];
+
+/// Writes the input of this name to a file.
+///
+/// # Errors
+/// As [`generate`], and if the file cannot be written.
+pub(crate) fn write(name: &str, path: &Path) -> Result<(), Error> {
+    volumes::write(name, path).unwrap_or_else(|| generate(name)?.write(path))
+}
 
 /// The input of this name.
 ///

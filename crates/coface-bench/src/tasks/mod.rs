@@ -13,6 +13,7 @@ mod info;
 mod kinks;
 mod manifold;
 mod operators;
+mod parts;
 mod persistence;
 mod planar;
 mod reading;
@@ -90,6 +91,9 @@ pub(crate) const ALL: &[Task] = &[
     yin::FIT,
     solids::INTERSECTION,
     solids::UNION,
+    parts::TORUS,
+    parts::SIMPLICIAL_TORUS,
+    parts::VOLUME,
     info::TASK,
 ];
 

@@ -8,7 +8,7 @@ use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
-use coface::io::{self, CellData, Format, GroupKind, Model};
+use coface::io::{self, CellData, Format, GroupKind, Model, Structure};
 use coface::report::{
     Coloring, GltfForm, PlanarSet, RepairRequest, Scene, SetRequest, colored, gltf, repaired, triangulated,
     vertex_colors,
@@ -20,13 +20,14 @@ use std::path::{Path, PathBuf};
 /// Convert a model to another format.
 ///
 /// The file named by -o is written in the format of its extension, unless --to says another; without -o the model goes to
-/// standard output in the format of --to. What the new format cannot hold is an error, never dropped in silence.
+/// standard output in the format of --to. What the new format cannot hold is an error, never dropped in silence. Of a volume of voxels,
+/// meshes and pictures get the squares between voxels that are set and the others, JSON the chain complex, .npy the voxels.
 #[derive(Args)]
 pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, cfc, glb, gltf
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, npy, cfc, glb, gltf
     #[arg(long, value_name = "FORMAT", value_parser = target_of_name)]
     to: Option<Target>,
     /// Color vertices by component, by boundary, or by the JSON of another verb such as homology --generators; for obj, ply, vtk, vtu, vtp,
@@ -121,6 +122,14 @@ impl Convert {
                     carriers.iter().map(|(degree, cell)| json!([degree, cell.index()])).collect();
                 write_json(place, &json!({ "carriers": carriers }))?;
             }
+        }
+        if !matches!(format, Target::Model(Format::Npy | Format::Json))
+            && let Some(Structure::Volume(volume)) = loaded.model.structure()
+        {
+            progress.stage("finding the boundary");
+            let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
+            let (positions, squares) = volume.boundary_squares().map_err(in_file)?;
+            loaded.model = Model::from_polygons(positions, squares).map_err(in_file)?;
         }
         let repair = self.request().map(|request| {
             progress.stage("repairing");

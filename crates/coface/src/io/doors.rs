@@ -3,8 +3,8 @@
 use super::scratch_mesh::{self, ScratchMesh};
 use super::watching::{Watched, name_of, reading};
 use super::{
-    Format, Model, container, format, geojson, isosig, json, lines_text, medit, msh, obj, off, output, ply,
-    stl, svg, vtk, wkt, yin,
+    Format, Model, Structure, VolumeReading, VolumeStream, container, format, geojson, isosig, json, lines_text,
+    medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
 };
 use crate::{Error, ErrorKind};
 use std::fs::File;
@@ -49,6 +49,8 @@ pub struct ReadOptions {
     pub format: Option<Format>,
     /// The farthest that chords may be from the curves of an SVG, in its unit; curves are refused without it.
     pub flatten: Option<f64>,
+    /// Which voxels of a volume are set, and which of its axes are periodic.
+    pub volume: VolumeReading,
 }
 
 impl ReadOptions {
@@ -78,7 +80,8 @@ impl ReadOptions {
 /// # Ok(()) }
 /// ```
 pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Model, Error> {
-    let (path, format) = (path.as_ref(), options.format);
+    let path = &volume::header_path(path.as_ref());
+    let format = options.format;
     options.check()?;
     if !path.exists()
         && let Some((file, entry)) = entry_of(path)
@@ -103,9 +106,21 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
             Some(format) => format,
             None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
         };
-        read_started(&start, whole, &mut file, format, options.flatten)
+        if format.is_volume() {
+            drop(file);
+            return volume_model(VolumeStream::open(path, format)?, &options.volume, format);
+        }
+        read_started(&start, whole, &mut file, format, options)
     };
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// The model of a volume.
+fn volume_model(stream: VolumeStream<'_>, how: &VolumeReading, format: Format) -> Result<Model, Error> {
+    let (volume, warnings) = stream.read(how)?;
+    let mut model = Model::from_structure(Structure::Volume(volume));
+    model.warnings = warnings;
+    Ok(model.with_format(format))
 }
 
 /// Reads a model of this format.
@@ -124,7 +139,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
 pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
     let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
-    read_started(&start, whole, &mut input, format, None)
+    read_started(&start, whole, &mut input, format, &ReadOptions::default())
 }
 
 /// Reads a model from a stream: of the format of the options, or of the one that its content tells.
@@ -148,7 +163,7 @@ pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error
         Some(format) => format,
         None => format::decide(format::without_mark(&start), whole, None)?,
     };
-    read_started(&start, whole, &mut input, format, options.flatten)
+    read_started(&start, whole, &mut input, format, options)
 }
 
 /// Reads a model from the bytes of a file of this name, as [`read_path_with`] does from the file itself: for what was fetched from
@@ -237,7 +252,7 @@ pub fn read_boundary_path(
             Some(format) => format,
             None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
         };
-        boundary_started(&start, whole, &mut file, format, options.flatten)
+        boundary_started(&start, whole, &mut file, format, options)
     };
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
@@ -266,7 +281,7 @@ pub fn read_boundary(
     options.check()?;
     let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
-    boundary_started(&start, whole, &mut input, format, options.flatten)
+    boundary_started(&start, whole, &mut input, format, options)
 }
 
 /// Reads the boundary of a set in the plane from a stream whose format is that of the options, or the one that its content tells.
@@ -292,7 +307,7 @@ pub fn read_boundary_with(input: impl Read, options: &ReadOptions) -> Result<yin
         Some(format) => format,
         None => format::decide(format::without_mark(&start), whole, None)?,
     };
-    boundary_started(&start, whole, &mut input, format, options.flatten)
+    boundary_started(&start, whole, &mut input, format, options)
 }
 
 /// Curves as text: no format of its own, for nothing else reads it.
@@ -306,8 +321,9 @@ fn boundary_started(
     whole: bool,
     rest: &mut dyn Read,
     format: Format,
-    flatten: Option<f64>,
+    options: &ReadOptions,
 ) -> Result<yin::BoundaryDrawing, Error> {
+    let flatten = options.flatten;
     let drawing = match format {
         Format::Json | Format::Dat | Format::Svg if format != Format::Svg || flatten.is_none() => {
             format::check_told(format, start, whole)?;
@@ -319,7 +335,7 @@ fn boundary_started(
                 _ => svg::read_regions(input)?,
             }
         }
-        _ => yin::drawing_of_model(&read_started(start, whole, rest, format, flatten)?)?,
+        _ => yin::drawing_of_model(&read_started(start, whole, rest, format, options)?)?,
     };
     Ok(drawing.with_format(format))
 }
@@ -360,6 +376,15 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Dat => {
             Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
                 .with_cure("write it by coface yin, which makes a set of polygons"))
+        }
+        Format::Npy => match model.structure() {
+            Some(Structure::Volume(voxels)) => volume::write_npy(voxels, out),
+            _ => Err(Error::new(ErrorKind::UnsupportedFormat, ".npy holds volumes, and the model is none")
+                .with_cure("write a mesh format or JSON")),
+        },
+        Format::Nrrd | Format::Nifti => {
+            Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
+                .with_cure("write a volume as .npy"))
         }
     }
 }
@@ -477,8 +502,9 @@ fn read_started(
     whole: bool,
     rest: &mut dyn Read,
     format: Format,
-    flatten: Option<f64>,
+    options: &ReadOptions,
 ) -> Result<Model, Error> {
+    let flatten = options.flatten;
     format::check_told(format, start, whole)?;
     let rest = rest.take(if whole { 0 } else { u64::MAX });
     let mut input = format::without_mark(start).chain(rest);
@@ -500,6 +526,9 @@ fn read_started(
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
         Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
         Format::Container => container::read(input)?,
+        Format::Npy | Format::Nrrd | Format::Nifti => {
+            return volume_model(VolumeStream::new(input, format)?, &options.volume, format);
+        }
     };
     Ok(model.with_format(format))
 }

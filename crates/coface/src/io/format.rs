@@ -1,6 +1,6 @@
 //! The formats, and telling them apart by name and by content.
 
-use super::{container, geojson, isosig, lines_text, wkt, yin};
+use super::{container, geojson, isosig, lines_text, volume, wkt, yin};
 use crate::{Error, ErrorKind};
 use std::path::Path;
 
@@ -42,6 +42,12 @@ pub enum Format {
     VtkPolygons,
     /// The binary container of chain complexes.
     Container,
+    /// NumPy arrays of voxels.
+    Npy,
+    /// NRRD arrays of voxels.
+    Nrrd,
+    /// NIfTI-1 and -2: arrays of voxels, compressed or not, in one file or two.
+    Nifti,
 }
 
 /// How well the first bytes of a file fit a format.
@@ -54,7 +60,7 @@ enum Likeness {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 20] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -72,10 +78,14 @@ impl Format {
         Self::Svg,
         Self::Dat,
         Self::Container,
+        Self::Npy,
+        Self::Nrrd,
+        Self::Nifti,
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`, `cfc`.
+    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`, `npy`, `nrrd`, `nii`,
+    /// `cfc`.
     ///
     /// # Examples
     /// ```
@@ -112,6 +122,9 @@ impl Format {
             Self::VtkGrid => &["vtu"],
             Self::VtkPolygons => &["vtp"],
             Self::Container => &["cfc"],
+            Self::Npy => &["npy"],
+            Self::Nrrd => &["nrrd", "nhdr"],
+            Self::Nifti => &["nii", "nii.gz", "hdr", "img"],
         }
     }
 
@@ -141,10 +154,13 @@ impl Format {
             Self::VtkGrid => "VTK XML",
             Self::VtkPolygons => "VTK XML of polygons",
             Self::Container => "container of chain complexes",
+            Self::Npy => "NumPy array",
+            Self::Nrrd => "NRRD",
+            Self::Nifti => "NIfTI",
         }
     }
 
-    /// The format of this name: any of [`Self::extensions`], or `medit` or `gmsh`, in any case.
+    /// The format of this name: any of [`Self::extensions`], or `medit`, `gmsh`, `numpy` or `nifti`, in any case.
     ///
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`] listing the names.
@@ -160,6 +176,8 @@ impl Format {
         match lower.as_str() {
             "medit" => return Ok(Self::Medit),
             "gmsh" => return Ok(Self::Msh),
+            "numpy" => return Ok(Self::Npy),
+            "nifti" => return Ok(Self::Nifti),
             _ => {}
         }
         Self::ALL.into_iter().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
@@ -193,6 +211,17 @@ impl Format {
         matches!(self, Self::Ply | Self::Vtk | Self::VtkGrid | Self::VtkPolygons)
     }
 
+    /// Whether files of the format hold arrays of voxels.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::io::Format;
+    /// assert!(Format::Nifti.is_volume() && !Format::Vtk.is_volume());
+    /// ```
+    pub const fn is_volume(self) -> bool {
+        matches!(self, Self::Npy | Self::Nrrd | Self::Nifti)
+    }
+
     /// The format that the extension of a path tells.
     ///
     /// # Examples
@@ -202,7 +231,12 @@ impl Format {
     /// assert_eq!(Format::from_path("part".as_ref()), None);
     /// ```
     pub fn from_path(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        let mut extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        if extension == "gz" {
+            // `.nii.gz`, and pairs of `.hdr.gz` and `.img.gz`.
+            extension = Path::new(path.file_stem()?).extension()?.to_str()?.to_ascii_lowercase();
+            return Some(Self::Nifti).filter(|format| format.extensions().contains(&extension.as_str()));
+        }
         Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
     }
 
@@ -268,6 +302,9 @@ impl Format {
             Self::Svg => certain_if(is_svg(start)),
             Self::Dat => certain_if(yin::is_dat(start, whole)),
             Self::Container => certain_if(start.starts_with(&container::MARK)),
+            Self::Npy => certain_if(start.starts_with(volume::NPY_MAGIC)),
+            Self::Nrrd => certain_if(start.starts_with(volume::NRRD_MAGIC)),
+            Self::Nifti => certain_if(volume::is_nifti(start)),
             Self::VtkGrid | Self::VtkPolygons => match vtk_xml_kind(start) {
                 Some(b"PolyData") => certain_if(self == Self::VtkPolygons),
                 Some(b"UnstructuredGrid") => certain_if(self == Self::VtkGrid),
@@ -327,7 +364,7 @@ pub(super) fn decide(start: &[u8], whole: bool, by_name: Option<Format>) -> Resu
             .with_cure("check that the file is the one meant, or say what it is with --format"),
         });
     }
-    if let Some((what, cure)) = foreign(start) {
+    if let Some((what, cure)) = foreign(start).filter(|_| !volume::is_nifti(start)) {
         return Err(unsupported(format!("this is {what}")).with_cure(cure));
     }
     Format::from_content(start, whole).ok_or_else(|| {

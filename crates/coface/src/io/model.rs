@@ -3,7 +3,7 @@
 use super::numbers::Numbers;
 use super::{CellData, Format};
 use crate::algebra::RaggedArray;
-use crate::cellular::CellShape;
+use crate::cellular::{CellShape, CubicalVolume};
 use crate::chains::ChainComplex;
 use crate::geometry::Positions;
 use crate::simplicial::GluingTable;
@@ -50,6 +50,8 @@ pub enum Structure {
     Chains(ChainComplex),
     /// Simplices with facets glued in pairs.
     Gluings(GluingTable),
+    /// Voxels that are set, with their faces.
+    Volume(CubicalVolume),
 }
 
 /// A named set of things of one kind: an OBJ group, a physical group of Gmsh, a reference number of MEDIT.

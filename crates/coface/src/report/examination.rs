@@ -3,7 +3,7 @@
 use super::facts::{DataSummary, Kind, Report};
 use super::moments::{Moment, check_exponents};
 use super::producer::{Cells, Producer};
-use super::{cells, chains, gluings, halfedges, polygons, simplicial};
+use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
 use crate::Error;
 use crate::io::{Model, Structure};
 
@@ -60,14 +60,17 @@ impl Report {
         let kind = kind_of(&model);
         let mut warnings = std::mem::take(&mut model.warnings);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
-        let Producer { cells, labels, positions } = Producer::of(model)?;
-        let mut report = match cells {
-            Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, exponents),
-            Cells::Solids(mesh) => cells::report(*mesh, &positions, exponents),
-            Cells::Simplices(complex) => simplicial::report(&complex)?,
-            Cells::Halfedges(mesh) => halfedges::report(&mesh),
-            Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
-            Cells::Chains(complex) => chains::report(&complex),
+        // Nothing of a volume is made whole but its voxels.
+        let volume = match model.structure.take() {
+            Some(Structure::Volume(volume)) => Some(volume),
+            structure => {
+                model.structure = structure;
+                None
+            }
+        };
+        let mut report = match &volume {
+            Some(volume) => volume::report(volume)?,
+            None => report_of(Producer::of(model)?, kind, exponents)?,
         };
         if report.moments.is_empty() {
             let nothing = |&exponents: &[u32; 3]| Moment { exponents, volume: None, surface: None };
@@ -86,10 +89,25 @@ impl Report {
     }
 }
 
+/// The report on cells whose faces are identified.
+fn report_of(producer: Producer, kind: Kind, exponents: &[[u32; 3]]) -> Result<Report, Error> {
+    let Producer { cells, labels, positions } = producer;
+    Ok(match cells {
+        Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, exponents),
+        Cells::Solids(mesh) => cells::report(*mesh, &positions, exponents),
+        Cells::Simplices(complex) => simplicial::report(&complex)?,
+        Cells::Halfedges(mesh) => halfedges::report(&mesh),
+        Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
+        Cells::Chains(complex) => chains::report(&complex),
+        Cells::Voxels(cells) => volume::report(cells.volume())?,
+    })
+}
+
 /// What sort of thing a model is.
 fn kind_of(model: &Model) -> Kind {
     match &model.structure {
         Some(Structure::Halfedges { .. }) => Kind::Surface,
+        Some(Structure::Volume(_)) => Kind::Volume,
         Some(_) => Kind::Complex,
         None if !model.cells.is_empty() => Kind::Volume,
         None if !model.polygons.is_empty() => Kind::Surface,

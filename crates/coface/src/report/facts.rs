@@ -15,7 +15,7 @@ pub enum Kind {
     Complex,
     /// The top cells are polygons.
     Surface,
-    /// The top cells are 3-cells: tetrahedra, hexahedra, wedges, pyramids.
+    /// The top cells are 3-cells: tetrahedra, hexahedra, wedges, pyramids; or voxels, of any dimension.
     Volume,
     /// Line segments or rings in the plane.
     Planar,

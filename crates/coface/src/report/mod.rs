@@ -34,6 +34,7 @@ mod simplicial;
 mod spatial;
 mod surface_model;
 mod triangulation;
+mod volume;
 mod yin;
 
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
@@ -64,6 +65,7 @@ pub use surface_model::{
     edge_lengths,
 };
 pub use triangulation::triangulated;
+pub use volume::homology_of_volume;
 pub use yin::{KinkRequest, PlanarSet, SetPicture, SetRequest};
 
 use labels::Labels;

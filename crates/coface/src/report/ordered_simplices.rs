@@ -81,6 +81,10 @@ impl Producer {
                 return Err(Error::invalid("the faces of halfedge permutations have no ordered vertices")
                     .with_cure("give the surface as a mesh of triangles or a facet list"));
             }
+            Cells::Voxels(_) => {
+                return Err(Error::invalid("voxels are cubes: their faces have no ordered vertices")
+                    .with_cure("give a facet list, or a mesh of triangles or tetrahedra"));
+            }
             Cells::Chains(_) => {
                 return Err(Error::invalid("a chain complex does not say how its cells are attached")
                     .with_cure("give a facet list, a gluing table, or a mesh of triangles or tetrahedra"));

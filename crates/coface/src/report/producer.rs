@@ -1,9 +1,10 @@
 //! What makes the chain complex of a model.
 
 use super::Labels;
+use super::volume::VolumeCells;
 use crate::Error;
 use crate::algebra::RaggedArray;
-use crate::cellular::{CellMesh, LarModel};
+use crate::cellular::{CellMesh, CubicalVolume, LarModel};
 use crate::chains::{ChainComplex, TwoSkeleton};
 use crate::geometry::Positions;
 use crate::io::{Model, Structure, segments};
@@ -49,6 +50,8 @@ pub(super) enum Cells {
     Gluings(Box<(GluingTable, FaceClasses)>),
     /// Boundary matrices.
     Chains(ChainComplex),
+    /// Voxels with their faces.
+    Voxels(Box<VolumeCells>),
 }
 
 impl Producer {
@@ -58,10 +61,15 @@ impl Producer {
     /// Those of the structure that fits the model: [`crate::ErrorKind::InvalidInput`] naming a cell that is none,
     /// [`crate::ErrorKind::TooLarge`] for what its numbers do not hold.
     pub fn of(model: Model) -> Result<Self, Error> {
-        let Model { vertex_count, positions, polygons, shapes, cells, lines, structure, .. } = model;
+        let Model { vertex_count, mut positions, polygons, shapes, cells, lines, structure, .. } = model;
         let (cells, labels) = match structure {
             Some(Structure::Facets(facets)) => of_facets(facets)?,
             Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),
+            Some(Structure::Volume(volume)) => {
+                let cells = VolumeCells::new(volume);
+                positions = cells.positions().unwrap_or_default();
+                (Cells::Voxels(Box::new(cells)), Labels::default())
+            }
             Some(Structure::Halfedges { next, twin }) => {
                 (Cells::Halfedges(HalfedgeMesh::from_permutations(&next, &twin)?), Labels::default())
             }
@@ -86,6 +94,14 @@ impl Producer {
         &self.positions
     }
 
+    /// The volume, where the cells are voxels with their faces.
+    pub fn volume(&self) -> Option<&CubicalVolume> {
+        match &self.cells {
+            Cells::Voxels(cells) => Some(cells.volume()),
+            _ => None,
+        }
+    }
+
     /// The chain complex of the cells, in the order of their numbers.
     ///
     /// # Errors
@@ -98,6 +114,7 @@ impl Producer {
             Cells::Halfedges(mesh) => mesh.chain_complex(),
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex.clone(),
+            Cells::Voxels(cells) => cells.chain_complex()?,
         })
     }
 
@@ -113,6 +130,7 @@ impl Producer {
             Cells::Halfedges(mesh) => mesh.chain_complex(),
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex,
+            Cells::Voxels(cells) => cells.chain_complex()?,
         })
     }
 
@@ -128,6 +146,10 @@ impl Producer {
             Cells::Simplices(complex) => complex.two_skeleton()?,
             Cells::Halfedges(mesh) => mesh.two_skeleton(),
             Cells::Gluings(gluings) => gluings.1.two_skeleton()?,
+            Cells::Voxels(_) => {
+                return Err(Error::invalid("loops in a volume of voxels have no words")
+                    .with_cure("ask for its homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj"));
+            }
             Cells::Chains(_) => {
                 return Err(Error::invalid(
                     "boundary matrices do not say in which order faces run along their edges, so loops have no words",
@@ -148,6 +170,7 @@ impl Producer {
             Cells::Solids(mesh) => LarModel::try_from(&**mesh),
             Cells::Simplices(complex) => LarModel::try_from(complex),
             Cells::Chains(complex) => LarModel::try_from(complex),
+            Cells::Voxels(cells) => LarModel::try_from(&cells.chain_complex()?),
             Cells::Halfedges(_) | Cells::Gluings(_) => {
                 Err(Error::invalid("the cells of halfedges and gluings are not sets of vertices")
                     .with_cure("give the complex as facets, polygons or cells, or its boundary matrices"))
@@ -169,6 +192,7 @@ impl Producer {
             Cells::Solids(mesh) => mesh.skeleton(),
             Cells::Simplices(complex) => return complex.numbers(degree, cell).to_vec(),
             Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => return vec![cell as u32],
+            Cells::Voxels(cells) => return cells.vertices(degree, cell),
         };
         self.labels.of_all(match degree {
             0 => vec![cell as u32],

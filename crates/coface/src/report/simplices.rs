@@ -39,6 +39,11 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
             return Err(Error::invalid("the faces of a gluing table need not be told by their vertices")
                 .with_cure("give a facet list, or a mesh of triangles or tetrahedra"));
         }
+        Some(Structure::Volume(_)) => {
+            return Err(Error::invalid("voxels are cubes, not simplices").with_cure(
+                "ask for homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj",
+            ));
+        }
         None => {}
     }
     require_triangles(model.polygons.iter().map(<[u32]>::len))?;

@@ -17,12 +17,12 @@ use crate::output::give;
 use crate::progress::Progress;
 use clap::Args;
 use coface::chains::ChainComplex;
-use coface::io::ReadOptions;
-use coface::report::{Pair, Producer, groups_to_json};
+use coface::io::{ReadOptions, Structure};
+use coface::report::{Pair, Producer, groups_to_json, homology_of_volume};
 use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyBasis, homology};
 use coface_pages::text;
 use parts::PartsOptions;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Homology groups: how many components, loops and cavities a model has, and its torsion.
@@ -94,7 +94,18 @@ impl Homology {
         let given: Vec<GivenChain> =
             self.cycle.iter().map(|argument| GivenChain::read(argument)).collect::<Result<_, _>>()?;
         let progress = Progress::start(common.quiet);
-        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
+        let loaded = input::read(&self.input, common.reading(), &progress)?;
+        if let Some(Structure::Volume(volume)) = loaded.model.structure()
+            && self.is_groups_alone()
+        {
+            progress.stage("computing homology");
+            let integral = homology_of_volume(volume).map_err(|error| error.in_file(loaded.name.clone()))?.1;
+            let groups = self.groups(&integral);
+            drop(progress);
+            let object = self.object(&loaded.name, &groups);
+            return give(common, &object, &self.page(&loaded.name, &groups));
+        }
+        let (name, producer) = input::identify(loaded, &progress)?;
         let whole = producer.chain_complex()?;
         let pair = self.pair(&producer, &whole, &progress)?;
         let complex = pair.as_ref().map_or(&whole, Pair::chains);
@@ -106,12 +117,7 @@ impl Homology {
         let basis = needs_basis.then(|| HomologyBasis::new(complex));
         let integral = basis.as_ref().map_or_else(|| homology(complex), HomologyBasis::homology);
         let groups = self.groups(&integral);
-        let mut object = json!({
-            "file": name,
-            "coefficients": self.coefficients.to_string(),
-            "cohomology": self.cohomology,
-            "homology": groups_to_json(&groups),
-        });
+        let mut object = self.object(&name, &groups);
         let mut page = self.page(&name, &groups);
         if let (Some(basis), Some(place)) = (&basis, &self.generators) {
             progress.stage("finding generators");
@@ -194,6 +200,28 @@ impl Homology {
         }
         let Self { coefficients, cohomology, generators, .. } = self;
         Ok(Question { coefficients: *coefficients, cohomology: *cohomology, generators: generators.clone() })
+    }
+
+    /// Whether nothing but groups is asked for, of the whole.
+    fn is_groups_alone(&self) -> bool {
+        self.relative.is_none()
+            && !self.reduced
+            && self.generators.is_none()
+            && self.cycle.is_empty()
+            && self.cup.is_none()
+            && !self.intersection_form
+            && !self.harmonic
+            && self.decompose.is_none()
+            && self.map.is_none()
+    }
+
+    fn object(&self, name: &str, groups: &[AbelianGroup]) -> Value {
+        json!({
+            "file": name,
+            "coefficients": self.coefficients.to_string(),
+            "cohomology": self.cohomology,
+            "homology": groups_to_json(groups),
+        })
     }
 
     /// The pair with a subcomplex, if one is named.

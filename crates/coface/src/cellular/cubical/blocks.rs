@@ -76,6 +76,15 @@ impl<'v, V: Voxels + ?Sized> CubicalBlocks<'v, V> {
         self.boxes.voxels(number)
     }
 
+    /// The ids of the cells of a block, by dimension, rising.
+    pub(super) fn cell_ids(&self, number: u32) -> Result<Vec<Vec<u64>>, Error> {
+        let window = self.volume.window(&self.boxes.voxels(number))?;
+        let places = BlockPlaces::new(&self.boxes, &window, number)?;
+        let mut ids = vec![Vec::new(); places.axes.len() + 1];
+        places.for_each_cell(|cell| ids[cell.dimension].push(cell.id));
+        Ok(ids)
+    }
+
     /// The part of a block.
     ///
     /// # Errors

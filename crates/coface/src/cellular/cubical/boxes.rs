@@ -102,6 +102,16 @@ impl VoxelBoxes {
         voxels
     }
 
+    /// Where the window of a box begins along an axis, and how many voxels it has there; see [`super::VoxelWindow`].
+    ///
+    /// # Panics
+    /// If there is no such box or axis.
+    pub fn window_along(&self, axis: usize, number: u32) -> (u32, u32) {
+        let at = self.places(number)[axis];
+        let (start, end) = (self.first_voxel(axis, at), self.first_voxel(axis, at + 1));
+        window_span(self.shape[axis], self.is_periodic[axis], start, end)
+    }
+
     /// Where a box is along each axis, among the boxes.
     pub(super) fn places(&self, number: u32) -> Vec<u32> {
         assert!(number < self.count(), "there is no block {number}");
@@ -125,5 +135,19 @@ impl VoxelBoxes {
         let guess = (u64::from(voxel) * u64::from(count) / u64::from(self.shape[axis])) as u32;
         let up = guess + 1 < count && self.first_voxel(axis, guess + 1) <= voxel;
         guess + u32::from(up)
+    }
+}
+
+/// Where a box along an axis begins with the layer around it, and how many voxels it has with it.
+pub(super) fn window_span(length: u32, is_periodic: bool, start: u32, end: u32) -> (u32, u32) {
+    if !is_periodic {
+        let first = start.saturating_sub(1);
+        return (first, end.saturating_add(1).min(length) - first);
+    }
+    let count = u64::from(end - start) + 2;
+    if count >= u64::from(length) {
+        (0, length)
+    } else {
+        (if start > 0 { start - 1 } else { length - 1 }, count as u32)
     }
 }

@@ -15,6 +15,7 @@ mod blocks;
 mod boxes;
 mod places;
 mod simplices;
+mod surface;
 mod volume;
 mod voxels;
 mod window;

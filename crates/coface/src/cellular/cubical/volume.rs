@@ -72,13 +72,64 @@ impl CubicalVolume {
         Ok(volume)
     }
 
+    /// The volume whose voxels are given as bits, 64 in a word, the first one lowest, the last axis running fastest; bits beyond the last
+    /// voxel do not matter.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; [`ErrorKind::Shape`] unless there are as many words as the voxels need.
+    pub fn from_words(shape: &[u32], is_periodic: &[bool], mut words: Vec<u64>) -> Result<Self, Error> {
+        let len = voxel_count(shape, is_periodic)?;
+        check_words(shape, len, words.len())?;
+        if !len.is_multiple_of(64)
+            && let Some(last) = words.last_mut()
+        {
+            *last &= (1 << (len % 64)) - 1;
+        }
+        Ok(Self { shape: shape.to_vec(), is_periodic: is_periodic.to_vec(), bits: Bits { words, len } })
+    }
+
+    /// The same with the first axis running fastest in the words.
+    ///
+    /// # Errors
+    /// As [`Self::from_words`].
+    pub fn from_words_first_fastest(
+        shape: &[u32],
+        is_periodic: &[bool],
+        words: &[u64],
+    ) -> Result<Self, Error> {
+        check_words(shape, voxel_count(shape, is_periodic)?, words.len())?;
+        let mut volume = Self::empty(shape, is_periodic)?;
+        let given = |at: usize| words[at / 64] & (1 << (at % 64)) != 0;
+        let mut strides = vec![1usize; shape.len()];
+        for axis in (1..shape.len()).rev() {
+            strides[axis - 1] = strides[axis] * shape[axis] as usize;
+        }
+        let row = shape[0] as usize;
+        let mut voxel = vec![0u32; shape.len()];
+        let mut base = 0;
+        for start in (0..volume.bits.len).step_by(row) {
+            for along in (0..row).filter(|along| given(start + along)) {
+                volume.bits.insert(base + along * strides[0]);
+            }
+            for axis in 1..shape.len() {
+                voxel[axis] += 1;
+                base += strides[axis];
+                if voxel[axis] < shape[axis] {
+                    break;
+                }
+                base -= shape[axis] as usize * strides[axis];
+                voxel[axis] = 0;
+            }
+        }
+        Ok(volume)
+    }
+
     fn empty(shape: &[u32], is_periodic: &[bool]) -> Result<Self, Error> {
-        check_shape(shape, is_periodic)?;
-        let voxel_count = shape.iter().try_fold(1usize, |count, &length| count.checked_mul(length as usize));
-        let voxel_count = voxel_count.ok_or_else(|| {
-            Error::new(ErrorKind::TooLarge, format!("a volume of shape {shape:?} does not fit in memory"))
-        })?;
-        Ok(Self { shape: shape.to_vec(), is_periodic: is_periodic.to_vec(), bits: Bits::zeros(voxel_count)? })
+        Ok(Self {
+            shape: shape.to_vec(),
+            is_periodic: is_periodic.to_vec(),
+            bits: Bits::zeros(voxel_count(shape, is_periodic)?)?,
+        })
     }
 
     /// The number of voxels along each axis.
@@ -111,6 +162,11 @@ impl CubicalVolume {
         self.bits.contains(self.place(voxel))
     }
 
+    /// Whether the voxel at this place is set, places counted with the last axis running fastest.
+    pub(crate) fn is_set_at(&self, at: usize) -> bool {
+        self.bits.contains(at)
+    }
+
     fn place(&self, voxel: &[u32]) -> usize {
         voxel.iter().zip(&self.shape).fold(0, |at, (&x, &length)| at * length as usize + x as usize)
     }
@@ -126,6 +182,27 @@ impl CubicalVolume {
         Ok(CubicalBlocks::new(self, &vec![1; self.shape.len()])?.block(0)?.into_complex())
     }
 
+    /// The cells of each dimension by their ids, which are their places, rising.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 2^32 places of cells.
+    ///
+    /// # Complexity
+    /// Linear in the places of cells.
+    ///
+    /// # Examples
+    /// One voxel: its corners are at places 0 and 2 along each axis, and its inside is at place 1.
+    /// ```
+    /// use coface::cellular::CubicalVolume;
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let ids = CubicalVolume::full(&[1], &[false])?.cell_ids()?;
+    /// assert_eq!(ids, [vec![0, 2], vec![1]]);
+    /// # Ok(()) }
+    /// ```
+    pub fn cell_ids(&self) -> Result<Vec<Vec<u64>>, Error> {
+        CubicalBlocks::new(self, &vec![1; self.shape.len()])?.cell_ids(0)
+    }
+
     /// The chain complex of all simplices that the voxels are cut into, in order of their ids; see [`SimplicialBlocks`].
     ///
     /// # Errors
@@ -136,6 +213,25 @@ impl CubicalVolume {
     pub fn simplicial_chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(SimplicialBlocks::new(self, &vec![1; self.shape.len()])?.block(0)?.into_complex())
     }
+}
+
+/// How many voxels a volume of this shape has.
+fn voxel_count(shape: &[u32], is_periodic: &[bool]) -> Result<usize, Error> {
+    check_shape(shape, is_periodic)?;
+    let count = shape.iter().try_fold(1usize, |count, &length| count.checked_mul(length as usize));
+    count.ok_or_else(|| {
+        Error::new(ErrorKind::TooLarge, format!("a volume of shape {shape:?} does not fit in memory"))
+    })
+}
+
+fn check_words(shape: &[u32], voxel_count: usize, word_count: usize) -> Result<(), Error> {
+    if word_count == voxel_count.div_ceil(64) {
+        return Ok(());
+    }
+    Err(Error::new(
+        ErrorKind::Shape,
+        format!("a volume of shape {shape:?} is not given by {word_count} words"),
+    ))
 }
 
 impl Voxels for CubicalVolume {

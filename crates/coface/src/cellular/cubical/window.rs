@@ -1,7 +1,7 @@
 //! The voxels of a box with one layer around it.
 
 use super::bits::Bits;
-use super::boxes::VoxelBox;
+use super::boxes::{VoxelBox, window_span};
 use super::voxels::{Voxels, check_shape};
 use crate::{Error, ErrorKind};
 
@@ -124,6 +124,51 @@ impl VoxelWindow {
     pub fn insert(&mut self, voxel: &[u32]) {
         if let Some(place) = self.place(voxel) {
             self.bits.insert(place);
+        }
+    }
+
+    /// Sets those voxels of a run along an axis that `is_set` says, as far as the window has them; `voxel` is the first one.
+    ///
+    /// # Panics
+    /// If the volume has no such axis, or no such voxel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface::cellular::{VoxelBox, VoxelWindow};
+    /// # fn main() -> Result<(), coface::Error> {
+    /// let mut window = VoxelWindow::empty(&[9], &[true], &VoxelBox { start: vec![0], end: vec![2] })?;
+    /// window.insert_run(&[0], 0, &[true, false, true, true, true, true, true, true, true]);
+    /// // Voxels 8, 0, 1, 2.
+    /// assert_eq!(window.words(), [0b1011]);
+    /// # Ok(()) }
+    /// ```
+    pub fn insert_run(&mut self, voxel: &[u32], axis: usize, is_set: &[bool]) {
+        let (mut base, mut stride) = (0, 1);
+        for (other, &at) in voxel.iter().enumerate() {
+            let length = self.lengths[other] as usize;
+            base *= length;
+            if other != axis {
+                match self.place_along(other, at) {
+                    Some(place) => base += place,
+                    None => return,
+                }
+            }
+            if other > axis {
+                stride *= length;
+            }
+        }
+        // The voxels of the window along the axis, before and behind the end of the axis, and where they are in the window.
+        let (start, count) = (self.starts[axis] as usize, self.lengths[axis] as usize);
+        let length = self.shape[axis] as usize;
+        let before_end = count.min(length - start);
+        let (first, end) = (voxel[axis] as usize, voxel[axis] as usize + is_set.len());
+        assert!(end <= length, "a run ends where its axis ends");
+        for (low, high, place) in [(start, start + before_end, 0), (0, count - before_end, before_end)] {
+            for at in low.max(first)..high.min(end) {
+                if is_set[at - first] {
+                    self.bits.insert(base + (place + at - low) * stride);
+                }
+            }
         }
     }
 
@@ -253,18 +298,7 @@ fn extent(
     let (mut starts, mut lengths) = (Vec::new(), Vec::new());
     let mut voxel_count = Some(1usize);
     for (axis, &length) in shape.iter().enumerate() {
-        let (start, end) = (inner.start[axis], inner.end[axis]);
-        let (first, count) = if is_periodic[axis] {
-            let count = u64::from(end - start) + 2;
-            if count >= u64::from(length) {
-                (0, length)
-            } else {
-                (if start > 0 { start - 1 } else { length - 1 }, count as u32)
-            }
-        } else {
-            let first = start.saturating_sub(1);
-            (first, end.saturating_add(1).min(length) - first)
-        };
+        let (first, count) = window_span(length, is_periodic[axis], inner.start[axis], inner.end[axis]);
         starts.push(first);
         lengths.push(count);
         voxel_count = voxel_count.and_then(|total| total.checked_mul(count as usize));

@@ -44,6 +44,9 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
         }
         Some(Structure::Chains(complex)) => write_chains(&mut out, complex, model.positions())?,
         Some(Structure::Gluings(table)) => write_gluings(&mut out, table)?,
+        Some(Structure::Volume(volume)) => {
+            write_chains(&mut out, &volume.chain_complex()?, model.positions())?;
+        }
         None => write_mesh(&mut out, model)?,
     }
     out.flush()?;

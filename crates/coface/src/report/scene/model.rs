@@ -52,6 +52,13 @@ impl Scene {
                 subdivided = triangulated(model)?.0;
                 &subdivided
             }
+            Some(Structure::Volume(_)) => {
+                return Err(Error::new(
+                    ErrorKind::UnsupportedFormat,
+                    "a volume of voxels is not shown itself, only its boundary",
+                )
+                .with_cure("make a mesh of it: coface convert VOLUME -o boundary.obj"));
+            }
             Some(Structure::Chains(_)) if model.positions().is_empty() => {
                 return Err(Error::new(
                     ErrorKind::UnsupportedFormat,

@@ -102,7 +102,7 @@ impl SpatialScene {
             Some(_) => {
                 return Err(Error::new(
                     ErrorKind::UnsupportedFormat,
-                    "facet lists, halfedges and gluings have no polygons in space",
+                    "facet lists, halfedges, gluings and voxels have no polygons in space",
                 )
                 .with_cure("give a mesh or a chain complex with positions"));
             }

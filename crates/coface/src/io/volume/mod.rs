@@ -1,0 +1,26 @@
+//! Arrays of numbers whose voxels are set by a rule: NumPy `.npy`, NRRD, NIfTI-1 and -2.
+//!
+//! # Words
+//! * A **volume file** is a header and numbers of one type, raw, compressed or as text. Its **axes** are numbered as the file does: those of a
+//!   NumPy array by its shape, those of NRRD and NIfTI from the one that runs fastest, x, y, z.
+//! * A [`VoxelRule`] says of a number whether its voxel is set. What is no number (NaN) never is.
+//! * A [`VolumeStream`] gives the voxels in runs, in the order of the file, without holding the numbers: a run is along the axis that runs
+//!   fastest there, the last one or the first.
+
+mod header;
+mod nifti;
+mod npy;
+mod nrrd;
+mod numbers;
+mod rule;
+mod stream;
+#[cfg(test)]
+mod tests;
+
+pub(super) use nifti::is_nifti;
+pub(super) use npy::MAGIC as NPY_MAGIC;
+pub use npy::write as write_npy;
+pub(super) use nrrd::MAGIC as NRRD_MAGIC;
+pub use rule::{VolumeReading, VoxelRule};
+pub use stream::VolumeStream;
+pub(super) use stream::header_path;
