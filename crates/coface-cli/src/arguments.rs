@@ -5,6 +5,7 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
 use coface::cellular::CubicalVolume;
 use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 const STYLES: Styles = Styles::styled()
@@ -63,7 +64,7 @@ pub(crate) struct Common {
 }
 
 /// Which voxels of a volume are set.
-#[derive(Args)]
+#[derive(Args, Clone, Debug, Default)]
 pub(crate) struct VoxelArguments {
     /// Of a volume (.npy, NRRD, NIfTI) take the voxels of T and above, instead of all that are not 0
     #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
@@ -90,6 +91,29 @@ pub(crate) struct VoxelArguments {
 type PeriodicAxes = [bool; CubicalVolume::MOST_AXES];
 
 impl VoxelArguments {
+    /// What a worker is told.
+    pub(crate) fn to_json(&self) -> Value {
+        json!([self.threshold, self.below, self.between, self.value, self.periodic])
+    }
+
+    /// What [`Self::to_json`] says.
+    pub(crate) fn of_json(value: &Value) -> Self {
+        let numbers =
+            |value: &Value| -> Option<Vec<f64>> { value.as_array()?.iter().map(Value::as_f64).collect() };
+        let mut axes = PeriodicAxes::default();
+        let periodic = value[4].as_array().map(|list| {
+            axes.iter_mut().zip(list).for_each(|(axis, is_periodic)| *axis = *is_periodic == true);
+            axes
+        });
+        Self {
+            threshold: value[0].as_f64(),
+            below: value[1].as_f64(),
+            between: numbers(&value[2]),
+            value: value[3].as_f64(),
+            periodic,
+        }
+    }
+
     /// Which axes are periodic.
     pub(crate) fn periodic(&self) -> PeriodicAxes {
         self.periodic.unwrap_or_default()
@@ -108,8 +132,8 @@ impl VoxelArguments {
 }
 
 fn number(text: &str) -> Result<f64, String> {
-    let number: Option<f64> = text.parse().ok().filter(|number: &f64| !number.is_nan());
-    number.ok_or_else(|| "give a number".to_owned())
+    let number: Option<f64> = text.parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| "give a finite number".to_owned())
 }
 
 fn periodic_axes(text: &str) -> Result<PeriodicAxes, String> {

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 ///
 /// The file named by -o is written in the format of its extension, unless --to says another; without -o the model goes to
 /// standard output in the format of --to. What the new format cannot hold is an error, never dropped in silence. Of a volume of voxels,
-/// meshes and pictures get the squares between voxels that are set and the others, JSON the chain complex, .npy the voxels.
+/// meshes and pictures get the squares between voxels that are set and the others, JSON and .cfc the chain complex, .npy the voxels.
 #[derive(Args)]
 pub(crate) struct Convert {
     /// The model; - is standard input
@@ -123,7 +123,7 @@ impl Convert {
                 write_json(place, &json!({ "carriers": carriers }))?;
             }
         }
-        if !matches!(format, Target::Model(Format::Npy | Format::Json))
+        if !matches!(format, Target::Model(Format::Npy | Format::Json | Format::Container))
             && let Some(Structure::Volume(volume)) = loaded.model.structure()
         {
             progress.stage("finding the boundary");

@@ -95,14 +95,15 @@ pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
     let Some(changed) = changed.filter(|_| metadata.is_file()) else { return String::new() };
     let owners = cut.owners.as_deref().map_or(String::new(), |how| how.display().to_string());
     format!(
-        "{} bytes of {}.{:09}, {} by {} {owners} {:?} {:?}",
+        "{} bytes of {}.{:09}, {} by {} {owners} {:?} {:?} {:?}",
         metadata.len(),
         changed.as_secs(),
         changed.subsec_nanos(),
         cut.parts,
         cut.fan_in,
         common.format,
-        common.flatten
+        common.flatten,
+        common.voxels
     )
 }
 

@@ -3,8 +3,8 @@
 use super::scratch_mesh::{self, ScratchMesh};
 use super::watching::{Watched, name_of, reading};
 use super::{
-    Format, Model, Structure, VolumeReading, VolumeStream, container, format, geojson, isosig, json, lines_text,
-    medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
+    Format, Model, Structure, VolumeReading, VolumeStream, container, format, geojson, isosig, json,
+    lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
 };
 use crate::{Error, ErrorKind};
 use std::fs::File;

@@ -10,7 +10,11 @@ impl Producer {
     /// Whether cells are told by their vertices; those of halfedge permutations, gluing tables and chain complexes are told
     /// by their own numbers.
     pub fn names_cells_by_vertices(&self) -> bool {
-        matches!(self.cells, Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_))
+        match &self.cells {
+            Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_) => true,
+            Cells::Voxels(cells) => cells.are_told_by_vertices(),
+            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => false,
+        }
     }
 
     /// For each list all cells with these names, which [`Self::cell_vertices`] gives in any order, as (degree, cell). Polygons

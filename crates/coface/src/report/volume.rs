@@ -62,6 +62,12 @@ impl VolumeCells {
         around.into_iter().map(corner).collect()
     }
 
+    /// Whether no two cells have the same corners, as they may have around short periodic axes.
+    pub(super) fn are_told_by_vertices(&self) -> bool {
+        let mut axes = self.volume.shape().iter().zip(self.volume.is_periodic());
+        axes.all(|(&length, &periodic)| !periodic || length > 2)
+    }
+
     /// The positions of the corners, a unit from each to the next, up to three axes; none where an axis is periodic.
     pub(super) fn positions(&self) -> Result<Positions, Error> {
         if self.volume.shape().len() > 3 || self.volume.is_periodic().contains(&true) {

@@ -2,7 +2,7 @@
 //!
 //! The process that was called reads no model and no shard: it hands out requests, one a line, and shows what comes back.
 
-use crate::arguments::Common;
+use crate::arguments::{Common, VoxelArguments};
 use crate::commands::merge::{Answer, Question};
 use crate::commands::shard::{Cut, CutRequest, cut_input, fingerprint};
 use crate::failure::Failure;
@@ -186,6 +186,7 @@ impl<'a> Runner<'a> {
             "owners": self.options.owners.as_deref().map(text).transpose()?,
             "format": common.format.map(|format| format.name()),
             "flatten": common.flatten,
+            "voxels": common.voxels.to_json(),
         });
         let answer = self.ask("cutting into shards", 1, 1, |_| request.to_string())?.remove(0);
         let answer = answer.map_err(|loss| {
@@ -374,6 +375,7 @@ fn shard(request: &Value, folder: &Path) -> Result<Value, Failure> {
         output: None,
         format: text("format").and_then(|name| crate::arguments::format_of_name(&name).ok()),
         flatten: request["flatten"].as_f64(),
+        voxels: VoxelArguments::of_json(&request["voxels"]),
     };
     let progress = Progress::start(true);
     let asked = CutRequest {

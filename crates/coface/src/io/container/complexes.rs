@@ -83,6 +83,7 @@ fn complex_of(model: &Model, structure: Option<&Structure>) -> Result<ChainCompl
         }
         Some(Structure::Chains(complex)) => complex.clone(),
         Some(Structure::Gluings(table)) => table.faces()?.chain_complex()?,
+        Some(Structure::Volume(volume)) => volume.chain_complex()?,
         None => {
             let (count, segments) = (model.vertex_count(), segments(model.lines()));
             if model.cells().is_empty() {

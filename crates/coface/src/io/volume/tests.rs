@@ -324,7 +324,7 @@ fn lies_are_named() {
         (nii(2, 8, &[]), Format::Nifti, "0 axes"),
         (nii(2, 8, &[3, 3]), Format::Nifti, "numbers end after 8 of 9"),
         (nii(2, 8, &[30000, 30000, 30000]), Format::Nifti, "numbers end after 8"),
-        (nifti(1, false, 2, 8, &[2], (0.0, 0.0), b"ni1\0", &[]), Format::Nifti, "another file lies"),
+        (nifti(1, false, 2, 8, &[2], (0.0, 0.0), b"ni1\0", &[]), Format::Nifti, "the other file lies"),
         (nifti(1, false, 2, 8, &[2], (0.0, 0.0), b"\0\0\0\0", &[]), Format::Nifti, "ANALYZE"),
         (nifti(2, false, 2, 8, &[2], (0.0, 0.0), b"n+3\0", &[]), Format::Nifti, "mark of NIfTI"),
         (vec![7; 400], Format::Nifti, "348 or 540"),
