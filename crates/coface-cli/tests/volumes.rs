@@ -135,3 +135,43 @@ fn what_makes_no_sense_is_refused() {
         "{message}"
     );
 }
+
+#[test]
+fn volumes_and_grids_are_cut_into_shards() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("radii.npy");
+    radii(&path);
+    let betti = |arguments: &[&str]| -> Vec<u64> {
+        let report = coface(&[arguments, &["--json"]].concat()).json();
+        report["homology"].as_array().unwrap().iter().map(|group| group["betti"].as_u64().unwrap()).collect()
+    };
+    let file = argument(&path);
+    assert_eq!(betti(&["homology", file, "--between", "5", "8", "--parts", "8"]), [1, 0, 1, 0]);
+    assert_eq!(betti(&["homology", file, "--parts", "5", "--periodic", "y", "--simplicial"]), [1, 1, 0, 0]);
+    assert_eq!(
+        betti(&["homology", "--grid", "12,10,8", "--periodic", "0,1,2", "--parts", "8"]),
+        [1, 3, 3, 1]
+    );
+    assert_eq!(betti(&["homology", "--grid", "12,10", "--periodic", "x", "--simplicial"]), [1, 1, 0]);
+    // By hand: shard, reduce, merge.
+    let shards = folder.path().join("shards");
+    let to = argument(&shards);
+    let made = coface(&["shard", file, "--between", "5", "8", "-o", to, "--parts", "4", "--json"]).json();
+    assert_eq!(made["parts"], 4);
+    let parts: Vec<String> =
+        (0..4).map(|number| shards.join(format!("part-{number:06}.shard")).display().to_string()).collect();
+    let mut reduce = vec!["reduce"];
+    reduce.extend(parts.iter().map(String::as_str));
+    assert_eq!(coface(&reduce).status, 0);
+    assert_eq!(betti(&["merge", to]), [1, 0, 1, 0]);
+    for (arguments, words) in [
+        (&["homology", file, "--parts", "2", "--owners", "walk"][..], "--owners"),
+        (&["homology", "--grid", "9,9", "--periodic", "z"], "axis 2"),
+        (&["shard", file, "--between", "5", "9", "-o", to, "--parts", "4"], "another complex"),
+    ] {
+        let run = coface(arguments);
+        assert!(run.fails_with(1).contains(words), "{arguments:?}: {}", run.stderr);
+    }
+    assert_eq!(coface(&["homology"]).status, 2);
+    assert_eq!(coface(&["shard", file, "--grid", "3,3", "-o", to, "--parts", "2"]).status, 2);
+}

@@ -3,10 +3,14 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Source};
-use crate::output::{print_json, print_text};
+use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
-use coface::shards::{Owners, ShardFolder, ShardRequest, shard_mesh_file, shard_model};
+use coface::io::{Structure, format_of_path};
+use coface::shards::{
+    GridSort, Owners, ShardFolder, ShardRequest, shard_grid, shard_mesh_file, shard_model, shard_volume,
+    shard_volume_file,
+};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -16,9 +20,9 @@ use std::path::{Path, PathBuf};
 /// there are, and `coface merge` gives the homology of the whole. `coface homology --parts N` does all of this on one machine.
 #[derive(Args)]
 pub(crate) struct Shard {
-    /// The model; - is standard input
-    #[arg(value_name = "INPUT")]
-    input: PathBuf,
+    /// The model or volume; - is standard input
+    #[arg(value_name = "INPUT", required_unless_present = "grid")]
+    input: Option<PathBuf>,
     #[command(flatten)]
     pub(super) cut: Cut,
     /// Replace the shards of another complex in the folder
@@ -39,6 +43,33 @@ pub(crate) struct Cut {
     /// cells that are a face of no other, by rising degree, then by number [default: positions if there are any, else walk]
     #[arg(long, value_name = "positions|walk|random|FILE")]
     pub(crate) owners: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) grid: GridArguments,
+}
+
+/// Grids of voxels, and how voxels are cut.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct GridArguments {
+    /// Instead of an input a grid of so many voxels along each axis, all of them set; --periodic closes axes. Only its description is
+    /// stored
+    #[arg(long, value_name = "N,N,..", value_delimiter = ',', conflicts_with_all = ["input", "owners"],
+          value_parser = clap::value_parser!(u32).range(1..), help_heading = "Volumes")]
+    pub(crate) grid: Option<Vec<u32>>,
+    /// Cut the voxels of the grid, or of the volume, into simplices
+    #[arg(long, help_heading = "Volumes")]
+    pub(crate) simplicial: bool,
+}
+
+impl GridArguments {
+    fn sort(&self) -> GridSort {
+        if self.simplicial { GridSort::Simplices } else { GridSort::Cubes }
+    }
+
+    /// What the grid is called.
+    fn name(&self) -> Option<String> {
+        let lengths: Vec<String> = self.grid.as_ref()?.iter().map(u32::to_string).collect();
+        Some(format!("grid of {} voxels", lengths.join(" x ")))
+    }
 }
 
 /// The ways of cutting that have a name.
@@ -90,20 +121,20 @@ fn owners(how: &Path) -> Result<Owners, Failure> {
 
 /// Something that changes with a file and how it is cut.
 pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
-    let Ok(metadata) = std::fs::metadata(input) else { return String::new() };
-    let changed = metadata.modified().ok().and_then(|time| time.duration_since(std::time::UNIX_EPOCH).ok());
-    let Some(changed) = changed.filter(|_| metadata.is_file()) else { return String::new() };
+    let content = match cut.grid.name() {
+        Some(name) => name,
+        None => {
+            let Ok(metadata) = std::fs::metadata(input) else { return String::new() };
+            let changed =
+                metadata.modified().ok().and_then(|time| time.duration_since(std::time::UNIX_EPOCH).ok());
+            let Some(changed) = changed.filter(|_| metadata.is_file()) else { return String::new() };
+            format!("{} bytes of {}.{:09}", metadata.len(), changed.as_secs(), changed.subsec_nanos())
+        }
+    };
     let owners = cut.owners.as_deref().map_or(String::new(), |how| how.display().to_string());
     format!(
-        "{} bytes of {}.{:09}, {} by {} {owners} {:?} {:?} {:?}",
-        metadata.len(),
-        changed.as_secs(),
-        changed.subsec_nanos(),
-        cut.parts,
-        cut.fan_in,
-        common.format,
-        common.flatten,
-        common.voxels
+        "{content}, {} by {} {owners} {:?} {:?} {:?} {:?}",
+        cut.parts, cut.fan_in, cut.grid.simplicial, common.format, common.flatten, common.voxels
     )
 }
 
@@ -120,26 +151,56 @@ pub(crate) struct CutRequest<'a> {
     pub(crate) replaces: bool,
 }
 
-/// Cuts what a path names into shards in a folder: a mesh of simplices while it is read, anything else from memory.
+/// Cuts a grid, or what a path names, into shards in a folder: a mesh of simplices and a volume while they are read, anything else from
+/// memory.
 pub(crate) fn cut_input(
     asked: &CutRequest<'_>,
     common: &Common,
     progress: &Progress,
 ) -> Result<ShardFolder, Failure> {
     let CutRequest { input, folder, cut, .. } = *asked;
-    let name = asked.name.clone().unwrap_or_else(|| input::name(input));
+    let name = asked.name.clone().or_else(|| cut.grid.name()).unwrap_or_else(|| input::name(input));
+    let (sort, reading) = (cut.grid.sort(), common.reading());
     let mut request = cut.request(&name)?;
     request.replaces = asked.replaces;
     request.part_memory = asked.memory;
     request.source.fingerprint = fingerprint(input, cut, common);
-    if input.is_file() {
+    if let Some(shape) = &cut.grid.grid {
+        let is_periodic = reading.volume.periodic_axes(shape.len())?;
+        return Ok(shard_grid(sort, shape, &is_periodic, folder, &request)?);
+    }
+    let volumes_have_no_owners = || match cut.owners {
+        None => Ok(()),
+        Some(_) => Err(Failure::new(format!("{name}: volumes are cut into boxes; leave --owners away"))),
+    };
+    if input.is_file()
+        && let Some(format) = Some(format_of_path(input, common.format)?).filter(|format| format.is_volume())
+    {
+        volumes_have_no_owners()?;
+        progress.stage("cutting into shards");
+        let (shards, warnings) = shard_volume_file(sort, input, format, &reading.volume, folder, &request)?;
+        if !common.quiet {
+            warnings.iter().for_each(|warning| remark(&format!("{name}: {warning}")));
+        }
+        return Ok(shards);
+    }
+    if input.is_file() && sort == GridSort::Cubes {
         progress.stage("cutting into shards");
         if let Some(shards) = shard_mesh_file(input, common.format, folder, &request)? {
             return Ok(shards);
         }
     }
-    let loaded = Source::of(input)?.model(common.reading(), progress)?;
+    let loaded = Source::of(input)?.model(reading, progress)?;
     progress.stage("cutting into shards");
+    if let Some(Structure::Volume(volume)) = loaded.model.structure() {
+        volumes_have_no_owners()?;
+        return Ok(shard_volume(sort, volume, folder, &request).map_err(|error| error.in_file(name))?);
+    }
+    if sort == GridSort::Simplices {
+        return Err(Failure::new(format!(
+            "{name}: --simplicial cuts voxels, and there are none; leave it away"
+        )));
+    }
     Ok(shard_model(loaded.model, folder, &request).map_err(|error| error.in_file(name))?)
 }
 
@@ -150,7 +211,7 @@ impl Shard {
         };
         let progress = Progress::start(common.quiet);
         let asked = CutRequest {
-            input: &self.input,
+            input: self.input.as_deref().unwrap_or(Path::new("")),
             name: None,
             folder,
             cut: &self.cut,

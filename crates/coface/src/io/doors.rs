@@ -115,6 +115,33 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
+/// The format of a file: what its name and its content tell, or the one that is given.
+///
+/// # Errors
+/// As [`read_path`], but for what is wrong behind the start of the file.
+///
+/// # Examples
+/// ```
+/// use coface::io::{self, Format};
+/// # fn main() -> Result<(), coface::Error> {
+/// let path = std::env::temp_dir().join("coface-format-of-path");
+/// std::fs::write(&path, "[[0, 1, 2]]")?;
+/// assert_eq!(io::format_of_path(&path, None)?, Format::Json);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Format, Error> {
+    let path = &volume::header_path(path.as_ref());
+    let found = || {
+        let (start, whole) = start_of(&mut open(path)?)?;
+        match format {
+            Some(format) => Ok(format),
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path)),
+        }
+    };
+    found().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
 /// The model of a volume.
 fn volume_model(stream: VolumeStream<'_>, how: &VolumeReading, format: Format) -> Result<Model, Error> {
     let (volume, warnings) = stream.read(how)?;

@@ -28,6 +28,7 @@ mod owners;
 mod place;
 mod reduced;
 mod shard;
+mod volumes;
 
 pub use chains::{
     ShardChain, ShardChains, ShardTerm, chains_below_merge, chains_on_cells, root_chains, sum_chains,
@@ -41,3 +42,4 @@ pub use owners::Owners;
 pub use place::ShardPlace;
 pub use reduced::{ReducedSummary, merge, reduce, root_homology, summary};
 pub use shard::{part_of_shard, shard_of_part};
+pub use volumes::{shard_grid, shard_volume, shard_volume_file};

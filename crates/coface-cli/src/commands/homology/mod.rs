@@ -23,7 +23,7 @@ use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyB
 use coface_pages::text;
 use parts::PartsOptions;
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Homology groups: how many components, loops and cavities a model has, and its torsion.
 ///
@@ -33,8 +33,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 pub(crate) struct Homology {
     /// The model; - is standard input
-    #[arg(value_name = "INPUT")]
-    input: PathBuf,
+    #[arg(value_name = "INPUT", required_unless_present = "grid")]
+    input: Option<PathBuf>,
     /// Z, Q, a prime field or the integers modulo N: z, q, f2, f3, z6, ...
     #[arg(long, value_name = "RING", default_value = "z", value_parser = ring)]
     coefficients: Coefficients,
@@ -89,12 +89,17 @@ pub(crate) fn ring(name: &str) -> Result<Coefficients, String> {
 impl Homology {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         if self.in_parts.are_given() {
-            return self.in_parts.run(&self.input, &self.question_of_parts()?, common);
+            return self.in_parts.run(
+                self.input.as_deref().unwrap_or(Path::new("")),
+                &self.question_of_parts()?,
+                common,
+            );
         }
         let given: Vec<GivenChain> =
             self.cycle.iter().map(|argument| GivenChain::read(argument)).collect::<Result<_, _>>()?;
         let progress = Progress::start(common.quiet);
-        let loaded = input::read(&self.input, common.reading(), &progress)?;
+        let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
+        let loaded = input::read(input, common.reading(), &progress)?;
         if let Some(Structure::Volume(volume)) = loaded.model.structure()
             && self.is_groups_alone()
         {

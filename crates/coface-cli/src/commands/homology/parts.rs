@@ -4,7 +4,7 @@
 
 use crate::arguments::{Common, VoxelArguments};
 use crate::commands::merge::{Answer, Question};
-use crate::commands::shard::{Cut, CutRequest, cut_input, fingerprint};
+use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerprint};
 use crate::failure::Failure;
 use crate::output::give;
 use crate::progress::{Progress, remove_at_end};
@@ -35,6 +35,8 @@ pub(super) struct PartsOptions {
     /// Which part each maximal cell goes to; see coface shard
     #[arg(long, value_name = "positions|walk|random|FILE", help_heading = "In parts")]
     owners: Option<PathBuf>,
+    #[command(flatten)]
+    grid: GridArguments,
 }
 
 fn memory(text: &str) -> Result<u64, String> {
@@ -49,7 +51,8 @@ const COMFORT: u64 = 256 << 20;
 impl PartsOptions {
     /// Whether work in parts is asked for.
     pub(super) fn are_given(&self) -> bool {
-        self.parts.is_some() || self.memory.is_some() || self.work.is_some()
+        let has_grid = self.grid.grid.is_some() || self.grid.simplicial;
+        self.parts.is_some() || self.memory.is_some() || self.work.is_some() || has_grid
     }
 
     /// Answers the question about an input.
@@ -158,6 +161,7 @@ impl<'a> Runner<'a> {
             parts: self.options.parts.unwrap_or(0),
             fan_in: self.options.fan_in,
             owners: self.options.owners.clone(),
+            grid: self.options.grid.clone(),
         };
         let fingerprint = fingerprint(input, &cut, common);
         if let Ok(folder) = ShardFolder::open(self.folder)
@@ -187,6 +191,8 @@ impl<'a> Runner<'a> {
             "format": common.format.map(|format| format.name()),
             "flatten": common.flatten,
             "voxels": common.voxels.to_json(),
+            "grid": self.options.grid.grid,
+            "simplicial": self.options.grid.simplicial,
         });
         let answer = self.ask("cutting into shards", 1, 1, |_| request.to_string())?.remove(0);
         let answer = answer.map_err(|loss| {
@@ -363,10 +369,13 @@ fn step(step: &ReducedStep) -> Value {
 fn shard(request: &Value, folder: &Path) -> Result<Value, Failure> {
     let text = |key: &str| request[key].as_str().map(str::to_owned);
     let input = PathBuf::from(text("input").unwrap_or_default());
+    let lengths = request["grid"].as_array();
+    let lengths = lengths.map(|list| list.iter().map(|length| length.as_u64().unwrap_or(0) as u32).collect());
     let cut = Cut {
         parts: request["parts"].as_u64().unwrap_or(0) as u32,
         fan_in: request["fan_in"].as_u64().unwrap_or(8) as u32,
         owners: text("owners").map(PathBuf::from),
+        grid: GridArguments { grid: lengths, simplicial: request["simplicial"] == true },
     };
     let common = Common {
         json: true,

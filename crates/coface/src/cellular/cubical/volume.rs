@@ -162,6 +162,11 @@ impl CubicalVolume {
         self.bits.contains(self.place(voxel))
     }
 
+    /// A bit for each voxel, 64 in a word, the first one lowest, the last axis running fastest; beyond the end zeros.
+    pub fn words(&self) -> &[u64] {
+        &self.bits.words
+    }
+
     /// Whether the voxel at this place is set, places counted with the last axis running fastest.
     pub(crate) fn is_set_at(&self, at: usize) -> bool {
         self.bits.contains(at)

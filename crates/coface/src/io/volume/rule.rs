@@ -104,7 +104,7 @@ impl VolumeReading {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for an axis that the volume has not.
-    pub(super) fn periodic_axes(&self, axis_count: usize) -> Result<Vec<bool>, Error> {
+    pub fn periodic_axes(&self, axis_count: usize) -> Result<Vec<bool>, Error> {
         match self.periodic.iter().skip(axis_count).position(|&periodic| periodic) {
             Some(at) => Err(Error::invalid(format!(
                 "axis {} cannot be periodic: the volume has {axis_count}",

@@ -42,6 +42,7 @@ pub struct VolumeStream<'r> {
     first_byte: Option<u64>,
     /// The file of the numbers.
     name: Option<String>,
+    files: Vec<PathBuf>,
 }
 
 impl VolumeStream<'static> {
@@ -52,7 +53,10 @@ impl VolumeStream<'static> {
     /// read; [`ErrorKind::Parse`] for a damaged header, and one that says more numbers than the file has. All name the file.
     pub fn open(path: &Path, format: Format) -> Result<Self, Error> {
         let path = header_path(path);
-        Self::open_here(&path, format).map_err(|error| error.in_file(path.display().to_string()))
+        let opened = Self::open_here(&path, format);
+        let mut stream = opened.map_err(|error| error.in_file(path.display().to_string()))?;
+        stream.files.insert(0, path);
+        Ok(stream)
     }
 
     fn open_here(path: &Path, format: Format) -> Result<Self, Error> {
@@ -78,9 +82,13 @@ impl VolumeStream<'static> {
         let input = BufReader::with_capacity(1 << 18, std::io::Cursor::new(start).chain(file));
         if is_packed {
             let unpacked = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
-            return Self::positioned(header, unpacked, None, None, Some(name));
+            let mut stream = Self::positioned(header, unpacked, None, None, Some(name))?;
+            stream.files.push(data_path);
+            return Ok(stream);
         }
-        Self::positioned(header, Box::new(input), size, Some(0), Some(name))
+        let mut stream = Self::positioned(header, Box::new(input), size, Some(0), Some(name))?;
+        stream.files.push(data_path);
+        Ok(stream)
     }
 }
 
@@ -157,12 +165,17 @@ impl<'r> VolumeStream<'r> {
                 .with_cure("the file is cut short or its header damaged: copy or write it again"),
             ));
         }
-        Ok(Self { header, input, first_byte, name })
+        Ok(Self { header, input, first_byte, name, files: Vec::new() })
     }
 
     /// The number of voxels along each axis of the file.
     pub fn shape(&self) -> &[u32] {
         &self.header.shape
+    }
+
+    /// The files that are read: that of the header, and that of the numbers if it is another; none for a stream without a name.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// The axis that runs fastest in the file: the last one or the first.
