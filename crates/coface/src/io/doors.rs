@@ -216,7 +216,7 @@ pub fn read_named(input: impl Read, name: &str, options: &ReadOptions) -> Result
             Some(format) => format,
             None => format::decide(format::without_mark(&start), whole, Format::from_path(Path::new(name)))?,
         };
-        read_started(&start, whole, &mut input, format, options.flatten)
+        read_started(&start, whole, &mut input, format, options)
     };
     read().map_err(|error: Error| error.in_file(name))
 }

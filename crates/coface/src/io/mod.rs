@@ -48,8 +48,8 @@ pub use data::CellData;
 pub use diagram::{DiagramFormat, write_diagram};
 pub(crate) use doors::stream_mesh;
 pub use doors::{
-    ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named, read_path,
-    read_path_with, read_unknown, read_with, write, write_path,
+    ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
+    read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
 pub(crate) use drawing::{Features, Shape, shapes};
 pub use format::Format;
