@@ -28,6 +28,7 @@ mod shards;
 mod source;
 mod surface;
 mod view;
+mod volumes;
 mod work;
 mod yin;
 
@@ -97,6 +98,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(generate::generate, module)?)?;
     module.add_function(wrap_pyfunction!(generate::families, module)?)?;
     module.add_function(wrap_pyfunction!(view::_page, module)?)?;
+    module.add_function(wrap_pyfunction!(volumes::_volume, module)?)?;
+    module.add_function(wrap_pyfunction!(volumes::_read_volume, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_batch_lines, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_batch_write, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_csv_of_lines, module)?)?;

@@ -14,6 +14,7 @@ use crate::errors::{OrRaise, invalid};
 use crate::memory::{shared, shared_ids};
 use crate::report::Report;
 use crate::source::{Names, Naming, Source};
+use crate::volumes::voxels_of;
 use crate::work::run;
 use cells::{Parts, kind_of, kind_word, model_of_parts, shape_word};
 use coface::algebra::RaggedArray;
@@ -22,7 +23,7 @@ use coface::io::{self, CellData, Format, Group, Structure};
 use coface::report::{Pair, RepairRequest, repaired, simplicial_complex, triangulated};
 use coface::simplicial::GluingTable;
 use coface::surface::FacesAtEdge;
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
 use std::any::Any;
@@ -430,7 +431,7 @@ impl Model {
         self.model().format().map(Format::name)
     }
 
-    /// What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings`` or ``None``.
+    /// What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings``, ``volume`` or ``None``.
     #[getter]
     fn structure(&self) -> Option<&'static str> {
         self.model().structure().map(|structure| match structure {
@@ -438,6 +439,7 @@ impl Model {
             Structure::Halfedges { .. } => "halfedges",
             Structure::Chains(_) => "chains",
             Structure::Gluings(_) => "gluings",
+            Structure::Volume(_) => "volume",
             _ => "other",
         })
     }
@@ -471,6 +473,15 @@ impl Model {
         match self.model().structure() {
             Some(Structure::Gluings(table)) => Some(table.rows().collect()),
             _ => None,
+        }
+    }
+
+    /// The voxels of a volume, truth values, and the numbers of its axes that close up; ``None`` of other models.
+    #[getter]
+    fn voxels<'py>(&self, py: Python<'py>) -> PyResult<Option<(Bound<'py, PyArrayDyn<bool>>, Vec<usize>)>> {
+        match self.model().structure() {
+            Some(Structure::Volume(volume)) => voxels_of(py, volume).map(Some),
+            _ => Ok(None),
         }
     }
 
@@ -893,6 +904,7 @@ impl Model {
             Some(Structure::Gluings(table)) => {
                 vec![format!("{} simplices of dimension {} glued", table.simplex_count(), table.dimension())]
             }
+            Some(Structure::Volume(volume)) => vec![format!("voxels {:?}", volume.shape())],
             _ => vec![format!(
                 "{} {}",
                 model.vertex_count(),
@@ -914,6 +926,7 @@ impl Model {
             }
             Some(Structure::Halfedges { .. }) => parts.set_item("halfedges", self.halfedges(py)?)?,
             Some(Structure::Gluings(_)) => parts.set_item("gluings", self.gluings())?,
+            Some(Structure::Volume(_)) => parts.set_item("voxels", self.voxels(py)?)?,
             Some(Structure::Chains(complex)) => {
                 let complex = ChainComplex::new(Arc::new(complex.clone()), Naming::of(Names::Own));
                 parts.set_item("chains", complex)?;

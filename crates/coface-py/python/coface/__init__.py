@@ -100,6 +100,7 @@ from coface._questions import (
 )
 from coface._view import page, view
 from coface._view import repr_html as _repr_html
+from coface._volumes import volume
 
 # The doors import the names above.
 from coface._doors import (  # isort: skip
@@ -219,6 +220,7 @@ __all__ = [
     "to_shapely",
     "to_trimesh",
     "view",
+    "volume",
 ]
 
 # What notebooks and plots need stands here, so that the compiled part knows neither.

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from coface._arrays import raise_invalid
-from coface._coface import ChainComplex, Complex, Model, Surface, read
+from coface._coface import ChainComplex, Complex, Model, Surface, _volume, read
 from coface.interop import door_of
 
 
@@ -26,6 +26,7 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         * ``(vertices, faces)``: an array ``(n, d)`` of coordinates, or ``None``, and polygons as in :class:`Model`;
         * facets of a simplicial complex: a list of lists of integers, or an integer array ``(m, k)``;
         * points: an array ``(n, d)`` of floats;
+        * voxels: an array of truth values, as in :func:`volume`;
         * a dictionary in the words of the JSON files: ``{"facets": ...}``, ``{"boundaries": ...}`` and so on;
         * a mesh, scene or drawing of trimesh, a mesh of meshio, a data set of pyvista or VTK, a geometry of open3d, a graph of networkx, a
           ``SimplexTree`` of gudhi, a geometry of shapely.
@@ -70,6 +71,8 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         data = x.read()
         return Model.from_bytes(data.encode() if isinstance(data, str) else data, progress=progress)
     if isinstance(x, np.ndarray):
+        if x.dtype.kind == "b":
+            return _volume(np.ascontiguousarray(x), [])
         if x.dtype.kind in "iu":
             return Model.from_facets(x)
         return Model.from_arrays(x)

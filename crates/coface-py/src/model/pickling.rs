@@ -5,6 +5,7 @@ use super::cells::{kind_of, shape_word};
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid};
+use crate::volumes::_volume;
 use coface::VertexId;
 use coface::cellular::CellShape;
 use coface::geometry::Positions;
@@ -33,6 +34,9 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
     } else if let Some(rows) = parts.get_item("gluings")? {
         let rows: Vec<Vec<Option<(u32, Vec<u32>)>>> = rows.extract()?;
         io::Model::from_structure(Structure::Gluings(GluingTable::from_rows(&rows).or_raise(py)?))
+    } else if let Some(voxels) = parts.get_item("voxels")? {
+        let (voxels, periodic) = voxels.extract()?;
+        return _volume(py, voxels, periodic);
     } else if let Some(complex) = parts.get_item("chains")? {
         let complex = complex.cast::<ChainComplex>()?.get().complex.as_ref().clone();
         if positions.is_empty() {

@@ -91,8 +91,7 @@ fn npy(descr: &str, is_fortran: bool, shape: &str, version: u8, data: &[u8]) -> 
 fn nifti(
     version: u8,
     is_big: bool,
-    code: i16,
-    bits: i16,
+    (code, bits): (i16, i16),
     dims: &[i64],
     scale: (f64, f64),
     magic: &[u8],
@@ -222,8 +221,15 @@ fn files() -> Vec<(String, Vec<u8>, bool)> {
             files.push((format!("nrrd {} ascii", kind.nrrd), with("ascii", text.as_bytes()), false));
             for (version, magic) in [(1, &b"n+1\0"[..]), (2, b"n+2\0\r\n\x1a\n")] {
                 let dims: &[i64] = if is_big { &[3, 2, 2, 1, 1] } else { &[3, 2, 2] };
-                let file =
-                    nifti(version, is_big, kind.nifti, 8 * kind.size as i16, dims, (0.0, 0.0), magic, &data);
+                let file = nifti(
+                    version,
+                    is_big,
+                    (kind.nifti, 8 * kind.size as i16),
+                    dims,
+                    (0.0, 0.0),
+                    magic,
+                    &data,
+                );
                 files.push((format!("nifti {version} {} gz", kind.npy), gzip(&file), false));
                 files.push((format!("nifti {version} {}", kind.npy), file, false));
             }
@@ -247,8 +253,8 @@ fn every_type_order_and_encoding_is_read() {
 #[test]
 fn cut_files_are_refused() {
     for (name, bytes, _) in files() {
-        let mut how = ReadOptions::default();
-        how.format = Format::from_name(name.split(' ').next().unwrap()).ok();
+        let format = Format::from_name(name.split(' ').next().unwrap()).ok();
+        let how = ReadOptions { format, ..ReadOptions::default() };
         assert!(io::read_with(&bytes[..], &how).is_ok());
         for length in 0..bytes.len() {
             let cut = io::read_with(&bytes[..length], &how);
@@ -287,11 +293,11 @@ fn no_number_sets_no_voxel() {
 #[test]
 fn scaled_numbers_are_what_is_compared() {
     for (version, magic) in [(1, &b"n+1\0"[..]), (2, b"n+2\0\r\n\x1a\n")] {
-        let file = nifti(version, true, 2, 8, &[12], (0.5, -1.0), magic, &VALUES.map(|value| value as u8));
+        let file = nifti(version, true, (2, 8), &[12], (0.5, -1.0), magic, &VALUES.map(|value| value as u8));
         let volume = read_with(&file, VoxelRule::AtLeast(0.0)).unwrap();
         assert_eq!((0..12).map(|x| volume.is_set(&[x])).collect::<Vec<_>>(), VALUES.map(|value| value >= 2));
         let plain =
-            nifti(version, true, 2, 8, &[12], (f64::NAN, 3.0), magic, &VALUES.map(|value| value as u8));
+            nifti(version, true, (2, 8), &[12], (f64::NAN, 3.0), magic, &VALUES.map(|value| value as u8));
         assert_eq!(read_with(&plain, VoxelRule::Equal(100.0)).unwrap().set_count(), 1);
     }
 }
@@ -299,7 +305,7 @@ fn scaled_numbers_are_what_is_compared() {
 /// What a header may lie about, and what is said.
 #[test]
 fn lies_are_named() {
-    let nii = |code, bits, dims: &[i64]| nifti(1, false, code, bits, dims, (0.0, 0.0), b"n+1\0", &[1; 8]);
+    let nii = |code, bits, dims: &[i64]| nifti(1, false, (code, bits), dims, (0.0, 0.0), b"n+1\0", &[1; 8]);
     let nrrd = |fields: &str| [b"NRRD0004\n", fields.as_bytes(), b"\n\n12345678"].concat();
     let cases: Vec<(Vec<u8>, Format, &str)> = vec![
         (npy("<f8", false, "(2, 2)", 1, &[0; 31]), Format::Npy, "numbers end after 3 of 4"),
@@ -324,9 +330,9 @@ fn lies_are_named() {
         (nii(2, 8, &[]), Format::Nifti, "0 axes"),
         (nii(2, 8, &[3, 3]), Format::Nifti, "numbers end after 8 of 9"),
         (nii(2, 8, &[30000, 30000, 30000]), Format::Nifti, "numbers end after 8"),
-        (nifti(1, false, 2, 8, &[2], (0.0, 0.0), b"ni1\0", &[]), Format::Nifti, "the other file lies"),
-        (nifti(1, false, 2, 8, &[2], (0.0, 0.0), b"\0\0\0\0", &[]), Format::Nifti, "ANALYZE"),
-        (nifti(2, false, 2, 8, &[2], (0.0, 0.0), b"n+3\0", &[]), Format::Nifti, "mark of NIfTI"),
+        (nifti(1, false, (2, 8), &[2], (0.0, 0.0), b"ni1\0", &[]), Format::Nifti, "the other file lies"),
+        (nifti(1, false, (2, 8), &[2], (0.0, 0.0), b"\0\0\0\0", &[]), Format::Nifti, "ANALYZE"),
+        (nifti(2, false, (2, 8), &[2], (0.0, 0.0), b"n+3\0", &[]), Format::Nifti, "mark of NIfTI"),
         (vec![7; 400], Format::Nifti, "348 or 540"),
         (nrrd("type: block\ndimension: 1\nsizes: 2\nencoding: raw"), Format::Nrrd, "\"block\""),
         (nrrd("type: short\ndimension: 1\nsizes: 2\nencoding: raw"), Format::Nrrd, "\"endian\""),
@@ -371,8 +377,7 @@ fn lies_are_named() {
         (b"NRRD0009\n\n".to_vec(), Format::Nrrd, "NRRD0001 to NRRD0005"),
     ];
     for (bytes, format, words) in cases {
-        let mut how = ReadOptions::default();
-        how.format = Some(format);
+        let how = ReadOptions { format: Some(format), ..ReadOptions::default() };
         let error = io::read_with(&bytes[..], &how).unwrap_err();
         assert!(error.to_string().contains(words), "{error} should say {words}");
     }
@@ -409,7 +414,7 @@ fn pairs_are_read_by_either_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     let data = numbers(&VALUES, "i2", true);
-    let header = nifti(1, true, 4, 16, &[3, 2, 2], (0.0, 0.0), b"ni1\0", &[]);
+    let header = nifti(1, true, (4, 16), &[3, 2, 2], (0.0, 0.0), b"ni1\0", &[]);
     std::fs::write(path("brain.hdr"), &header).unwrap();
     let missing = io::read_path(path("brain.hdr"), None).unwrap_err();
     assert!(missing.to_string().contains("brain.img"), "{missing}");
@@ -431,7 +436,7 @@ fn pairs_are_read_by_either_name() {
     let model = io::read_path(path("long.npy"), None).unwrap();
     assert!(model.warnings()[0].contains("goes on behind the 2 numbers"));
     // Told by content alone.
-    let packed = gzip(&nifti(1, false, 2, 8, &[2], (0.0, 0.0), b"n+1\0", &[1, 0]));
+    let packed = gzip(&nifti(1, false, (2, 8), &[2], (0.0, 0.0), b"n+1\0", &[1, 0]));
     std::fs::write(path("nameless"), &packed).unwrap();
     assert_eq!(io::read_path(path("nameless"), None).unwrap().format(), Some(Format::Nifti));
     std::fs::write(path("mesh.obj.gz"), gzip(b"v 0 0 0\n")).unwrap();

@@ -1,0 +1,70 @@
+"""Voxels from arrays and files."""
+
+from __future__ import annotations
+
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import coface
+
+RNG = np.random.default_rng(5)
+
+
+@pytest.mark.parametrize("shape", [(7,), (5, 6), (4, 5, 6), (3, 3, 3, 3)])
+@pytest.mark.parametrize("dtype", [np.bool_, np.uint8, np.int16, np.float32, np.float64])
+def test_counts_are_those_of_the_cells(shape: tuple[int, ...], dtype: Any) -> None:
+    array = (RNG.random(shape) * 3).astype(dtype)
+    model = coface.volume(array)
+    assert model.structure == "volume"
+    # Cells by their places, twice as fine as voxels: a cell is there if a voxel around it is.
+    places = np.zeros([2 * n + 1 for n in shape], dtype=bool)
+    for voxel in np.argwhere(array != 0):
+        places[tuple(slice(2 * x, 2 * x + 3) for x in voxel)] = True
+    dimension = sum(np.indices(places.shape) % 2)
+    counts = [int((places & (dimension == k)).sum()) for k in range(len(shape) + 1)]
+    assert list(model.report().f_vector) == counts
+    voxels, periodic = model.voxels or (None, None)
+    assert np.array_equal(voxels, array != 0) and periodic == []
+    again = pickle.loads(pickle.dumps(model))
+    assert np.array_equal(again.voxels[0], voxels)
+
+
+def test_rules_and_files_agree(tmp_path: Path) -> None:
+    array = RNG.normal(size=(6, 7, 8)).astype(np.float32)
+    array[2, 3, 4] = np.nan
+    for order in "CF":
+        np.save(tmp_path / "x.npy", np.asarray(array, order=order))
+        for rule in [{"threshold": 0.25}, {"below": 0.0}, {"between": (-0.5, 0.5)}, {"value": float(array[0, 0, 0])}, {}]:
+            of_array, of_file = coface.volume(array, **rule), coface.volume(tmp_path / "x.npy", **rule)
+            assert of_array.voxels is not None and of_file.voxels is not None
+            assert np.array_equal(of_array.voxels[0], of_file.voxels[0])
+            assert not of_array.voxels[0][2, 3, 4]
+    assert np.array_equal(coface.as_model(array > 0).voxels[0], array > 0)  # type: ignore[index]
+
+
+def test_axes_that_close_up() -> None:
+    torus = coface.volume(np.ones((3, 4)), periodic=[0, 1])
+    assert str(coface.homology(torus)) == "Homology(Z, Z^2, Z)"
+    assert torus.voxels is not None and torus.voxels[1] == [0, 1]
+    assert str(coface.homology(pickle.loads(pickle.dumps(torus)))) == "Homology(Z, Z^2, Z)"
+
+
+def test_wrong_requests_say_what_to_do(tmp_path: Path) -> None:
+    with pytest.raises(coface.InvalidInputError, match="one rule"):
+        coface.volume(np.ones(3), threshold=1, below=2)
+    with pytest.raises(coface.InvalidInputError, match="from 0"):
+        coface.volume(np.ones(3), periodic=[1])
+    with pytest.raises(coface.InvalidInputError, match="from 0"):
+        coface.volume(np.ones(3), periodic=[-1])
+    with pytest.raises(coface.InvalidInputError, match="numbers"):
+        coface.volume(np.array(["a"]))
+    with pytest.raises(coface.Error):
+        coface.volume(np.ones(()))
+    path = tmp_path / "triangle.off"
+    path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    with pytest.raises(coface.InvalidInputError, match="no voxels"):
+        coface.volume(path)
