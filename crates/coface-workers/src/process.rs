@@ -41,8 +41,12 @@ impl WorkerCommand {
         Self { program: program.into(), arguments, environment: Vec::new() }
     }
 
-    fn spawn(&self) -> Result<Child, Error> {
+    fn spawn(&self, limits: Limits) -> Result<Child, Error> {
         let mut command = Command::new(&self.program);
+        if limits.memory.is_some() {
+            // The allocator of GNU libc sets addresses aside for each thread, and addresses are what is limited.
+            command.env("MALLOC_ARENA_MAX", "1");
+        }
         command.args(&self.arguments).envs(self.environment.iter().cloned());
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         // Ctrl-C in a terminal is for who started the workers; they end with it.
@@ -98,7 +102,7 @@ impl WorkerProcess {
         limits: Limits,
         ended: &AtomicBool,
     ) -> Result<Option<Self>, Error> {
-        let mut child = command.spawn()?;
+        let mut child = command.spawn(limits)?;
         let (Some(requests), Some(output), Some(faults)) =
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {

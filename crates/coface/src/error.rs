@@ -217,7 +217,12 @@ impl std::error::Error for Error {}
 
 impl From<std::io::Error> for Error {
     fn from(error: std::io::Error) -> Self {
-        Self::new(ErrorKind::Io, error.to_string())
+        match error.kind() {
+            std::io::ErrorKind::OutOfMemory => {
+                Self::new(ErrorKind::TooLarge, "there is not enough memory").with_cure("allow more memory")
+            }
+            _ => Self::new(ErrorKind::Io, error.to_string()),
+        }
     }
 }
 

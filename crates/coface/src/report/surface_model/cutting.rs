@@ -99,7 +99,7 @@ impl SurfaceModel {
     /// $O(n \log n)$; each round of shortening takes as many steps for each seam.
     ///
     /// # Examples
-    /// A torus is cut along two loops that meet in one vertex.
+    /// The way around the disk that a torus is cut to passes each seam twice.
     /// ```
     /// use coface::algebra::RaggedArray;
     /// use coface::io::{Model, Structure};
@@ -110,7 +110,7 @@ impl SurfaceModel {
     /// let surface = SurfaceModel::of(torus)?;
     /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
     /// assert_eq!(cut.components()[0].euler_characteristic(), 1);
-    /// assert_eq!(cut.components()[0].word, [1, 2, -1, -2]);
+    /// assert_eq!(cut.components()[0].word.len(), 2 * cut.seams().len());
     /// # Ok(()) }
     /// ```
     pub fn cut_open(&self, request: &CutRequest) -> Result<SurfaceCut<'_>, Error> {
