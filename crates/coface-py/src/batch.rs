@@ -49,7 +49,8 @@ impl Options {
     fn batch(&self, py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Batch> {
         let format = format_of(py, self.format.as_deref())?;
         let mut batch = Batch::new(files);
-        batch.reading = Reading { format, flatten: self.flatten, all_places: self.all_places };
+        batch.reading =
+            Reading { format, flatten: self.flatten, all_places: self.all_places, ..Reading::default() };
         (batch.timings, batch.restart) = (self.timings, self.restart);
         Ok(batch)
     }

@@ -1,7 +1,7 @@
 //! The report on one file as request and answer.
 
 use coface::Error;
-use coface::io::{self, Format, Model, ReadOptions};
+use coface::io::{self, Format, Model, ReadOptions, VolumeReading, VoxelRule};
 use coface::report::Report;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -32,6 +32,8 @@ pub struct Reading {
     pub format: Option<Format>,
     /// The farthest that chords may be from the curves of an SVG.
     pub flatten: Option<f64>,
+    /// Which voxels of volumes are set.
+    pub volume: VolumeReading,
     /// Whether every place of every problem is told, not the first hundred.
     pub all_places: bool,
 }
@@ -42,12 +44,17 @@ const PLACES: usize = 100;
 impl Reading {
     /// As the value in a request.
     pub(crate) fn to_json(self) -> Value {
-        json!({"format": self.format.map(Format::name), "flatten": self.flatten, "all_places": self.all_places})
+        json!({
+            "format": self.format.map(Format::name),
+            "flatten": self.flatten,
+            "volume": volume_to_json(self.volume),
+            "all_places": self.all_places,
+        })
     }
 
     fn options(self) -> ReadOptions {
         let mut options = ReadOptions::default();
-        (options.format, options.flatten) = (self.format, self.flatten);
+        (options.format, options.flatten, options.volume) = (self.format, self.flatten, self.volume);
         options
     }
 }
@@ -75,8 +82,42 @@ impl ReportRequest {
         let path = path_from_json(&value["path"]).ok_or_else(fault)?;
         let format = value["format"].as_str().map(Format::from_name).transpose()?;
         let (flatten, all_places) = (value["flatten"].as_f64(), value["all_places"] == true);
-        Ok(Self { path, reading: Reading { format, flatten, all_places } })
+        let volume = volume_from_json(&value["volume"]).ok_or_else(fault)?;
+        Ok(Self { path, reading: Reading { format, flatten, volume, all_places } })
     }
+}
+
+/// Which voxels are set as JSON: a word with its bounds, and for each axis whether it is periodic.
+fn volume_to_json(volume: VolumeReading) -> Value {
+    let rule = match volume.rule {
+        VoxelRule::Nonzero => json!(["nonzero"]),
+        VoxelRule::AtLeast(bound) => json!(["at least", bound]),
+        VoxelRule::Below(bound) => json!(["below", bound]),
+        VoxelRule::Between(low, high) => json!(["between", low, high]),
+        VoxelRule::Equal(value) => json!(["equal", value]),
+    };
+    json!({"rule": rule, "periodic": volume.periodic})
+}
+
+/// What [`volume_to_json`] made JSON; the default for null.
+fn volume_from_json(value: &Value) -> Option<VolumeReading> {
+    let mut volume = VolumeReading::default();
+    if value.is_null() {
+        return Some(volume);
+    }
+    let bound = |i: usize| value["rule"][i].as_f64();
+    volume.rule = match value["rule"][0].as_str()? {
+        "nonzero" => VoxelRule::Nonzero,
+        "at least" => VoxelRule::AtLeast(bound(1)?),
+        "below" => VoxelRule::Below(bound(1)?),
+        "between" => VoxelRule::Between(bound(1)?, bound(2)?),
+        "equal" => VoxelRule::Equal(bound(1)?),
+        _ => return None,
+    };
+    for (axis, told) in volume.periodic.iter_mut().zip(value["periodic"].as_array()?) {
+        *axis = told.as_bool()?;
+    }
+    Some(volume)
 }
 
 /// A path as JSON: text, or a list of bytes where it is none.
@@ -166,10 +207,23 @@ mod tests {
     #[test]
     fn requests_are_lines() {
         let mut request = ReportRequest::new("a\nb \"c\".svg");
-        request.reading = Reading { format: Some(Format::Svg), flatten: Some(0.125), all_places: true };
-        let line = request.to_line();
-        assert!(!line.contains('\n'));
-        assert_eq!(ReportRequest::from_line(&line).unwrap(), request);
+        let mut volume = VolumeReading::default();
+        volume.periodic[1] = true;
+        let rules = [
+            VoxelRule::Nonzero,
+            VoxelRule::AtLeast(0.5),
+            VoxelRule::Below(-1.0),
+            VoxelRule::Between(0.1, 0.2),
+            VoxelRule::Equal(7.0),
+        ];
+        for rule in rules {
+            volume.rule = rule;
+            request.reading =
+                Reading { format: Some(Format::Svg), flatten: Some(0.125), volume, all_places: true };
+            let line = request.to_line();
+            assert!(!line.contains('\n'));
+            assert_eq!(ReportRequest::from_line(&line).unwrap(), request);
+        }
         for line in ["", "{}", "[]", "{\"path\":7}", "{\"path\":\"a\",\"format\":\"docx\"}"] {
             assert!(ReportRequest::from_line(line).is_err(), "{line}");
         }

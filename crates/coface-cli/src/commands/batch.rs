@@ -88,7 +88,12 @@ impl Batch {
         let progress = Progress::start(common.quiet);
         progress.stage("finding files");
         let mut batch = Files::new(find_files(&self.paths, self.recursive, std::io::stdin().lock())?);
-        batch.reading = Reading { format: common.format, flatten: common.flatten, all_places: self.all };
+        batch.reading = Reading {
+            format: common.format,
+            flatten: common.flatten,
+            volume: common.voxels.reading(),
+            all_places: self.all,
+        };
         (batch.timings, batch.restart) = (!self.no_timings, self.restart);
         let limits = Limits { time: self.timeout.0, memory: self.memory.0 };
         let jobs = self.jobs.map_or_else(workers::core_count, usize::from);
