@@ -2,7 +2,7 @@
 
 use crate::commands;
 use clap::builder::styling::{AnsiColor, Styles};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Command, CommandFactory, Parser, Subcommand};
 use coface::cellular::CubicalVolume;
 use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
 use serde_json::{Value, json};
@@ -25,6 +25,25 @@ pub(crate) struct Arguments {
     pub(crate) verb: Verb,
     #[command(flatten)]
     pub(crate) common: Common,
+}
+
+impl Arguments {
+    /// The program for people: without the verbs that no help lists.
+    pub(crate) fn for_people() -> Command {
+        let whole = Self::command();
+        let mut shown = Command::new("coface")
+            .version(env!("CARGO_PKG_VERSION"))
+            .after_help(AFTER_HELP)
+            .args(whole.get_arguments().cloned())
+            .subcommands(whole.get_subcommands().filter(|verb| !verb.is_hide_set()).cloned());
+        if let Some(about) = whole.get_about() {
+            shown = shown.about(about.clone());
+        }
+        if let Some(about) = whole.get_long_about() {
+            shown = shown.long_about(about.clone());
+        }
+        shown
+    }
 }
 
 const AFTER_HELP: &str = "\

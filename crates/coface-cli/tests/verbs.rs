@@ -352,6 +352,8 @@ fn completions_and_manual_pages_are_made() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let script = coface(&["completions", shell]).stdout;
         assert!(script.contains("coface") && script.contains("homology"), "{shell}");
+        // Not a verb for people.
+        assert!(!script.contains("worker)") && !script.contains("'worker'"), "{shell}");
     }
     let page = coface(&["man"]).stdout;
     assert!(page.contains(".TH coface") && page.contains("homology"), "{page}");
@@ -359,6 +361,7 @@ fn completions_and_manual_pages_are_made() {
     let place = folder.path().join("man1");
     assert_eq!(coface(&["man", "-o", argument(&place)]).status, 0);
     assert!(std::fs::read_to_string(place.join("coface-info.1")).unwrap().contains("coface\\-info"));
+    assert!(place.join("coface-batch.1").exists() && !place.join("coface-worker.1").exists());
 }
 
 #[test]

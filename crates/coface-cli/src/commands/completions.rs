@@ -3,7 +3,7 @@
 use crate::arguments::Arguments;
 use crate::failure::Failure;
 use crate::output::print_bytes;
-use clap::{Args, CommandFactory};
+use clap::Args;
 use clap_complete::Shell;
 
 /// Print completions for a shell.
@@ -19,7 +19,7 @@ impl Completions {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         // Made in memory first: the generator takes a failure to write for a fault of its own.
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Arguments::command(), "coface", &mut script);
+        clap_complete::generate(self.shell, &mut Arguments::for_people(), "coface", &mut script);
         print_bytes(|out| out.write_all(&script))
     }
 }

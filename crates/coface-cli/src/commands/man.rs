@@ -3,7 +3,7 @@
 use crate::arguments::{Arguments, Common};
 use crate::failure::Failure;
 use crate::output::{print_bytes, write_file};
-use clap::{Args, CommandFactory};
+use clap::Args;
 use std::path::Path;
 
 /// Print the manual page in troff; with -o DIRECTORY write the pages of all verbs there.
@@ -14,7 +14,7 @@ pub(crate) struct Man {}
 
 impl Man {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let mut command = Arguments::command();
+        let mut command = Arguments::for_people();
         command.build();
         let Some(directory) = &common.output else {
             let page = rendered(command)?;
