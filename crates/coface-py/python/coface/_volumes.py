@@ -58,7 +58,7 @@ def volume(
     >>> import coface, numpy as np
     >>> ring = np.ones((3, 3)); ring[1, 1] = 0
     >>> coface.homology(coface.volume(ring))
-    Homology(Z, Z, 0)
+    Homology(Z, Z)
     >>> coface.homology(coface.volume(np.ones((4, 4, 4)), periodic=[0, 1, 2]))
     Homology(Z, Z^3, Z^3, Z)
     """
@@ -76,6 +76,8 @@ def volume(
     array = np.asarray(x)
     if array.dtype.kind not in "biuf":
         raise_invalid(f"an array of {array.dtype} has no numbers to compare", "give numbers or truth values")
+    if array.ndim == 0:
+        raise_invalid("an array without axes has no voxels", "give an array with 1 to 8 axes")
     return _volume(np.ascontiguousarray(_is_set(array, threshold, below, between, value)), axes)
 
 
