@@ -2,6 +2,7 @@
 
 use crate::errors::{OrRaise, invalid};
 use crate::model::format_of;
+use crate::volumes::{Voxels, reading_of};
 use crate::work::run;
 use coface::{Error, ErrorKind};
 use coface_workers::{Batch, Limits, Reading, TableFormat, WorkerCommand, WorkerPool};
@@ -25,6 +26,7 @@ pub(crate) struct Options {
     memory: Option<u64>,
     format: Option<String>,
     flatten: Option<f64>,
+    voxels: Voxels,
     all_places: bool,
     timings: bool,
     restart: bool,
@@ -49,8 +51,8 @@ impl Options {
     fn batch(&self, py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Batch> {
         let format = format_of(py, self.format.as_deref())?;
         let mut batch = Batch::new(files);
-        batch.reading =
-            Reading { format, flatten: self.flatten, all_places: self.all_places, ..Reading::default() };
+        let volume = reading_of(py, &self.voxels)?;
+        batch.reading = Reading { format, flatten: self.flatten, volume, all_places: self.all_places };
         (batch.timings, batch.restart) = (self.timings, self.restart);
         Ok(batch)
     }

@@ -4,7 +4,7 @@ use crate::errors::{OrRaise, invalid};
 use crate::model::Model;
 use crate::work::run;
 use coface::cellular::CubicalVolume;
-use coface::io::{self, ReadOptions, Structure, VoxelRule};
+use coface::io::{self, ReadOptions, Structure, VolumeReading, VoxelRule};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -41,32 +41,40 @@ pub(crate) fn _volume(
     Ok(Model::of(io::Model::from_structure(Structure::Volume(volume))))
 }
 
-/// The volume in a file; `rule` is one of `nonzero`, `threshold`, `below`, `between`, `value`, with its bounds.
-#[pyfunction]
-#[pyo3(signature = (path, rule, bounds, periodic, progress=None))]
-pub(crate) fn _read_volume(
-    py: Python<'_>,
-    path: PathBuf,
-    rule: &str,
-    bounds: [f64; 2],
-    periodic: Vec<usize>,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Model> {
-    let mut options = ReadOptions::default();
-    options.volume.rule = match rule {
+/// Which voxels of a file are set: one of `nonzero`, `threshold`, `below`, `between`, `value`, with its bounds, and the axes that close up.
+pub(crate) type Voxels = (String, [f64; 2], Vec<usize>);
+
+/// The same for the library.
+pub(crate) fn reading_of(py: Python<'_>, (rule, bounds, periodic): &Voxels) -> PyResult<VolumeReading> {
+    let rule = match rule.as_str() {
         "threshold" => VoxelRule::AtLeast(bounds[0]),
         "below" => VoxelRule::Below(bounds[0]),
         "between" => VoxelRule::Between(bounds[0], bounds[1]),
         "value" => VoxelRule::Equal(bounds[0]),
         _ => VoxelRule::Nonzero,
     };
-    for axis in periodic {
-        let Some(is_periodic) = options.volume.periodic.get_mut(axis) else {
+    let mut reading = VolumeReading { rule, ..VolumeReading::default() };
+    for &axis in periodic {
+        let Some(is_periodic) = reading.periodic.get_mut(axis) else {
             let cure = "number the axes of the volume from 0";
             return Err(invalid(py, format!("axis {axis} cannot be periodic: no volume has it"), cure));
         };
         *is_periodic = true;
     }
+    Ok(reading)
+}
+
+/// The volume in a file.
+#[pyfunction]
+#[pyo3(signature = (path, voxels, progress=None))]
+pub(crate) fn _read_volume(
+    py: Python<'_>,
+    path: PathBuf,
+    voxels: Voxels,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Model> {
+    let mut options = ReadOptions::default();
+    options.volume = reading_of(py, &voxels)?;
     let model = run(py, progress, || io::read_path_with(&path, &options))?;
     match model.structure() {
         Some(Structure::Volume(_)) => Ok(Model::of(model)),

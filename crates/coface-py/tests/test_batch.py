@@ -7,6 +7,7 @@ import json
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import coface
@@ -105,3 +106,13 @@ def test_progress_is_told_and_a_fault_in_it_ends_the_workers(models: Path) -> No
 
     with pytest.raises(RuntimeError, match="no more"):
         coface.batch(models, progress=refuse)
+
+
+def test_voxels_are_set_as_asked(tmp_path: Path) -> None:
+    array = np.arange(27, dtype=np.int16).reshape(3, 3, 3)
+    np.save(tmp_path / "x.npy", array)
+    (row,) = coface.batch(tmp_path / "x.npy", voxels={"threshold": 25, "periodic": [2]})
+    assert row["f_vector"] == list(coface.volume(array, threshold=25, periodic=[2]).report().f_vector)
+    assert row["f_vector"][3] == 2
+    with pytest.raises(coface.InvalidInputError, match="one rule"):
+        coface.batch(tmp_path / "x.npy", voxels={"threshold": 1, "below": 2})

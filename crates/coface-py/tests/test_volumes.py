@@ -46,6 +46,24 @@ def test_rules_and_files_agree(tmp_path: Path) -> None:
     assert np.array_equal(coface.as_model(array > 0).voxels[0], array > 0)  # type: ignore[index]
 
 
+def test_integers_and_short_numbers_are_compared_exactly(tmp_path: Path) -> None:
+    wide = np.array([2**53, 2**53 + 1, -(2**53) - 1], dtype=np.int64)
+    short = np.array([0.1, 0.5], dtype=np.float32)
+    cases = [
+        (wide, {"threshold": float(2**53 + 2)}, [False] * 3),
+        (wide, {"below": float(-(2**53))}, [False, False, True]),
+        (wide, {"value": float(2**53)}, [True, False, False]),
+        (wide, {"value": 0.5}, [False] * 3),
+        # The 32-bit number next to 0.1 is above it.
+        (short, {"between": (0.0, 0.1)}, [False, False]),
+        (short, {"value": 0.1}, [True, False]),
+    ]
+    for array, rule, expected in cases:
+        np.save(tmp_path / "x.npy", array)
+        for volume in [coface.volume(array, **rule), coface.volume(tmp_path / "x.npy", **rule)]:
+            assert volume.voxels is not None and volume.voxels[0].tolist() == expected, rule
+
+
 def test_axes_that_close_up() -> None:
     torus = coface.volume(np.ones((3, 4)), periodic=[0, 1])
     assert str(coface.homology(torus)) == "Homology(Z, Z^2, Z)"

@@ -6,12 +6,13 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, TypedDict, overload
 
 from coface import _coface
 from coface._coface import InvalidInputError
+from coface._volumes import voxel_rule
 
 _Path = str | os.PathLike[str]
 _Progress = bool | Callable[[str, int, int], object] | None
@@ -42,6 +43,7 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
     restart: bool = ...,
@@ -58,6 +60,7 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
     restart: bool = ...,
@@ -73,6 +76,7 @@ def batch(
     memory: int | None = MEMORY,
     format: str | None = None,
     flatten: float | None = None,
+    voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
     restart: bool = False,
@@ -100,6 +104,8 @@ def batch(
         The seconds and bytes that one file may take; ``None`` is any.
     format, flatten
         As those of :func:`read`.
+    voxels
+        Which voxels of volumes are set, by the words of :func:`volume`: ``{"threshold": 0.5, "periodic": [0]}``.
     all_places
         Whether every place of every problem is told, not the first hundred.
     timings
@@ -124,7 +130,7 @@ def batch(
     [('disk', None), (None, 'parse')]
     """
     options = worker_options(
-        jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten,
+        jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten, voxels=voxels,
         all_places=all_places, timings=timings, restart=restart,
     )  # fmt: skip
     files = find_files(paths, recursive)
@@ -141,7 +147,7 @@ def batch(
     return summary
 
 
-def worker_options(**options: Any) -> dict[str, Any]:
+def worker_options(*, voxels: Mapping[str, Any] | None, **options: Any) -> dict[str, Any]:
     """What the compiled part is told about a batch: how workers are started, beside these options."""
     if not sys.executable:
         raise InvalidInputError("this Python has no executable, so no worker can be started")
@@ -150,6 +156,7 @@ def worker_options(**options: Any) -> dict[str, Any]:
     return {
         "command": [sys.executable, str(worker), str(_coface.__file__)],
         "environment": environment,
+        "voxels": voxel_rule(**(voxels or {})),
         **options,
     }
 

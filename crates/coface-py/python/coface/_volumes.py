@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
 from typing import Any
@@ -62,38 +63,63 @@ def volume(
     >>> coface.homology(coface.volume(np.ones((4, 4, 4)), periodic=[0, 1, 2]))
     Homology(Z, Z^3, Z^3, Z)
     """
-    rules = {"threshold": threshold, "below": below, "between": between, "value": value}
-    given = {name: bounds for name, bounds in rules.items() if bounds is not None}
-    if len(given) > 1:
-        raise_invalid(f"{' and '.join(given)} are given together", "give one rule for voxels")
-    axes = [int(axis) for axis in periodic]
-    if any(axis < 0 for axis in axes):
-        raise_invalid(f"axis {min(axes)} is negative", "number axes from 0")
+    rule, bounds, axes = voxel_rule(threshold=threshold, below=below, between=between, value=value, periodic=periodic)
     if isinstance(x, (str, os.PathLike)):
-        rule, bounds = next(iter(given.items()), ("nonzero", 0.0))
-        low, high = (float(bound) for bound in (bounds if isinstance(bounds, (tuple, list)) else (bounds, bounds)))
-        return _read_volume(x, rule, (low, high), axes, progress)
+        return _read_volume(x, (rule, bounds, axes), progress)
     array = np.asarray(x)
     if array.dtype.kind not in "biuf":
         raise_invalid(f"an array of {array.dtype} has no numbers to compare", "give numbers or truth values")
     if array.ndim == 0:
         raise_invalid("an array without axes has no voxels", "give an array with 1 to 8 axes")
-    return _volume(np.ascontiguousarray(_is_set(array, threshold, below, between, value)), axes)
+    return _volume(np.ascontiguousarray(_is_set(array, rule, bounds)), axes)
 
 
-def _is_set(
-    array: np.ndarray[Any, Any],
-    threshold: float | None,
-    below: float | None,
-    between: tuple[float, float] | None,
-    value: float | None,
-) -> Any:
-    if threshold is not None:
-        return array >= threshold
-    if below is not None:
-        return array < below
-    if between is not None:
-        return (array >= between[0]) & (array <= between[1])
-    if value is not None:
-        return array == value
-    return (array != 0) & ~np.isnan(array) if array.dtype.kind == "f" else array.astype(np.bool_)
+def voxel_rule(
+    *,
+    threshold: float | None = None,
+    below: float | None = None,
+    between: tuple[float, float] | None = None,
+    value: float | None = None,
+    periodic: Sequence[int] = (),
+) -> tuple[str, tuple[float, float], list[int]]:
+    """Which voxels are set, in the words of the compiled part: the name of the rule, its bounds, and the axes that close up."""
+    rules = {"threshold": threshold, "below": below, "between": between, "value": value}
+    given = {name: bounds for name, bounds in rules.items() if bounds is not None}
+    if len(given) > 1:
+        raise_invalid(f"{' and '.join(given)} are given together", "give one rule for voxels")
+    name, bounds = next(iter(given.items()), ("nonzero", 0.0))
+    low, high = (float(bound) for bound in (bounds if isinstance(bounds, (tuple, list)) else (bounds, bounds)))
+    if math.isnan(low) or math.isnan(high):
+        raise_invalid(f"{name} is no number", "give a number to compare voxels with")
+    if low > high:
+        raise_invalid(f"no number is between {low} and {high}", "give the lower bound first")
+    axes = [int(axis) for axis in periodic]
+    if any(axis < 0 for axis in axes):
+        raise_invalid(f"axis {min(axes)} is negative", "number axes from 0")
+    return name, (low, high), axes
+
+
+def _is_set(array: np.ndarray[Any, Any], rule: str, bounds: tuple[float, float]) -> Any:
+    """The truth values of voxels. Bounds have 64 bits, and integers are compared with them exactly, as in files."""
+    if array.dtype.kind == "b":
+        array = array.astype(np.uint8)
+    is_integral = array.dtype.kind in "iu"
+
+    def rounded(bound: float, up: bool) -> Any:
+        if is_integral and math.isfinite(bound):
+            return math.ceil(bound) if up else math.floor(bound)
+        return np.float64(bound)
+
+    low, high = rounded(bounds[0], True), rounded(bounds[1], False)
+    if rule == "threshold":
+        return array >= low
+    if rule == "below":
+        return array < low
+    if rule == "between":
+        return (array >= low) & (array <= high)
+    if rule == "value":
+        if is_integral:
+            return (array >= low) & (array <= high)
+        # Of short numbers the one next to it.
+        return array == array.dtype.type(bounds[0])
+    return (array != 0) & (array == array)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, overload
 
 import ray
@@ -44,6 +44,7 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
     files_per_task: int = ...,
@@ -59,6 +60,7 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
     files_per_task: int = ...,
@@ -73,6 +75,7 @@ def batch(
     memory: int | None = MEMORY,
     format: str | None = None,
     flatten: float | None = None,
+    voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
     files_per_task: int = 64,
@@ -85,7 +88,7 @@ def batch(
 
     Parameters
     ----------
-    paths, recursive, timeout, memory, format, flatten, all_places, timings
+    paths, recursive, timeout, memory, format, flatten, voxels, all_places, timings
         As those of :func:`coface.batch`; folders and patterns are looked up here.
     out
         A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end.
@@ -104,7 +107,7 @@ def batch(
     start()
     files = find_files(paths, recursive)
     options = {
-        "timeout": timeout, "memory": memory, "format": format, "flatten": flatten,
+        "timeout": timeout, "memory": memory, "format": format, "flatten": flatten, "voxels": voxels,
         "all_places": all_places, "timings": timings,
     }  # fmt: skip
     # A data set keeps the context it was made in.
