@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use coface::algebra::Integer;
-use coface::chains::{Chain, ChainComplex};
-use coface::report::{Pair, Producer, Term, integer_to_json};
+use coface::algebra::chains::{Chain, ChainComplex};
+use coface::answers::{Pair, Producer, Term, integer_to_json};
 use coface::{CellId, Error};
 use serde_json::{Value, json};
 use std::path::Path;

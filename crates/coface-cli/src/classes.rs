@@ -1,8 +1,8 @@
 //! The classes of a congruence as a file: JSON or Arrow.
 
 use crate::failure::Failure;
+use coface::answers::ModelCongruence;
 use coface::io::replace_file;
-use coface::report::ModelCongruence;
 use std::path::Path;
 
 #[cfg(feature = "arrow")]

@@ -1,9 +1,9 @@
 //! The filtration that a command line asks for.
 
 use crate::failure::Failure;
-use coface::chains::ChainComplex;
+use coface::algebra::chains::ChainComplex;
+use coface::answers::Producer;
 use coface::geometry::Positions;
-use coface::report::Producer;
 use coface::topology::Filtration;
 use coface::{Error, VertexId};
 use serde_json::Value;

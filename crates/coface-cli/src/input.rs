@@ -2,9 +2,10 @@
 
 use crate::failure::Failure;
 use crate::progress::Progress;
+use coface::answers::Producer;
+use coface::io;
 use coface::io::yin::BoundaryDrawing;
-use coface::io::{self, Format, Model, ReadOptions};
-use coface::report::Producer;
+use coface::io::{Format, Model, ReadOptions};
 use std::io::Read;
 use std::path::Path;
 

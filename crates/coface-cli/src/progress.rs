@@ -1,6 +1,6 @@
 //! A sign of life on standard error for work longer than a second.
 
-use coface::progress::{Stage, Unit, Watch};
+use coface::algebra::progress::{Stage, Unit, Watch};
 use indicatif::{HumanBytes, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::write_file;
 use coface::io::{Format, Model};
-use coface::report::{GltfForm, Picture, PictureStyle, Scene, gltf};
+use coface::pictures::{GltfForm, Picture, PictureStyle, Scene, gltf};
 use std::path::Path;
 
 /// What a file is, by its extension.

@@ -5,7 +5,7 @@
 
 use crate::failure::Failure;
 use clap::ValueEnum;
-use coface_workers::{Limits, WorkerCommand, WorkerPool};
+use coface::scale::workers::{Limits, WorkerCommand, WorkerPool};
 use std::thread::available_parallelism;
 
 /// What workers do with requests.

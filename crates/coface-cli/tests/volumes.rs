@@ -3,7 +3,7 @@
 
 mod program;
 
-use coface::cellular::CubicalVolume;
+use coface::complexes::cellular::CubicalVolume;
 use coface::io::volume::write_npy;
 use program::{argument, coface, coface_reading};
 use std::fs;

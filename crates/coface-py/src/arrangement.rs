@@ -9,13 +9,14 @@ use crate::json::to_python;
 use crate::model::{Model, format_of};
 use crate::source::Source;
 use crate::work::run;
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
-use coface::arrangement::spatial::NonPlanar;
-use coface::io::{self, Format};
-use coface::report::{
+use coface::answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, OpenInputs, PlanarDrawing, RegionBoolean,
     RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
 };
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::spatial::NonPlanar;
+use coface::io;
+use coface::io::Format;
 use coface::{EdgeId, Error, FaceId};
 use numpy::PyArray1;
 use pyo3::prelude::*;

@@ -5,7 +5,8 @@ use crate::model::format_of;
 use crate::volumes::{Voxels, reading_of};
 use crate::work::run;
 use coface::{Error, ErrorKind};
-use coface_workers::{Batch, Limits, Reading, TableFormat, WorkerCommand, WorkerPool};
+use coface::scale::batch::{Batch, Reading, TableFormat};
+use coface::scale::workers::{Limits, WorkerCommand, WorkerPool};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -97,7 +98,7 @@ pub(crate) fn _batch_write(
 /// Writes rows in a file of JSON lines as CSV.
 #[pyfunction]
 pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timings: bool) -> PyResult<()> {
-    run(py, None, || coface_workers::csv_of_lines(&lines, &out, timings))
+    run(py, None, || coface::scale::batch::csv_of_lines(&lines, &out, timings))
 }
 
 /// A row in a line of JSON as a list of names and values, one a column, in a line of JSON.
@@ -105,7 +106,7 @@ pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timing
 pub(crate) fn _flat_line(py: Python<'_>, line: &str, timings: bool) -> PyResult<String> {
     let flat = || {
         let row = serde_json::from_str(line).map_err(|error| Error::parse(format!("no row: {error}")))?;
-        coface_workers::flat_row(&row, timings)
+        coface::scale::batch::flat_row(&row, timings)
     };
     Ok(serde_json::json!(flat().or_raise(py)?).to_string())
 }
@@ -113,7 +114,7 @@ pub(crate) fn _flat_line(py: Python<'_>, line: &str, timings: bool) -> PyResult<
 /// The files that words name: see `coface batch`.
 #[pyfunction]
 pub(crate) fn _find_files(py: Python<'_>, words: Vec<PathBuf>, recursive: bool) -> PyResult<Vec<PathBuf>> {
-    coface_workers::find_files(&words, recursive, std::io::empty()).or_raise(py)
+    coface::scale::batch::find_files(&words, recursive, std::io::empty()).or_raise(py)
 }
 
 /// Answers requests on standard input until there are no more: what a worker does. `fetch` gives the bytes at a URL.
@@ -133,6 +134,6 @@ pub(crate) fn _serve(py: Python<'_>, fetch: Py<PyAny>) -> PyResult<()> {
             })
         }))
     };
-    py.detach(|| coface_workers::serve(|request| coface_workers::examine_with(request, bytes_at)))
+    py.detach(|| coface::scale::workers::serve(|request| coface::scale::batch::examine_with(request, bytes_at)))
         .or_raise(py)
 }

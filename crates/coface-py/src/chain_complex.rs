@@ -8,8 +8,10 @@ use crate::model::Model;
 use crate::source::{Names, Naming};
 use crate::work::run;
 use coface::algebra::Integer;
-use coface::chains::{self, ProductComplex};
-use coface::io::{self, Structure};
+use coface::algebra::chains;
+use coface::algebra::chains::ProductComplex;
+use coface::io;
+use coface::io::Structure;
 use coface::topology::{Coefficients, HomologyBasis, homology};
 use coface::{CellId, Error};
 use pyo3::prelude::*;
@@ -145,7 +147,8 @@ impl ChainComplex {
                 let mut terms = Vec::new();
                 let degree = degree.unwrap_or(named[0].1.len().max(1) - 1);
                 for (coefficient, vertices) in named {
-                    let simplex = coface::simplicial::Simplex::from_numbers(vertices).or_raise(py)?;
+                    let simplex =
+                        coface::complexes::simplicial::Simplex::from_numbers(vertices).or_raise(py)?;
                     let sign = simplex.sign_of(vertices).or_raise(py)?;
                     let place = complex.index_of(simplex.numbers()).filter(|_| simplex.dimension() == degree);
                     let place = place.ok_or_else(|| {

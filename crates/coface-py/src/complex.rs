@@ -7,12 +7,14 @@ use crate::memory::owned_matrix;
 use crate::model::Model;
 use crate::source::{Names, Naming};
 use crate::work::run;
+use coface::algebra::chains;
 use coface::algebra::{RaggedArray, Sign};
-use coface::io::{self, Structure};
-use coface::simplicial::{
+use coface::complexes::simplicial::{
     FrozenComplex, Orientability, Purity, Simplex, SimplexSet, SimplicialComplex, Verdict,
 };
-use coface::{Error, VertexId, chains};
+use coface::io;
+use coface::io::Structure;
+use coface::{Error, VertexId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -141,7 +143,7 @@ impl Complex {
         }
         if let Ok(model) = facets.cast::<Model>() {
             let source = Arc::clone(&model.get().source);
-            return run(py, progress, || coface::report::simplicial_complex(&source.model)).map(Self::of);
+            return run(py, progress, || coface::answers::simplicial_complex(&source.model)).map(Self::of);
         }
         let facets = match facets.cast::<Simplices>() {
             Ok(set) => RaggedArray::from_lists(set.get().set.iter().map(Simplex::numbers)),
@@ -444,7 +446,7 @@ impl Complex {
     /// (False, 5)
     #[pyo3(signature = (*, progress=None))]
     fn is_orientable(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<PyVerdict> {
-        let found = run(py, progress, || Ok(coface::simplicial::orientability(self.chains()?)))?;
+        let found = run(py, progress, || Ok(coface::complexes::simplicial::orientability(self.chains()?)))?;
         let frozen = self.frozen();
         let top = frozen.dimension().unwrap_or(0);
         let name = |dimension: usize, cell: usize| frozen.numbers(dimension, cell).to_vec();
@@ -492,7 +494,7 @@ impl Complex {
         py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyArray1<i64>>>> {
-        let found = run(py, progress, || Ok(coface::simplicial::orientability(self.chains()?)))?;
+        let found = run(py, progress, || Ok(coface::complexes::simplicial::orientability(self.chains()?)))?;
         Ok(match found {
             Orientability::Orientable(orientation) => {
                 let signs = orientation.signs().iter().map(|sign: &Sign| i64::from(sign.to_i32())).collect();
@@ -780,7 +782,7 @@ impl Simplices {
     #[pyo3(signature = (source, *, as_facets=false))]
     fn model(&self, py: Python<'_>, source: &Bound<'_, Model>, as_facets: bool) -> PyResult<Model> {
         let source = &source.get().source;
-        run(py, None, || coface::report::model_of_simplices(&self.set, &source.model, as_facets))
+        run(py, None, || coface::answers::model_of_simplices(&self.set, &source.model, as_facets))
             .map(Model::of)
     }
 

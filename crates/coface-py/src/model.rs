@@ -18,11 +18,12 @@ use crate::volumes::voxels_of;
 use crate::work::run;
 use cells::{Parts, kind_of, kind_word, model_of_parts, shape_word};
 use coface::algebra::RaggedArray;
-use coface::cellular::CellShape;
-use coface::io::{self, CellData, Format, Group, Structure};
-use coface::report::{Pair, RepairRequest, repaired, simplicial_complex, triangulated};
-use coface::simplicial::GluingTable;
-use coface::surface::FacesAtEdge;
+use coface::answers::{Pair, RepairRequest, repaired, simplicial_complex, triangulated};
+use coface::complexes::cellular::CellShape;
+use coface::complexes::simplicial::GluingTable;
+use coface::complexes::surface::FacesAtEdge;
+use coface::io;
+use coface::io::{CellData, Format, Group, Structure};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
@@ -695,7 +696,7 @@ impl Model {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Report> {
         let model = self.model();
-        let report = run(py, progress, || coface::report::Report::with_moments(model.clone(), &moments))?;
+        let report = run(py, progress, || coface::answers::Report::with_moments(model.clone(), &moments))?;
         Ok(Report::of(report, Arc::clone(&self.source)))
     }
 

@@ -5,7 +5,8 @@ use crate::errors::invalid;
 use crate::json::from_python;
 use crate::model::source_of;
 use crate::work::run;
-use coface::report::{Camera, Picture, PictureStyle, Report, Scene, matrix_picture};
+use coface::answers::Report;
+use coface::pictures::{Camera, Picture, PictureStyle, Scene, matrix_picture};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 

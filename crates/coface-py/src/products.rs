@@ -6,10 +6,10 @@ use crate::errors::{OrRaise, invalid};
 use crate::homology::Homology;
 use crate::model::source_of;
 use crate::work::run;
+use coface::algebra::chains::{AcyclicMatching, Chain as Cycle, Cochain};
 use coface::algebra::{Integer, smith_form};
-use coface::chains::{AcyclicMatching, Chain as Cycle, Cochain};
-use coface::report::{OrderedSimplices, Pair, Producer};
-use coface::simplicial::{FrozenComplex, SimplicialMap};
+use coface::answers::{OrderedSimplices, Pair, Producer};
+use coface::complexes::simplicial::{FrozenComplex, SimplicialMap};
 use coface::topology::{
     Bounding, CochainAlgebra, Cocycle, Coefficients, Exactness, HodgeSpace, HomologyBasis, HomologyMap,
     LongExactSequence, MetricComplex, MiddlePairing, cup_product_table, exactness, exactness_within,

@@ -3,8 +3,8 @@
 use crate::arrays;
 use crate::json::to_python;
 use crate::source::Source;
-use coface::report;
-use coface_pages::text;
+use coface::answers as report;
+use coface::answers::text;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::sync::Arc;
@@ -274,10 +274,10 @@ impl Report {
         let items = text::items(title, self.format(), &self.report, text::FEW);
         let figures = figures
             .into_iter()
-            .map(|(svg, caption)| (coface_pages::html::Figure::Svg(svg), caption))
+            .map(|(svg, caption)| (coface::pictures::pages::html::Figure::Svg(svg), caption))
             .collect();
         let object = format!("{:#}", self.report.to_json(PLACES));
-        coface_pages::html::page(title, &[coface_pages::html::Section { items, figures, object }])
+        coface::pictures::pages::html::page(title, &[coface::pictures::pages::html::Section { items, figures, object }])
     }
 
     fn __str__(&self) -> String {

@@ -4,8 +4,9 @@ use crate::errors::OrRaise;
 use crate::homology::Homology;
 use crate::model::source_of;
 use crate::work::run;
-use coface::shards::{
-    self, FolderLevel, FolderSummary, ReducedSummary, ShardFolder, ShardPlace, ShardRequest,
+use coface::scale::shards;
+use coface::scale::shards::{
+    FolderLevel, FolderSummary, ReducedSummary, ShardFolder, ShardPlace, ShardRequest,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};

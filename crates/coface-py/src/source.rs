@@ -1,10 +1,10 @@
 //! What questions are put to: a model with its cells identified, made once.
 
 use coface::Error;
-use coface::chains::ChainComplex;
+use coface::algebra::chains::ChainComplex;
+use coface::answers::{Pair, Producer};
+use coface::complexes::simplicial::FrozenComplex;
 use coface::io::Model;
-use coface::report::{Pair, Producer};
-use coface::simplicial::FrozenComplex;
 use std::sync::{Arc, OnceLock};
 
 /// A model, and what is made of it when somebody asks.

@@ -13,10 +13,10 @@ use crate::model::Model;
 use crate::pi1::FundamentalGroup;
 use crate::source::{Names, Naming, Source};
 use crate::work::run;
+use coface::algebra::chains::Cochain;
 use coface::algebra::{Integer, Sign};
-use coface::chains::Cochain;
-use coface::report::{CutRequest, LayoutChoice, Producer, SurfaceModel, integer_to_json};
-use coface::surface::{GeneralizedMap, SurfaceType};
+use coface::answers::{CutRequest, LayoutChoice, Producer, SurfaceModel, integer_to_json};
+use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::topology::{
     ClosedWalk, CocycleBasis, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology,
     SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
@@ -254,7 +254,7 @@ impl Surface {
     /// 'Moebius band'
     fn classify<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let components = self.map().components();
-        let dict = |component: &coface::surface::SurfaceComponent| {
+        let dict = |component: &coface::complexes::surface::SurfaceComponent| {
             let surface = component.surface();
             let dict = PyDict::new(py);
             dict.set_item("name", surface.map(|surface| surface.to_string()))?;

@@ -3,9 +3,10 @@
 use crate::errors::OrRaise;
 use crate::model::source_of;
 use crate::work::run;
-use coface::report::{Report, Scene};
+use coface::answers::Report;
+use coface::pictures::Scene;
 use coface::{Error, ErrorKind};
-use coface_pages::viewer;
+use coface::pictures::pages::viewer;
 use pyo3::prelude::*;
 use serde_json::Value;
 use std::sync::Arc;

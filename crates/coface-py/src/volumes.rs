@@ -3,8 +3,9 @@
 use crate::errors::{OrRaise, invalid};
 use crate::model::Model;
 use crate::work::run;
-use coface::cellular::CubicalVolume;
-use coface::io::{self, ReadOptions, Structure, VolumeReading, VoxelRule};
+use coface::complexes::cellular::CubicalVolume;
+use coface::io;
+use coface::io::{ReadOptions, Structure, VolumeReading, VoxelRule};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::path::PathBuf;

@@ -2,7 +2,7 @@
 
 use crate::errors::raised;
 use coface::Error;
-use coface::progress::Watch;
+use coface::algebra::progress::Watch;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;

@@ -17,10 +17,13 @@ use crate::json::to_python;
 use crate::model::{Model, read_options};
 use crate::source::Source;
 use crate::work::run;
-use coface::io::{self, Format};
-use coface::report::{KinkRequest, PlanarSet, SetPicture, SetRequest};
+use coface::answers::{KinkRequest, PlanarSet, SetRequest};
+use coface::io;
+use coface::io::Format;
+use coface::pictures::{SetPicture, set_picture};
+use coface::yin;
 use coface::yin::{
-    self, CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, SetLocation,
+    CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, SetLocation,
     TrackingOptions, Verification,
 };
 use coface::{Error, VertexId};
@@ -756,7 +759,7 @@ answer! { YinSet {
     fn to_svg(&self, py: Python<'_>, kind: &str) -> PyResult<String> {
         let kinds = [("set", SetPicture::Set), ("kinks", SetPicture::Kinks), ("forest", SetPicture::Forest)];
         let kind = choice(py, "kind", kind, &kinds)?;
-        run(py, None, || self.set.picture(kind)?.svg(None))
+        run(py, None, || set_picture(&self.set, kind)?.svg(None))
     }
 
     fn __bool__(&self) -> bool {

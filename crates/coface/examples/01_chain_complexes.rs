@@ -4,7 +4,7 @@
 //! cell j. Run with `cargo run -p coface --example 01_chain_complexes`.
 
 use coface::algebra::SparseMatrix;
-use coface::chains::ChainComplex;
+use coface::algebra::chains::ChainComplex;
 use coface::topology::{Coefficients, cohomology, generators, homology, homology_with};
 
 fn main() -> Result<(), coface::Error> {

@@ -2,7 +2,7 @@
 //!
 //! Run with `cargo run -p coface --example 02_simplicial_complexes`.
 
-use coface::simplicial::{Orientability, Simplex, SimplicialComplex};
+use coface::complexes::simplicial::{Orientability, Simplex, SimplicialComplex};
 use coface::topology::homology;
 
 fn main() -> Result<(), coface::Error> {

@@ -2,9 +2,10 @@
 //!
 //! Run with `cargo run -p coface --example 03_files_and_reports`.
 
-use coface::io::{self, Format};
-use coface::report::{Answer, Report};
-use coface::surface::PolygonMesh;
+use coface::answers::{Answer, Report};
+use coface::complexes::surface::PolygonMesh;
+use coface::io;
+use coface::io::Format;
 use coface::topology::homology;
 
 fn main() -> Result<(), coface::Error> {

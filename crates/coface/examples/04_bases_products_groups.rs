@@ -4,9 +4,9 @@
 
 use coface::CellId;
 use coface::algebra::Integer;
-use coface::chains::Chain;
-use coface::simplicial::GluingTable;
-use coface::simplicial::known_spaces::{complex_projective_plane, projective_plane};
+use coface::algebra::chains::Chain;
+use coface::complexes::simplicial::GluingTable;
+use coface::complexes::simplicial::known_spaces::{complex_projective_plane, projective_plane};
 use coface::topology::{Bounding, CochainAlgebra, EdgePathGroups, Effort, HomologyBasis, intersection_form};
 
 fn main() -> Result<(), coface::Error> {

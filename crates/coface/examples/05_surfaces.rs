@@ -4,8 +4,8 @@
 
 use coface::EdgeId;
 use coface::algebra::Sign;
-use coface::simplicial::known_spaces::{cyclic_torus, klein_grid, oriented_sum};
-use coface::surface::{GeneralizedMap, HalfedgeMesh};
+use coface::complexes::simplicial::known_spaces::{cyclic_torus, klein_grid, oriented_sum};
+use coface::complexes::surface::{GeneralizedMap, HalfedgeMesh};
 use coface::topology::{
     CocycleBasis, CoverExtent, CutSurface, CycleKind, SurfaceHomology, SurfaceHomotopy, TreeCotree,
     UniversalCover, shortest_cycle,

@@ -3,15 +3,15 @@
 //! Run with `cargo run -p coface --example 06_cells_and_congruence`.
 
 use coface::algebra::RaggedArray;
-use coface::arrangement::congruence::{
+use coface::arrange::congruence::{
     CellClasses, ClassRule, CongruenceOptions, Representative, chain_congruence, vertex_congruence,
 };
-use coface::cellular::{
+use coface::complexes::cellular::{
     AxisSet, CellKind, CuboidGrid, GridCell, LarModel, Shared, oriented_boundary, shapes,
 };
+use coface::complexes::surface::PolygonMesh;
 use coface::geometry::MassProperties;
 use coface::io::Model;
-use coface::surface::PolygonMesh;
 use coface::topology::homology;
 use coface::{CellId, VertexId};
 

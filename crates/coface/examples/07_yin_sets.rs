@@ -2,7 +2,7 @@
 //!
 //! Run with `cargo run -p coface --example 07_yin_sets`.
 
-use coface::arrangement::boolean::BooleanFormula;
+use coface::arrange::boolean::BooleanFormula;
 use coface::yin::{
     CartesianGrid, Curve, CutCells, EndCondition, Flow, KnotIndex, Order, TrackingOptions, YinSet,
 };

@@ -3,11 +3,11 @@
 
 mod reference;
 
+use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Sign, SparseMatrix};
-use coface::arrangement::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
-use coface::arrangement::planar::PlanarRegions;
-use coface::arrangement::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
-use coface::chains::ChainComplex;
+use coface::arrange::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
+use coface::arrange::planar::PlanarRegions;
+use coface::arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
 use coface::geometry::Positions;
 use coface::{CellId, FaceId, VertexId};
 use rayon::prelude::*;

@@ -4,10 +4,10 @@
 mod solids;
 
 use coface::algebra::SparseMatrix;
-use coface::arrangement::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
-use coface::arrangement::spatial::SpatialCells;
-use coface::cellular::CuboidGrid;
-use coface::chains::ChainComplex;
+use coface::algebra::chains::ChainComplex;
+use coface::arrange::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
+use coface::arrange::spatial::SpatialCells;
+use coface::complexes::cellular::CuboidGrid;
 use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
 use solids::{rod_through_cube, shifted_cubes};

@@ -2,15 +2,15 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
+use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Sign, SparseMatrix, UnionFind};
-use coface::arrangement::congruence::{
+use coface::arrange::congruence::{
     BlockPolicy, CellClasses, ChainCongruence, ClassRule, Collisions, CongruenceMethod, CongruenceOptions,
     Representative, blocks_of, chain_congruence, check_blocks, stable_vertex_congruence, vertex_congruence,
 };
-use coface::chains::ChainComplex;
+use coface::complexes::simplicial::{FrozenComplex, SimplicialComplex};
+use coface::complexes::surface::PolygonMesh;
 use coface::geometry::Positions;
-use coface::simplicial::{FrozenComplex, SimplicialComplex};
-use coface::surface::PolygonMesh;
 use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
 use std::collections::BTreeMap;

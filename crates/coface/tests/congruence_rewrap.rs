@@ -3,14 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::CellId;
+use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Sign, SparseMatrix};
-use coface::arrangement::congruence::{
+use coface::arrange::congruence::{
     CellClasses, ChainCongruence, ClassRule, Collisions, CongruenceMethod, CongruenceOptions, Discard,
     Representative, chain_congruence, vertex_congruence,
 };
-use coface::chains::ChainComplex;
+use coface::complexes::surface::PolygonMesh;
 use coface::geometry::Positions;
-use coface::surface::PolygonMesh;
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -475,7 +475,7 @@ proptest! {
         dimension in 0usize..4,
     ) {
         let facets: Vec<Vec<u32>> = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
-        let complex = coface::simplicial::SimplicialComplex::from_facets(facets.iter().map(Vec::as_slice))
+        let complex = coface::complexes::simplicial::SimplicialComplex::from_facets(facets.iter().map(Vec::as_slice))
             .unwrap().freeze().chain_complex().unwrap();
         let count = complex.cell_count(0);
         // Vertex i goes to the class of merged[i] if that is lower.

@@ -5,9 +5,9 @@
 #![allow(clippy::print_stdout, reason = "a skipped test says so")]
 
 use coface::FaceId;
+use coface::answers::Producer;
+use coface::complexes::surface::GeneralizedMap;
 use coface::io::read_path;
-use coface::report::Producer;
-use coface::surface::GeneralizedMap;
 use coface::topology::{
     CoverExtent, CoverLayout, CoverPlane, CutSurface, SurfaceGroup, TreeCotree, UniversalCover,
 };

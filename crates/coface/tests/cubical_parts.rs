@@ -1,11 +1,11 @@
 //! Volumes of voxels: whole and block by block.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface::cellular::{
+use coface::algebra::chains::{ChainComplex, PartTree, Partition, Parts};
+use coface::complexes::cellular::{
     CubicalBlocks, CubicalVolume, CuboidGrid, FullVoxels, SimplicialBlocks, VoxelBox, VoxelWindow, Voxels,
 };
-use coface::chains::{ChainComplex, PartTree, Partition, Parts};
-use coface::simplicial::FrozenComplex;
+use coface::complexes::simplicial::FrozenComplex;
 use coface::topology::homology;
 use proptest::prelude::*;
 

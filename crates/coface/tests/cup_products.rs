@@ -4,8 +4,9 @@
 mod facts {
     use coface::ErrorKind;
     use coface::algebra::{Definiteness, Integer, Parity, Sign, SymmetricForm};
-    use coface::simplicial::known_spaces::{self, Solid};
-    use coface::simplicial::{DeltaComplex, SimplicialComplex};
+    use coface::complexes::simplicial::known_spaces;
+    use coface::complexes::simplicial::known_spaces::Solid;
+    use coface::complexes::simplicial::{DeltaComplex, SimplicialComplex};
     use coface::topology::{
         CochainAlgebra, Cocycle, Coefficients, HomologyBasis, IntersectionForm, cup_product_table,
         intersection_form,

@@ -2,7 +2,8 @@
 //! data.
 #![allow(clippy::print_stderr, reason = "a test says what it skips")]
 
-use coface::io::{self, Format, Model, Structure};
+use coface::io;
+use coface::io::{Format, Model, Structure};
 use coface::{Error, ErrorKind};
 use proptest::prelude::*;
 use std::fs;

@@ -3,11 +3,12 @@
 #![allow(clippy::print_stdout, reason = "a skipped test says so")]
 
 use coface::algebra::{Sign, Word};
+use coface::answers::Producer;
+use coface::complexes::simplicial::known_spaces;
+use coface::complexes::simplicial::known_spaces::{Solid, glued_solid};
+use coface::complexes::simplicial::{Simplex, SimplicialComplex};
+use coface::complexes::surface::HalfedgeMesh;
 use coface::io;
-use coface::report::Producer;
-use coface::simplicial::known_spaces::{self, Solid, glued_solid};
-use coface::simplicial::{Simplex, SimplicialComplex};
-use coface::surface::HalfedgeMesh;
 use coface::topology::{
     AbelianGroup, CosetTable, EdgePathGroups, Effort, PermutationGroup, Presentation, Simplification,
     homology,
@@ -126,7 +127,7 @@ fn surfaces_of_halfedges_have_their_groups() {
 
 /// A path of steps chosen by numbers, closed by itself backwards or along the tree.
 fn walk(
-    skeleton: &coface::chains::TwoSkeleton,
+    skeleton: &coface::algebra::chains::TwoSkeleton,
     start: VertexId,
     picks: &[usize],
 ) -> (Vec<(EdgeId, Sign)>, VertexId) {

@@ -1,13 +1,14 @@
 //! Gluing tables, delta complexes and isomorphism signatures: random tables against second methods, small ones by hand.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+use coface::algebra::chains::ChainComplex;
 use coface::algebra::{Permutation, RaggedArray};
-use coface::chains::ChainComplex;
-use coface::io::{self, Format, Model, Structure};
-use coface::report::{Pair, Producer, Report};
-use coface::simplicial::{
+use coface::answers::{Pair, Producer, Report};
+use coface::complexes::simplicial::{
     DeltaComplex, FaceClasses, FrozenComplex, GluingFault, GluingTable, SimplicialComplex,
 };
+use coface::io;
+use coface::io::{Format, Model, Structure};
 use coface::topology::{AbelianGroup, Coefficients, homology, homology_with};
 use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
@@ -133,14 +134,14 @@ proptest! {
             (0..images.len()).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|&(i, j)| images[i] < images[j]).count()
         };
         match table.orientation() {
-            coface::simplicial::GluingOrientation::Orientable(signs) => {
+            coface::complexes::simplicial::GluingOrientation::Orientable(signs) => {
                 for (i, &sign) in signs.iter().enumerate() {
                     for (j, images) in (0..=table.dimension()).filter_map(|f| table.neighbor(i, f)) {
                         prop_assert_eq!((sign == signs[j]) as usize, parity(images) % 2);
                     }
                 }
             }
-            coface::simplicial::GluingOrientation::NonOrientable(chain) => {
+            coface::complexes::simplicial::GluingOrientation::NonOrientable(chain) => {
                 let mut reversals = 0;
                 for (at, &(i, f)) in chain.iter().enumerate() {
                     let (j, images) = table.neighbor(i, f).unwrap();
@@ -446,8 +447,9 @@ fn signatures_of_special_tables() {
 
 #[test]
 fn faults_are_named() {
-    let fault =
-        |rows: &[coface::simplicial::GluingRow]| GluingTable::from_rows(rows).unwrap_err().to_string();
+    let fault = |rows: &[coface::complexes::simplicial::GluingRow]| {
+        GluingTable::from_rows(rows).unwrap_err().to_string()
+    };
     let to = |neighbor, images: &[u32]| Some((neighbor, images.to_vec()));
     assert!(fault(&[vec![to(1, &[0, 1]), None]]).contains("glued to simplex 1, but there are 1"));
     assert!(

@@ -3,14 +3,14 @@
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
 use coface::CellId;
+use coface::algebra::chains::{ChainComplex, ProductComplex};
 use coface::algebra::{Integer, RaggedArray, Sign};
-use coface::cellular::{AxisSet, CuboidGrid, GridCell, LarModel, product};
-use coface::chains::{ChainComplex, ProductComplex};
-use coface::geometry::Positions;
-use coface::io::read_path;
-use coface::simplicial::{
+use coface::complexes::cellular::{AxisSet, CuboidGrid, GridCell, LarModel, product};
+use coface::complexes::simplicial::{
     FrozenComplex, Prism, SignedSimplices, SimplicialGrid, extrude, facets, known_spaces,
 };
+use coface::geometry::Positions;
+use coface::io::read_path;
 use coface::topology::homology;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -234,7 +234,7 @@ fn extruded_meshes_keep_their_homology() {
             // In the sum of all tetrahedra the inner facets cancel.
             let complex = ChainComplex::new(vec![table.boundary_matrix().clone()]).unwrap();
             let all = (0..placed.cell_count()).map(|i| (CellId::new(i), Integer::ONE));
-            let chain = coface::chains::Chain::new(&complex, 1, all).unwrap();
+            let chain = coface::algebra::chains::Chain::new(&complex, 1, all).unwrap();
             let boundary = complex.boundary(&chain).unwrap();
             let signs = boundary
                 .terms()

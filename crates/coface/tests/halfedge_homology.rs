@@ -1,9 +1,9 @@
 //! Halfedge meshes, what they are made from and what they are exported to: all have the same homology.
 
 use coface::FaceId;
-use coface::chains::ChainComplex;
-use coface::simplicial::{SimplicialComplex, known_spaces};
-use coface::surface::HalfedgeMesh;
+use coface::algebra::chains::ChainComplex;
+use coface::complexes::simplicial::{SimplicialComplex, known_spaces};
+use coface::complexes::surface::HalfedgeMesh;
 use coface::topology::{AbelianGroup, homology};
 use proptest::prelude::*;
 

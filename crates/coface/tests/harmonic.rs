@@ -3,9 +3,9 @@
 //! The folder named by the environment variable `COFACE_DATA` holds the surfaces; without it the shipped models are
 //! looked at.
 
-use coface::chains::{ChainComplex, Cochain};
-use coface::report::Producer;
-use coface::simplicial::known_spaces;
+use coface::algebra::chains::{ChainComplex, Cochain};
+use coface::answers::Producer;
+use coface::complexes::simplicial::known_spaces;
 use coface::topology::{HodgeSpace, HomologyBasis, MetricComplex, homology};
 use coface::{CellId, io};
 use std::path::{Path, PathBuf};

@@ -5,8 +5,9 @@
 mod table {
     use coface::VertexId;
     use coface::algebra::{Integer, SparseMatrix, smith_form};
-    use coface::simplicial::known_spaces::{self, FlatManifold, Solid, glued_solid};
-    use coface::simplicial::{Orientability, SimplicialComplex};
+    use coface::complexes::simplicial::known_spaces;
+    use coface::complexes::simplicial::known_spaces::{FlatManifold, Solid, glued_solid};
+    use coface::complexes::simplicial::{Orientability, SimplicialComplex};
     use coface::topology::{AbelianGroup, Coefficients, HomologyBasis, homology, homology_with};
     use proptest::prelude::*;
 
@@ -42,7 +43,8 @@ mod table {
 
     /// The connected sum at the first facet of one and the last of the other.
     fn sum(a: &SimplicialComplex, b: &SimplicialComplex) -> SimplicialComplex {
-        let order = |facet: coface::simplicial::Simplex| facet.vertices().collect::<Vec<VertexId>>();
+        let order =
+            |facet: coface::complexes::simplicial::Simplex| facet.vertices().collect::<Vec<VertexId>>();
         let top = a.dimension().unwrap();
         let (first, last) = (a.simplices(top).next().unwrap(), b.simplices(top).last().unwrap());
         a.connected_sum(&order(first), b, &order(last)).unwrap().into_complex()

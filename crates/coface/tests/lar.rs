@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
-use coface::cellular::{LarModel, TopOrientation, signed_measures};
-use coface::chains::ChainComplex;
+use coface::algebra::chains::ChainComplex;
+use coface::answers::Producer;
+use coface::complexes::cellular::{LarModel, TopOrientation, signed_measures};
 use coface::io::read_path;
-use coface::report::Producer;
 use coface::topology::homology;
 use std::path::{Path, PathBuf};
 

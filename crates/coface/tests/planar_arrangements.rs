@@ -5,7 +5,7 @@
 mod reference;
 
 use coface::algebra::{Rational, UnionFind};
-use coface::arrangement::planar::{PlanarArrangement, VertexSource};
+use coface::arrange::planar::{PlanarArrangement, VertexSource};
 use coface::geometry::Positions;
 use coface::geometry::predicates::orientation;
 use coface::{EdgeId, FaceId, HalfedgeId, VertexId};

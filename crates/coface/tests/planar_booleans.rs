@@ -2,10 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::algebra::{RaggedArray, Rational, UnionFind};
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
-use coface::arrangement::planar::{
-    PlanarOptions, PlanarOverlay, PlanarPolygons, PlanarRegions, VertexSource,
-};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::planar::{PlanarOptions, PlanarOverlay, PlanarPolygons, PlanarRegions, VertexSource};
 use coface::geometry::Positions;
 use coface::{ErrorKind, FaceId, HalfedgeId, VertexId};
 use proptest::prelude::*;

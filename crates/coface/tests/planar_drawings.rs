@@ -1,11 +1,12 @@
 //! Boolean combinations of drawings, which are made on an overlay, against arrangements of the same drawings.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
-use coface::io::{self, Format, Model};
-use coface::report::{
+use coface::answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
 };
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
+use coface::io;
+use coface::io::{Format, Model};
 use coface::{ErrorKind, FaceId};
 use proptest::prelude::*;
 

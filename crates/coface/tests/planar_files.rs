@@ -3,9 +3,10 @@
 #![allow(clippy::print_stderr, reason = "a test says what it skips")]
 
 use coface::algebra::RaggedArray;
-use coface::arrangement::planar::PlanarRegions;
-use coface::io::{self, Format, GroupKind, Model};
-use coface::report::{Kind, Report};
+use coface::answers::{Kind, Report};
+use coface::arrange::planar::PlanarRegions;
+use coface::io;
+use coface::io::{Format, GroupKind, Model};
 use std::path::PathBuf;
 
 fn data_folder(test: &str) -> Option<PathBuf> {

@@ -3,7 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a test says what it skips")]
 
 use coface::algebra::{RaggedArray, SparseMatrix};
-use coface::arrangement::planar::{PlanarArrangement, PlanarRegions, gift_wrap};
+use coface::arrange::planar::{PlanarArrangement, PlanarRegions, gift_wrap};
 use coface::geometry::Positions;
 use coface::{EdgeId, FaceId, VertexId};
 use proptest::prelude::*;

@@ -5,8 +5,8 @@ mod reference;
 
 use coface::FaceId;
 use coface::algebra::{RaggedArray, Rational, UnionFind};
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
-use coface::arrangement::planar::{PlanarOverlay, PlanarRegions};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::planar::{PlanarOverlay, PlanarRegions};
 use coface::geometry::Positions;
 use rayon::prelude::*;
 use reference::{Point, drawing, number, quotient, soup_count, soups};

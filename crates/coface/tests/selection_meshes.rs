@@ -4,12 +4,12 @@
 mod solids;
 
 use coface::algebra::{Sign, SparseMatrix};
-use coface::arrangement::boolean::{
+use coface::arrange::boolean::{
     CellSelection, SelectionMesh, WindingNumbers, generalized_winding_numbers, point_inside,
 };
-use coface::arrangement::spatial::SpatialCells;
+use coface::arrange::spatial::SpatialCells;
+use coface::complexes::surface::{PolygonMesh, SurfaceDefect};
 use coface::geometry::{Positions, enclosed_volume};
-use coface::surface::{PolygonMesh, SurfaceDefect};
 use coface::{CellId, EdgeId, FaceId};
 use proptest::prelude::*;
 use solids::{Faces, rod_through_cube, shifted_cubes};

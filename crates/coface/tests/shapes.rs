@@ -2,10 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::Error;
-use coface::cellular::shapes::{self, DiskGrid, SphereGrid};
-use coface::cellular::{CellKind, PlacedCells, cell_volumes};
+use coface::answers::{Answer, Report};
+use coface::complexes::cellular::shapes;
+use coface::complexes::cellular::shapes::{DiskGrid, SphereGrid};
+use coface::complexes::cellular::{CellKind, PlacedCells, cell_volumes};
 use coface::io::Model;
-use coface::report::{Answer, Report};
 use std::f64::consts::PI;
 
 /// A shape by a number of subdivisions, from 0 for the fewest that are allowed.

@@ -2,15 +2,17 @@
 //! mixtures are named; work that was cut off goes on to the same bytes.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+use coface::algebra::chains::{Chain, ChainComplex, Partition, Parts};
 use coface::algebra::{Integer, SparseMatrix, WideMatrix, invariant_factors};
-use coface::chains::{Chain, ChainComplex, Partition, Parts};
+use coface::complexes::simplicial::{SimplicialComplex, known_spaces as spaces};
 use coface::geometry::Positions;
-use coface::io::{self, Format, Model, Structure};
-use coface::shards::{
-    self, Owners, ShardChains, ShardFolder, ShardPlace, ShardRequest, chains_below_merge, chains_on_cells,
-    merge, reduce, root_chains, root_homology, shard_model, shard_of_part, sum_chains, summary,
+use coface::io;
+use coface::io::{Format, Model, Structure};
+use coface::scale::shards;
+use coface::scale::shards::{
+    Owners, ShardChains, ShardFolder, ShardPlace, ShardRequest, chains_below_merge, chains_on_cells, merge,
+    reduce, root_chains, root_homology, shard_model, shard_of_part, sum_chains, summary,
 };
-use coface::simplicial::{SimplicialComplex, known_spaces as spaces};
 use coface::topology::{HomologyBasis, homology};
 use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
@@ -176,7 +178,7 @@ fn torsion_comes_through_shards() {
     .into_iter()
     .map(|space| space.unwrap().chain_complex().unwrap())
     .collect();
-    complexes.push(coface::chains::ProductComplex::new(&klein, &circle).unwrap().into_complex());
+    complexes.push(coface::algebra::chains::ProductComplex::new(&klein, &circle).unwrap().into_complex());
     for complex in &complexes {
         for part_count in [1, 2, 7, 64] {
             check(complex, &Partition::by_walk(complex, part_count).unwrap(), 2);

@@ -2,11 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a skipped test says so")]
 
-use coface::cellular::{CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBoxes, Voxels};
-use coface::chains::Parts;
-use coface::io::{self, Format, Model};
-use coface::report::Producer;
-use coface::shards::{
+use coface::algebra::chains::Parts;
+use coface::answers::Producer;
+use coface::complexes::cellular::{CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBoxes, Voxels};
+use coface::io;
+use coface::io::{Format, Model};
+use coface::scale::shards::{
     GridShards, GridSort, Owners, ShardChains, ShardFolder, ShardRequest, ShardSource, shard_mesh_file,
 };
 use coface::topology::homology;
@@ -16,7 +17,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-fn merged(shards: &ShardFolder) -> coface::shards::FolderSummary {
+fn merged(shards: &ShardFolder) -> coface::scale::shards::FolderSummary {
     (0..shards.manifest().part_count).for_each(|number| drop(shards.reduce(number, false).unwrap()));
     shards.merge_all(false).unwrap()
 }

@@ -4,11 +4,12 @@
 #![allow(clippy::print_stderr, reason = "a test that is skipped says so")]
 
 use coface::algebra::RaggedArray;
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
-use coface::cellular::CellShape;
+use coface::answers::{InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
+use coface::complexes::cellular::CellShape;
 use coface::geometry::Positions;
-use coface::io::{self, Model};
-use coface::report::{InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+use coface::io;
+use coface::io::Model;
 use coface::{CellId, ErrorKind};
 use proptest::prelude::*;
 

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::algebra::{RaggedArray, Sign};
-use coface::arrangement::boolean::InsideRule;
-use coface::arrangement::spatial::{NonPlanar, SpatialArrangement, SpatialOptions, SpatialPolygons};
+use coface::arrange::boolean::InsideRule;
+use coface::arrange::spatial::{NonPlanar, SpatialArrangement, SpatialOptions, SpatialPolygons};
 use coface::geometry::Positions;
 use coface::topology::homology;
 use coface::{CellId, FaceId, VertexId};

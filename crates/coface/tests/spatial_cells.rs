@@ -3,9 +3,9 @@
 
 mod solids;
 
+use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Sign, UnionFind};
-use coface::arrangement::spatial::{PolygonalComplex, SpatialCells, gift_wrap};
-use coface::chains::ChainComplex;
+use coface::arrange::spatial::{PolygonalComplex, SpatialCells, gift_wrap};
 use coface::geometry::Positions;
 use coface::topology::homology;
 use coface::{CellId, EdgeId, FaceId};

@@ -4,8 +4,8 @@
 mod reference;
 
 use coface::algebra::{Sign, SparseMatrix};
-use coface::arrangement::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
-use coface::arrangement::spatial::{
+use coface::arrange::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
+use coface::arrange::spatial::{
     CongruenceArrangement, NonPlanar, SpatialArrangement, SpatialOptions, SpatialPolygons,
     arrange_by_congruence,
 };

@@ -1,7 +1,7 @@
 //! Triangles cut against each other: known solids, and what must hold for any triangles.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface::arrangement::spatial::{
+use coface::arrange::spatial::{
     CutOptions, CutTriangles, SpatialCells, SpatialPredicates, SpatialVertexSource, gift_wrap,
 };
 use coface::geometry::Positions;

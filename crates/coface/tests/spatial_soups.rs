@@ -4,7 +4,7 @@
 mod reference;
 
 use coface::algebra::Rational;
-use coface::arrangement::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons, gift_wrap};
+use coface::arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons, gift_wrap};
 use coface::{CellId, FaceId, VertexId};
 use rayon::prelude::*;
 use reference::cells::arrangement;

@@ -4,9 +4,9 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a skipped test says so, and times are of interest")]
 
+use coface::answers::Producer;
+use coface::complexes::surface::GeneralizedMap;
 use coface::io::read_path;
-use coface::report::Producer;
-use coface::surface::GeneralizedMap;
 use coface::topology::{
     CocycleBasis, CutGraph, CycleKind, Exactness, SurfaceHomology, TreeCotree, cotangent_weights, exactness,
     harmonic_forms, shortest_cycle, shortest_homology_basis,

@@ -1,8 +1,8 @@
 //! Repair, slicing and editing of real surfaces: those of the repository, and those of the folder that `COFACE_DATA` names.
 
 use coface::algebra::UnionFind;
+use coface::complexes::surface::{FacesAtEdge, HalfedgeMesh, MeshRepair, PolygonMesh};
 use coface::io::{Model, read_path};
-use coface::surface::{FacesAtEdge, HalfedgeMesh, MeshRepair, PolygonMesh};
 use coface::{EdgeId, FaceId, HalfedgeId, VertexId};
 use std::path::{Path, PathBuf};
 

@@ -5,10 +5,10 @@
 
 use coface::Error;
 use coface::ErrorKind;
-use coface::cellular::{CellMesh, cell_volumes};
+use coface::complexes::cellular::{CellMesh, cell_volumes};
+use coface::complexes::surface::{GeneralizedMap, PolygonMesh};
 use coface::geometry::{Positions, enclosed_volume, polygon_area};
 use coface::io::{Model, read_path};
-use coface::surface::{GeneralizedMap, PolygonMesh};
 use coface::topology::{CutSurface, TreeCotree, homology};
 use serde_json::Value;
 use std::path::PathBuf;

@@ -1,9 +1,10 @@
 //! Volumes of voxels: files that other programs wrote, and the homology of known ones.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface::cellular::CubicalVolume;
-use coface::io::{self, ReadOptions, Structure, VoxelRule};
-use coface::report::{Report, homology_of_volume};
+use coface::answers::{Report, homology_of_volume};
+use coface::complexes::cellular::CubicalVolume;
+use coface::io;
+use coface::io::{ReadOptions, Structure, VoxelRule};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,15 +1,17 @@
 //! Long work that somebody watches: what it tells, and how it ends when it is asked to.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+use coface::algebra::chains::{ChainComplex, MorseComplex};
+use coface::algebra::progress::{Stopped, Watch};
 use coface::algebra::{SparseMatrix, smith_form};
-use coface::arrangement::congruence::{ClassRule, Representative, vertex_congruence};
-use coface::chains::{ChainComplex, MorseComplex};
-use coface::io::{self, Format, Model};
-use coface::progress::{Stopped, Watch};
-use coface::report::{Picture, PictureStyle, Report, Scene};
-use coface::simplicial::SimplicialComplex;
-use coface::simplicial::known_spaces::torus_grid;
-use coface::surface::{GeneralizedMap, PolygonMesh};
+use coface::answers::Report;
+use coface::arrange::congruence::{ClassRule, Representative, vertex_congruence};
+use coface::complexes::simplicial::SimplicialComplex;
+use coface::complexes::simplicial::known_spaces::torus_grid;
+use coface::complexes::surface::{GeneralizedMap, PolygonMesh};
+use coface::io;
+use coface::io::{Format, Model};
+use coface::pictures::{Picture, PictureStyle, Scene};
 use coface::topology::{Coefficients, CutSurface, Filtration, HomologyBasis, TreeCotree, persistence};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 use coface::algebra::Rational;
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::yin::{Curve, KnotIndex, Order, YinSet};
 
 /// A generator of numbers that is the same everywhere (splitmix64).

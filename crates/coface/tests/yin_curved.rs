@@ -1,7 +1,7 @@
 //! Booleans of sets with curved boundaries: against closed forms, against polygons, and against each other.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a failing test shows where")]
 
-use coface::arrangement::boolean::BooleanFormula;
+use coface::arrange::boolean::BooleanFormula;
 use coface::yin::{Curve, EndCondition, Order, YinFault, YinSet};
 use std::f64::consts::{PI, TAU};
 

@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used)]
 
-use coface::arrangement::boolean::InsideRule;
+use coface::ErrorKind;
+use coface::arrange::boolean::InsideRule;
+use coface::geometry::Angle;
 use coface::yin::{CartesianGrid, Coverage, Curve, CutCells, EndCondition, Order, WalkStep, YinSet};
-use coface::{ErrorKind, geometry::Angle};
 use std::f64::consts::{PI, TAU};
 
 fn grid(origin: [f64; 2], spacing: [f64; 2], counts: [usize; 2]) -> CartesianGrid {

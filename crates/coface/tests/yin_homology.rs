@@ -7,10 +7,10 @@
 #![allow(clippy::unwrap_used)]
 
 use coface::algebra::RaggedArray;
-use coface::arrangement::boolean::InsideRule;
-use coface::arrangement::planar::PlanarRegions;
+use coface::arrange::boolean::InsideRule;
+use coface::arrange::planar::PlanarRegions;
+use coface::complexes::simplicial::SimplicialComplex;
 use coface::geometry::Positions;
-use coface::simplicial::SimplicialComplex;
 use coface::topology::homology;
 use coface::yin::{Order, YinSet};
 use coface::{EdgeId, FaceId, HalfedgeId, VertexId};

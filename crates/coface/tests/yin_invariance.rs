@@ -4,7 +4,7 @@
 
 mod splines;
 
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::yin::{Combination, Curve, Order, YinSet};
 use splines::{Random, case_count, mapped, smooth_set};
 

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use coface::simplicial::{Simplex, SimplicialComplex};
+use coface::complexes::simplicial::{Simplex, SimplicialComplex};
 use coface::yin::{Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
 use coface::{ErrorKind, VertexId};
 use std::f64::consts::{PI, TAU};

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use coface::arrangement::boolean::InsideRule;
+use coface::arrange::boolean::InsideRule;
 use coface::yin::YinSet;
 
 const SIDE: usize = 8;

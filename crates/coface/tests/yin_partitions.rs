@@ -1,9 +1,10 @@
 //! Sets as phases that share the arcs between them, and boundaries that come to meet.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface::arrangement::boolean::InsideRule;
-use coface::io::{self, ReadOptions};
-use coface::report::{PlanarSet, SetRequest};
+use coface::answers::{PlanarSet, SetRequest};
+use coface::arrange::boolean::InsideRule;
+use coface::io;
+use coface::io::ReadOptions;
 use coface::yin::{
     Curve, DirectedEdge, InterfaceGraph, InterfaceOptions, Order, Overlaps, RungeKutta, TrackingOptions,
     Verification, YinFault, YinSet,

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::yin::{AtomKind, Curve, Order, SetLocation, YinFault, YinSet};
 
 /// The polygons of the tables; diamonds, squares and triangles on the integers.

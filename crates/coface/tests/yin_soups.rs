@@ -6,7 +6,7 @@
 mod splines;
 
 use coface::Error;
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::geometry::Angle;
 use coface::yin::{Combination, Curve, Order, SetLocation, YinSet};
 use splines::{Random, blob, case_count, mapped, smooth_set};

@@ -1,7 +1,7 @@
 //! Curved and straight boundaries that touch, pass each other, and cross twice, nearer than the resolution: exact arithmetic tells.
 #![allow(clippy::unwrap_used, reason = "a failing test shows where")]
 
-use coface::arrangement::boolean::BooleanFormula;
+use coface::arrange::boolean::BooleanFormula;
 use coface::geometry::Angle;
 use coface::yin::{Combination, Curve, Order, YinSet};
 

@@ -2,10 +2,10 @@
 
 use coface::Error;
 use coface::algebra::RaggedArray;
-use coface::cellular::CellShape;
+use coface::complexes::cellular::CellShape;
+use coface::complexes::simplicial::SimplicialComplex;
 use coface::geometry::Positions;
 use coface::io::Model;
-use coface::simplicial::SimplicialComplex;
 use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 

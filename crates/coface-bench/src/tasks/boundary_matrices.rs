@@ -2,7 +2,7 @@
 
 use super::{Task, Work};
 use crate::inputs::Mesh;
-use coface::report::Producer;
+use coface::answers::Producer;
 
 pub(super) const TASK: Task = Task {
     name: "boundary-matrices",

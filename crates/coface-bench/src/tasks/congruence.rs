@@ -3,11 +3,11 @@
 use super::{Clock, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::arrangement::congruence::{
+use coface::arrange::congruence::{
     CellClasses, ClassRule, CongruenceOptions, Representative, chain_congruence, vertex_congruence,
 };
+use coface::complexes::surface::PolygonMesh;
 use coface::geometry::Positions;
-use coface::surface::PolygonMesh;
 use std::path::Path;
 
 /// Well above the noise of the inputs, well below their edges.

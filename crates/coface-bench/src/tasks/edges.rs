@@ -2,7 +2,7 @@
 
 use super::{SURFACES, Task, Work};
 use crate::inputs::Mesh;
-use coface::surface::PolygonMesh;
+use coface::complexes::surface::PolygonMesh;
 
 pub(super) const TASK: Task = Task {
     name: "edges",

@@ -5,8 +5,8 @@ use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::Integer;
-use coface::chains::ChainComplex;
-use coface::simplicial::FrozenComplex;
+use coface::algebra::chains::ChainComplex;
+use coface::complexes::simplicial::FrozenComplex;
 use coface::topology::{Generator, generators};
 use std::path::Path;
 

@@ -2,7 +2,7 @@
 
 use super::{Task, Work};
 use crate::inputs::Mesh;
-use coface::surface::HalfedgeMesh;
+use coface::complexes::surface::HalfedgeMesh;
 
 pub(super) const TASK: Task = Task {
     name: "halfedges",

@@ -4,8 +4,8 @@ use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::Integer;
-use coface::chains::ChainComplex;
-use coface::report::Producer;
+use coface::algebra::chains::ChainComplex;
+use coface::answers::Producer;
 use coface::topology::{Homology, homology};
 use std::path::Path;
 

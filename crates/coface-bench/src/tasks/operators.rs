@@ -4,7 +4,7 @@ use super::{Clock, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::RaggedArray;
-use coface::cellular::{CuboidGrid, LarModel, Operator, Shared};
+use coface::complexes::cellular::{CuboidGrid, LarModel, Operator, Shared};
 use std::path::Path;
 
 pub(super) const FACES: Task = Task {

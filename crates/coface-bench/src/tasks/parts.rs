@@ -3,10 +3,11 @@
 use super::{Clock, Task, Work};
 use crate::inputs::torus;
 use coface::Error;
-use coface::cellular::{CubicalBlocks, FullVoxels, SimplicialBlocks};
-use coface::chains::{Part, PartTree, Parts};
-use coface::io::{self, Structure};
-use coface::report::homology_of_volume;
+use coface::algebra::chains::{Part, PartTree, Parts};
+use coface::answers::homology_of_volume;
+use coface::complexes::cellular::{CubicalBlocks, FullVoxels, SimplicialBlocks};
+use coface::io;
+use coface::io::Structure;
 use coface::topology::homology;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -3,7 +3,7 @@
 use super::{Clock, SOLIDS, SURFACES, Task, Work};
 use crate::inputs::{Mesh, random_values};
 use coface::Error;
-use coface::report::Producer;
+use coface::answers::Producer;
 use coface::topology::{Coefficients, Filtration, persistence};
 use std::path::Path;
 

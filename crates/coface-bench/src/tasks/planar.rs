@@ -3,7 +3,7 @@
 use super::{Clock, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::arrangement::planar::{PlanarArrangement, PlanarOverlay};
+use coface::arrange::planar::{PlanarArrangement, PlanarOverlay};
 use coface::geometry::Positions;
 use std::path::Path;
 

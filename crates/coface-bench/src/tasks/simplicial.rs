@@ -3,7 +3,7 @@
 use super::{Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::simplicial::{FrozenComplex, Simplex, SimplicialComplex};
+use coface::complexes::simplicial::{FrozenComplex, Simplex, SimplicialComplex};
 use std::path::Path;
 
 const INPUTS: &[&str] = &["simp_100000", "simp_250000", "simp_500000", "simp_1000000"];

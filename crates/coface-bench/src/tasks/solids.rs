@@ -4,10 +4,10 @@ use super::{Clock, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::RaggedArray;
-use coface::arrangement::boolean::BooleanFormula;
+use coface::answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+use coface::arrange::boolean::BooleanFormula;
 use coface::geometry::Positions;
 use coface::io::Model;
-use coface::report::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use std::path::Path;
 
 pub(super) const INTERSECTION: Task = Task {

@@ -3,7 +3,7 @@
 use super::{Clock, SURFACES, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
-use coface::surface::{GeneralizedMap, PolygonMesh};
+use coface::complexes::surface::{GeneralizedMap, PolygonMesh};
 use coface::topology::{CocycleBasis, CutSurface, SurfaceHomology, TreeCotree};
 use std::path::Path;
 

@@ -3,7 +3,7 @@
 use super::planar::drawing;
 use super::{Clock, Task, Work};
 use coface::Error;
-use coface::arrangement::boolean::{BooleanFormula, InsideRule};
+use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::yin::{Curve, EndCondition, Order, YinSet};
 use std::path::Path;
 

@@ -3,7 +3,7 @@
 use arrow_array::{ArrayRef, Int8Array, RecordBatch, UInt8Array, UInt32Array};
 use arrow_ipc::writer::FileWriter;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
-use coface::arrangement::congruence::CellClasses;
+use coface::arrange::congruence::CellClasses;
 use coface::{CellId, Error, ErrorKind};
 use std::io::Write;
 use std::sync::Arc;

@@ -6,9 +6,8 @@ use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use crate::workers::{self, Task};
 use clap::Args;
-use coface_workers::{
-    Batch as Files, Limits, Reading, Summary, TableFormat, find_files, parse_bytes, parse_duration,
-};
+use coface::scale::batch::{Batch as Files, Reading, Summary, TableFormat, find_files};
+use coface::scale::workers::{Limits, parse_bytes, parse_duration};
 use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;

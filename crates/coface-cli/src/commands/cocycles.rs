@@ -7,17 +7,17 @@ use crate::output::{is_json, print_json, print_text, remark, write_json};
 use crate::progress::Progress;
 use crate::{input, surface};
 use clap::{Args, ValueEnum};
+use coface::algebra::chains::{Chain, ChainComplex, Cochain, TwoSkeleton};
 use coface::algebra::{Integer, RaggedArray, Sign};
-use coface::chains::{Chain, ChainComplex, Cochain, TwoSkeleton};
+use coface::answers::{Producer, edge_lengths, integer_to_json};
+use coface::complexes::surface::GeneralizedMap;
 use coface::io::{CellData, Format, GroupKind, Model, write_path};
-use coface::report::{Producer, edge_lengths, integer_to_json};
-use coface::surface::GeneralizedMap;
 use coface::topology::{
     ClosedWalk, CocycleBasis, Exactness, HarmonicForm, HomologyBasis, SurfaceHomology, TreeCotree,
     cotangent_weights, exactness, exactness_within, harmonic_forms,
 };
 use coface::{EdgeId, Error, VertexId};
-use coface_pages::text;
+use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -8,12 +8,11 @@ use crate::output::{print_bytes, print_json, remark, write_json};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
-use coface::io::{self, CellData, Format, GroupKind, Model, Structure};
-use coface::report::{
-    Coloring, GltfForm, PlanarSet, RepairRequest, Scene, SetRequest, colored, gltf, repaired, triangulated,
-    vertex_colors,
-};
-use coface::surface::{FacesAtEdge, MeshRepair};
+use coface::answers::{PlanarSet, RepairRequest, SetRequest, repaired, triangulated};
+use coface::complexes::surface::{FacesAtEdge, MeshRepair};
+use coface::io;
+use coface::io::{CellData, Format, GroupKind, Model, Structure};
+use coface::pictures::{Coloring, GltfForm, Scene, colored, gltf, vertex_colors};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -7,9 +7,9 @@ use crate::progress::Progress;
 use crate::surface;
 use clap::{ArgGroup, Args, ValueEnum};
 use coface::Error;
-use coface::report::{LayoutChoice, SurfaceModel};
+use coface::answers::{LayoutChoice, SurfaceModel};
 use coface::topology::{CoverExtent, UniversalCover};
-use coface_pages::text;
+use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -107,7 +107,7 @@ impl Cover {
     ) -> Result<(), Failure> {
         let (map, model) = surface.orientation_double_cover()?;
         let [v, e, f] = map.f_vector();
-        let surfaces = |map: &coface::surface::GeneralizedMap| -> Vec<String> {
+        let surfaces = |map: &coface::complexes::surface::GeneralizedMap| -> Vec<String> {
             map.surfaces().iter().map(ToString::to_string).collect()
         };
         let [below, above] = [surfaces(surface.map()), surfaces(&map)];

@@ -7,8 +7,8 @@ use crate::progress::Progress;
 use crate::surface;
 use clap::Args;
 use coface::algebra::Word;
-use coface::report::{CutRequest, SurfaceCut, SurfaceModel};
-use coface_pages::text;
+use coface::answers::{CutRequest, SurfaceCut, SurfaceModel};
+use coface::answers::text;
 use serde_json::Value;
 use std::path::PathBuf;
 

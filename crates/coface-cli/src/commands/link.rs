@@ -4,7 +4,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::simplices::{Request, SimplexList};
 use clap::Args;
-use coface::simplicial::SimplexSet;
+use coface::complexes::simplicial::SimplexSet;
 use std::path::PathBuf;
 
 /// Link: what the neighborhood of the given simplices leaves when everything touching them is taken away.

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use clap::Args;
-use coface::shards::{ReducedStep, ShardFolder, reduce_file};
+use coface::scale::shards::{ReducedStep, ShardFolder, reduce_file};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

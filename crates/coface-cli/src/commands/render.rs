@@ -8,10 +8,11 @@ use crate::input::{self, Source};
 use crate::output::{print_bytes, print_json, remark, write_file};
 use crate::progress::Progress;
 use clap::Args;
+use coface::answers::{PlanarSet, Report, SetRequest};
 use coface::io::Format;
-use coface::report::{
-    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, PlanarSet, Report, Scene, SetPicture,
-    SetRequest, diagram_picture, matrix_picture, pane_picture,
+use coface::pictures::{
+    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture, set_picture,
+    matrix_picture, pane_picture,
 };
 use coface::topology::{Coefficients, Filtration, persistence};
 use serde_json::json;
@@ -164,7 +165,7 @@ impl Render {
         if self.forest {
             progress.stage(format!("reading {name}"));
             let set = self.set(source, common).map_err(|error| error.in_file(name))?;
-            return Ok(Some(set.picture(SetPicture::Forest)?));
+            return Ok(Some(set_picture(&set, SetPicture::Forest)?));
         }
         let is_in_space = self.from.is_some() || self.up.is_some() || self.perspective.is_some();
         let has_marks = !self.with.is_empty() || self.witness || self.dark || self.edges || self.no_edges;
@@ -179,7 +180,7 @@ impl Render {
         {
             return Ok(None);
         }
-        Ok(Some(set.picture(SetPicture::Kinks)?))
+        Ok(Some(set_picture(&set, SetPicture::Kinks)?))
     }
 
     /// The input without its folder: the same picture wherever the file lies.

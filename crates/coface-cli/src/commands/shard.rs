@@ -7,7 +7,7 @@ use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use coface::io::{Structure, format_of_path};
-use coface::shards::{
+use coface::scale::shards::{
     GridSort, Owners, ShardFolder, ShardRequest, shard_grid, shard_mesh_file, shard_model, shard_volume,
     shard_volume_file,
 };

@@ -6,8 +6,9 @@ use crate::input;
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use clap::Args;
+use coface::answers::{PlanarSet, Report, SetRequest};
 use coface::io::{Format, Model};
-use coface::report::{PlanarSet, Report, Scene, SetRequest};
+use coface::pictures::Scene;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -47,7 +48,7 @@ impl View {
             scene = scene.with_boundary().with_report(report.to_json(100));
         }
         progress.stage("writing the page");
-        let page = coface_pages::viewer::page_of(&scene.to_json());
+        let page = coface::pictures::pages::viewer::page_of(&scene.to_json());
         drop(progress);
         match &common.output {
             Some(path) => write_file(path, page.as_bytes())?,

@@ -4,7 +4,8 @@ use crate::commands::homology::parts;
 use crate::failure::Failure;
 use crate::workers::Task;
 use clap::Args;
-use coface_workers::{examine, serve};
+use coface::scale::batch::examine;
+use coface::scale::workers::serve;
 
 /// Answer requests, one a line on standard input; for pools of this program.
 #[derive(Args)]

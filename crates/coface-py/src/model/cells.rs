@@ -3,9 +3,10 @@
 use crate::arrays;
 use crate::errors::invalid;
 use coface::algebra::RaggedArray;
-use coface::cellular::CellShape;
+use coface::complexes::cellular::CellShape;
 use coface::geometry::Positions;
-use coface::io::{self, GroupKind};
+use coface::io;
+use coface::io::GroupKind;
 use coface::{Error, VertexId};
 use pyo3::prelude::*;
 

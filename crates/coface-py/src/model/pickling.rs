@@ -7,10 +7,11 @@ use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid};
 use crate::volumes::_volume;
 use coface::VertexId;
-use coface::cellular::CellShape;
+use coface::complexes::cellular::CellShape;
+use coface::complexes::simplicial::GluingTable;
 use coface::geometry::Positions;
-use coface::io::{self, Group, Structure};
-use coface::simplicial::GluingTable;
+use coface::io;
+use coface::io::{Group, Structure};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -3,7 +3,8 @@
 use super::Model;
 use crate::errors::OrRaise;
 use crate::work::run;
-use coface::io::{self, Format, ReadOptions};
+use coface::io;
+use coface::io::{Format, ReadOptions};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 

@@ -2,8 +2,8 @@
 
 use coface::Error;
 use coface::algebra::Integer;
-use coface::chains::Cochain;
-use coface::surface::GeneralizedMap;
+use coface::algebra::chains::Cochain;
+use coface::complexes::surface::GeneralizedMap;
 use coface::topology::{HarmonicForm, cotangent_weights, harmonic_forms};
 
 /// Harmonic forms, with the weights that they are for.

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::algebra::RaggedArray;
-use coface::arrangement::spatial::{PolygonalComplex, SpatialCells};
+use coface::arrange::spatial::{PolygonalComplex, SpatialCells};
 use coface::geometry::Positions;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -2,7 +2,7 @@
 #![allow(dead_code, clippy::unwrap_used, reason = "each test uses a part of it")]
 
 use coface::Error;
-use coface::arrangement::boolean::InsideRule;
+use coface::arrange::boolean::InsideRule;
 use coface::yin::{Curve, EndCondition, Order, YinSet};
 use std::f64::consts::TAU;
 

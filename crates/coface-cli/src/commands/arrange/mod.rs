@@ -11,9 +11,9 @@ use crate::input::{self, Loaded};
 use crate::progress::Progress;
 use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
-use coface::arrangement::boolean::InsideRule;
+use coface::answers::{RegionSource, is_planar};
+use coface::arrange::boolean::InsideRule;
 use coface::io::{Format, Model};
-use coface::report::{RegionSource, is_planar};
 use std::path::{Path, PathBuf};
 
 /// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.

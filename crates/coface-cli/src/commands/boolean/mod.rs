@@ -8,8 +8,8 @@ use crate::arguments::{Arguments, Common};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use clap::{Args, CommandFactory, ValueEnum, error::ErrorKind};
-use coface::arrangement::boolean::BooleanFormula;
-use coface::report::RegionSource;
+use coface::answers::RegionSource;
+use coface::arrange::boolean::BooleanFormula;
 use spatial::SolidOptions;
 use std::path::PathBuf;
 

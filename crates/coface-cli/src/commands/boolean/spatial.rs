@@ -8,9 +8,10 @@ use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
 use crate::target::{Target, write_seen};
 use clap::{Args, ValueEnum};
-use coface::io::{self, Format, Model};
-use coface::report::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialScene};
-use coface_pages::text;
+use coface::answers::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialScene};
+use coface::io;
+use coface::io::{Format, Model};
+use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::Path;
 

@@ -2,8 +2,9 @@
 
 use clap::{Args, Subcommand, ValueEnum};
 use coface::Error;
-use coface::cellular::shapes::{self, DiskGrid, SphereGrid};
-use coface::cellular::{CellKind, PlacedCells};
+use coface::complexes::cellular::shapes;
+use coface::complexes::cellular::shapes::{DiskGrid, SphereGrid};
+use coface::complexes::cellular::{CellKind, PlacedCells};
 
 /// A shape by its name; the numbers of cells are those along an axis.
 #[derive(Subcommand)]

@@ -3,8 +3,9 @@
 use super::construction::Numbers;
 use clap::{Subcommand, ValueEnum};
 use coface::Error;
-use coface::simplicial::SimplicialComplex;
-use coface::simplicial::known_spaces::{self, FlatManifold, Solid};
+use coface::complexes::simplicial::SimplicialComplex;
+use coface::complexes::simplicial::known_spaces;
+use coface::complexes::simplicial::known_spaces::{FlatManifold, Solid};
 
 /// A known space, as a list of facets.
 #[derive(Subcommand)]

@@ -1,8 +1,8 @@
 //! What is said about a cycle that the user gives.
 
 use crate::chains::{GivenChain, Naming};
-use coface::chains::ChainComplex;
-use coface::report::integer_to_json;
+use coface::algebra::chains::ChainComplex;
+use coface::answers::integer_to_json;
 use coface::topology::{Bounding, HomologyBasis};
 use serde_json::{Value, json};
 

@@ -4,7 +4,7 @@ use crate::chains::{Naming, read_terms};
 use crate::failure::Failure;
 use coface::CellId;
 use coface::algebra::Sign;
-use coface::chains::{ChainComplex, Cochain};
+use coface::algebra::chains::{ChainComplex, Cochain};
 use coface::topology::{HodgeSpace, HomologyBasis, MetricComplex};
 use serde_json::{Value, json};
 use std::path::Path;

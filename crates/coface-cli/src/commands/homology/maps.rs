@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::input::Loaded;
 use coface::Error;
-use coface::report::{Producer, integer_to_json};
-use coface::simplicial::{FrozenComplex, SimplicialMap};
+use coface::answers::{Producer, integer_to_json};
+use coface::complexes::simplicial::{FrozenComplex, SimplicialMap};
 use coface::topology::{AbelianGroup, HomologyBasis, HomologyMap, induced_maps};
 use serde_json::{Value, json};
 use std::path::Path;

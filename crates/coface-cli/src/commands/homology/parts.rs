@@ -11,8 +11,8 @@ use crate::progress::{Progress, remove_at_end};
 use crate::workers::{Task, core_count, pool};
 use clap::Args;
 use coface::Error;
-use coface::shards::{ReducedStep, ShardFolder};
-use coface_workers::{Limits, Loss, bytes_text, parse_bytes};
+use coface::scale::shards::{ReducedStep, ShardFolder};
+use coface::scale::workers::{Limits, Loss, bytes_text, parse_bytes};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

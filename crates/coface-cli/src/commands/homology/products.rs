@@ -2,8 +2,8 @@
 
 use coface::Error;
 use coface::algebra::Integer;
-use coface::chains::Cochain;
-use coface::report::{OrderedSimplices, Producer, integer_to_json};
+use coface::algebra::chains::Cochain;
+use coface::answers::{OrderedSimplices, Producer, integer_to_json};
 use coface::topology::{
     CochainAlgebra, Cocycle, Coefficients, MiddlePairing, cup_product_table, intersection_form,
 };

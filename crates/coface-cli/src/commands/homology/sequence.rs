@@ -1,8 +1,8 @@
 //! The long exact sequence of a pair.
 
 use super::maps::{matrix, words_of};
-use coface::chains::ChainComplex;
-use coface::report::{Pair, groups_to_json};
+use coface::algebra::chains::ChainComplex;
+use coface::answers::{Pair, groups_to_json};
 use coface::topology::{HomologyMap, LongExactSequence};
 use serde_json::{Value, json};
 

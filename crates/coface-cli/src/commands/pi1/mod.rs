@@ -10,16 +10,16 @@ use crate::output::{give, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::VertexId;
+use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Word};
-use coface::chains::ChainComplex;
+use coface::answers::{Producer, integer_to_json};
 use coface::geometry::Positions;
 use coface::io::{Model, write_path};
-use coface::report::{Producer, integer_to_json};
 use coface::topology::{
     AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
     Simplification, SubgroupClass, SurfaceGroup, homology,
 };
-use coface_pages::text;
+use coface::answers::text;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;

@@ -8,8 +8,8 @@ use crate::output::remark;
 use crate::progress::Progress;
 use coface::VertexId;
 use coface::algebra::Word;
-use coface::report::Producer;
-use coface::surface::GeneralizedMap;
+use coface::answers::Producer;
+use coface::complexes::surface::GeneralizedMap;
 use coface::topology::{
     AbelianGroup, ClosedWalk, CycleKind, Effort, Presentation, ShortestCycle, SurfaceGroup, SurfaceHomotopy,
     TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,

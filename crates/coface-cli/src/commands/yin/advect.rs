@@ -8,9 +8,9 @@ use crate::input;
 use crate::output::{remark, write_file};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
-use coface::report::PlanarSet;
+use coface::answers::PlanarSet;
 use coface::yin::{Flow, RungeKutta, TrackingOptions, Verification, YinSet};
-use coface_pages::text;
+use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

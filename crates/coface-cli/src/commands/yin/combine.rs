@@ -8,11 +8,11 @@ use crate::input;
 use crate::output::remark;
 use crate::progress::Progress;
 use clap::Args;
-use coface::arrangement::boolean::BooleanFormula;
+use coface::answers::PlanarSet;
+use coface::arrange::boolean::BooleanFormula;
 use coface::io::replace_file;
-use coface::report::PlanarSet;
 use coface::yin::YinSet;
-use coface_pages::text;
+use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -7,7 +7,7 @@ use crate::input;
 use crate::progress::Progress;
 use clap::Args;
 use coface::VertexId;
-use coface::report::{KinkRequest, PlanarSet};
+use coface::answers::{KinkRequest, PlanarSet};
 use coface::yin::KnotIndex;
 use serde_json::{Value, json};
 use std::path::PathBuf;

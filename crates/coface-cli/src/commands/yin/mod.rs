@@ -13,9 +13,11 @@ use crate::input;
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use clap::{Args, Subcommand, ValueEnum};
-use coface::arrangement::boolean::BooleanFormula;
-use coface::io::{self, Format, replace_file};
-use coface::report::{KinkRequest, PlanarSet, SetPicture, SetRequest};
+use coface::answers::{KinkRequest, PlanarSet, SetRequest};
+use coface::arrange::boolean::BooleanFormula;
+use coface::io;
+use coface::io::{Format, replace_file};
+use coface::pictures::{SetPicture, set_picture};
 use coface::yin::{EndCondition, KnotIndex, Order};
 use serde_json::Value;
 use std::io::Write;
@@ -248,8 +250,8 @@ impl SetOptions {
     ) -> Result<(), coface::Error> {
         match self.picture {
             Shown::Set => set.write(out, format, common.flatten),
-            Shown::Kinks => set.draw(out, SetPicture::Kinks),
-            Shown::Forest => set.draw(out, SetPicture::Forest),
+            Shown::Kinks => Ok(out.write_all(set_picture(set, SetPicture::Kinks)?.svg(None)?.as_bytes())?),
+            Shown::Forest => Ok(out.write_all(set_picture(set, SetPicture::Forest)?.svg(None)?.as_bytes())?),
         }
     }
 

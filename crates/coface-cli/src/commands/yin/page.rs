@@ -1,12 +1,12 @@
 //! A set as a page of facts.
 
-use coface_pages::text;
+use coface::answers::text;
 use serde_json::Value;
 
 /// So many curves and kinks are listed.
 const LISTED: usize = 12;
 
-/// The page of what [`coface::report::PlanarSet::to_json`] says.
+/// The page of what [`coface::answers::PlanarSet::to_json`] says.
 pub(super) fn of(title: &str, object: &Value) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {

@@ -1,0 +1,198 @@
+//! Chain maps: linear maps between chain complexes that commute with boundaries.
+
+use super::{Chain, ChainComplex, Coefficient};
+use crate::SparseMatrix;
+use crate::{CellId, Error, ErrorKind};
+
+/// A chain map: in each degree k an integer matrix $f_k$ from the k-chains of a source to those of a target, with
+/// $\partial f_k = f_{k-1} \partial$. Column j of the matrix of degree k is the image of the k-cell j of the source.
+///
+/// # References
+/// J. R. Munkres, *Elements of Algebraic Topology* (1984), section 13.
+///
+/// # Examples
+/// The circle of six edges runs twice around that of three:
+/// ```
+/// use coface_complexes::simplicial::SimplicialMap;
+/// use coface_complexes::simplicial::known_spaces::circle;
+/// use coface_topology::{HomologyBasis, induced_maps};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let (six, three) = (circle(6)?.freeze(), circle(3)?.freeze());
+/// let twice = SimplicialMap::new(&six, &three, (0..6).map(|v| (v, v % 3)))?;
+/// let (source, target) = (six.chain_complex()?, three.chain_complex()?);
+/// let map = twice.chain_map(&source, &target)?;
+/// let maps = induced_maps(&map, &HomologyBasis::new(&source), &HomologyBasis::new(&target))?;
+/// assert_eq!(maps[1].columns()[0][0].abs(), 2.into());
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChainMap {
+    /// The matrix of degree k at position k.
+    matrices: Vec<SparseMatrix>,
+}
+
+impl ChainMap {
+    /// The map with these matrices, of degrees 0, 1, ... of the source.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there is a matrix for each degree of the source, with as many columns as the source
+    /// has cells and as many rows as the target has; [`ErrorKind::InvalidInput`] naming a cell where the map does not
+    /// commute with the boundary.
+    pub fn new(
+        source: &ChainComplex,
+        target: &ChainComplex,
+        matrices: Vec<SparseMatrix>,
+    ) -> Result<Self, Error> {
+        if matrices.len() != source.degree_count() {
+            let message = format!("{} matrices for {} degrees", matrices.len(), source.degree_count());
+            return Err(Error::new(ErrorKind::Shape, message)
+                .with_cure("give a matrix for each degree of the source"));
+        }
+        for (degree, matrix) in matrices.iter().enumerate() {
+            let expected = (target.cell_count(degree), source.cell_count(degree));
+            if (matrix.row_count(), matrix.column_count()) != expected {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!(
+                        "the matrix of degree {degree} is {} by {}, not {} by {}",
+                        matrix.row_count(),
+                        matrix.column_count(),
+                        expected.0,
+                        expected.1
+                    ),
+                ));
+            }
+            let Some(own) = source.boundary_matrix(degree) else { continue };
+            let around = matrices[degree - 1].product(own)?.into_wide();
+            let difference = match target.boundary_matrix(degree) {
+                Some(boundary) => boundary.product(matrix)?.into_wide().difference(&around)?.into_wide(),
+                None => around,
+            };
+            if let Some(cell) =
+                (0..difference.column_count()).find(|&j| !difference.column(j).rows().is_empty())
+            {
+                return Err(Error::invalid(format!(
+                    "the map does not commute with the boundary on cell {cell} of degree {degree}"
+                ))
+                .with_cure("the boundary of the image of a cell must be the image of its boundary"));
+            }
+        }
+        Ok(Self { matrices })
+    }
+
+    /// The identity of a complex.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 32 bits.
+    pub fn identity(complex: &ChainComplex) -> Result<Self, Error> {
+        let matrices = complex.f_vector().iter().map(|&count| SparseMatrix::identity(count));
+        Ok(Self { matrices: matrices.collect::<Result<_, Error>>()? })
+    }
+
+    /// The inclusion of a subcomplex into a complex; `cells` are those that [`ChainComplex::subcomplex`] was given.
+    ///
+    /// # Errors
+    /// Those of [`ChainComplex::subcomplex`].
+    pub fn inclusion(complex: &ChainComplex, cells: &[Vec<CellId>]) -> Result<Self, Error> {
+        let part = complex.subcomplex(cells)?;
+        let matrices = (0..part.degree_count()).map(|degree| {
+            let columns: Vec<usize> =
+                cells.get(degree).into_iter().flatten().map(|cell| cell.index()).collect();
+            SparseMatrix::identity(complex.cell_count(degree))?.select_columns(&columns)
+        });
+        Self::new(&part, complex, matrices.collect::<Result<_, Error>>()?)
+    }
+
+    /// The projection of a complex onto the one relative to a subcomplex, as [`ChainComplex::relative`] makes it.
+    ///
+    /// # Errors
+    /// Those of [`ChainComplex::relative`].
+    pub fn projection(complex: &ChainComplex, cells: &[Vec<CellId>]) -> Result<Self, Error> {
+        let relative = complex.relative(cells)?;
+        let kept = complex.complement(cells)?;
+        let matrices = (0..complex.degree_count()).map(|degree| {
+            let rows: Vec<usize> = kept[degree].iter().map(|cell| cell.index()).collect();
+            SparseMatrix::identity(complex.cell_count(degree))?.select_rows(&rows)
+        });
+        Self::new(complex, &relative, matrices.collect::<Result<_, Error>>()?)
+    }
+
+    /// The matrix of a degree: a row for each cell of the target, a column for each cell of the source. `None` beyond the
+    /// degrees of the source.
+    pub fn matrix(&self, degree: usize) -> Option<&SparseMatrix> {
+        self.matrices.get(degree)
+    }
+
+    /// This map, then another one.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] if the source of the other is not the target of this, [`ErrorKind::TooLarge`] for entries
+    /// beyond 32 bits.
+    pub fn then(&self, next: &Self) -> Result<Self, Error> {
+        let matrices = self.matrices.iter().enumerate().map(|(degree, matrix)| match next.matrix(degree) {
+            Some(other) => other.checked_product(matrix),
+            None => SparseMatrix::zero(0, matrix.column_count()),
+        });
+        Ok(Self { matrices: matrices.collect::<Result<_, Error>>()? })
+    }
+
+    /// The image of a chain.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if the chain has a cell that the source has not.
+    pub fn image<C: Coefficient>(&self, chain: &Chain<C>) -> Result<Chain<C>, Error> {
+        let degree = chain.degree();
+        let Some(matrix) = self.matrix(degree).filter(|_| !chain.is_zero()) else {
+            return Ok(Chain::zero(degree));
+        };
+        let mut terms = Vec::new();
+        for (cell, coefficient) in chain.terms() {
+            if cell.index() >= matrix.column_count() {
+                let message = format!("there is no cell {cell} of degree {degree} in the source of the map");
+                return Err(Error::new(ErrorKind::NotInComplex, message));
+            }
+            let column = matrix.column(cell.index());
+            terms.extend(column.iter().map(|(row, x)| (CellId::new(row), coefficient.times_integer(x))));
+        }
+        super::combination::Combination::from_terms(degree, terms).map(Chain)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Integer;
+    use crate::chains::{closed_cells, random_complexes};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn inclusions_and_projections_are_chain_maps(
+            complex in random_complexes(),
+            sizes in prop::collection::vec(0usize..40, 4),
+        ) {
+            let cells = closed_cells(&complex, &sizes);
+            let inclusion = ChainMap::inclusion(&complex, &cells).unwrap();
+            let projection = ChainMap::projection(&complex, &cells).unwrap();
+            let both = inclusion.then(&projection).unwrap();
+            prop_assert!((0..complex.degree_count()).all(|degree| both.matrix(degree).is_none_or(SparseMatrix::is_zero)));
+            let identity = ChainMap::identity(&complex).unwrap();
+            prop_assert_eq!(&inclusion.then(&identity).unwrap(), &inclusion);
+        }
+    }
+
+    #[test]
+    fn maps_that_tear_are_refused() {
+        let edge =
+            ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)]).unwrap()])
+                .unwrap();
+        let flip = SparseMatrix::from_entries(2, 2, [(1, 0, 1), (0, 1, 1)]).unwrap();
+        let same = SparseMatrix::identity(1).unwrap();
+        let error = ChainMap::new(&edge, &edge, vec![flip.clone(), same.clone()]).unwrap_err();
+        assert!(error.message().contains("cell 0 of degree 1"), "{error}");
+        let flipped = ChainMap::new(&edge, &edge, vec![flip, same.negated()]).unwrap();
+        let chain = Chain::new(&edge, 1, [(CellId::new(0), Integer::from(3))]).unwrap();
+        assert_eq!(flipped.image(&chain).unwrap().to_string(), "-3 c0");
+        assert_eq!(ChainMap::new(&edge, &edge, vec![same]).unwrap_err().kind(), ErrorKind::Shape);
+    }
+}

@@ -1,0 +1,246 @@
+//! Linear combinations of cells of one degree: what chains and cochains have in common.
+
+use super::{ChainComplex, Coefficient};
+use crate::{CellId, Error, ErrorKind};
+use std::fmt;
+
+/// A combination of cells of one degree: cells rising, no coefficient zero.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Combination<C> {
+    pub(super) degree: usize,
+    pub(super) terms: Vec<(CellId, C)>,
+}
+
+impl<C: Coefficient> Combination<C> {
+    /// The combination of these terms in any order; those of one cell are added.
+    pub(super) fn from_terms(degree: usize, mut terms: Vec<(CellId, C)>) -> Result<Self, Error> {
+        terms.sort_by_key(|&(cell, _)| cell);
+        let mut sum: Vec<(CellId, C)> = Vec::with_capacity(terms.len());
+        for (cell, coefficient) in terms {
+            match sum.last_mut() {
+                Some((last, total)) if *last == cell => *total = total.plus(&coefficient)?,
+                _ => {
+                    sum.pop_if(|(_, total)| total.is_zero());
+                    sum.push((cell, coefficient));
+                }
+            }
+        }
+        sum.pop_if(|(_, total)| total.is_zero());
+        Ok(Self { degree, terms: sum })
+    }
+
+    pub(super) fn of_complex(
+        complex: &ChainComplex,
+        degree: usize,
+        terms: impl IntoIterator<Item = (CellId, C)>,
+    ) -> Result<Self, Error> {
+        let mut checked = Vec::new();
+        for (cell, coefficient) in terms {
+            checked.push((cell, coefficient.checked()?));
+        }
+        check_cells(complex, degree, checked.iter().map(|&(cell, _)| cell).max())?;
+        Self::from_terms(degree, checked)
+    }
+
+    /// That all cells are there.
+    pub(super) fn check(&self, complex: &ChainComplex) -> Result<(), Error> {
+        check_cells(complex, self.degree, self.terms.last().map(|&(cell, _)| cell))
+    }
+
+    pub(super) fn check_degree(&self, degree: usize) -> Result<(), Error> {
+        if self.degree == degree {
+            return Ok(());
+        }
+        Err(Error::new(
+            ErrorKind::Shape,
+            format!("the degrees {} and {degree} do not fit together", self.degree),
+        ))
+    }
+
+    pub(super) fn coefficient(&self, cell: CellId) -> Option<&C> {
+        let at = self.terms.binary_search_by_key(&cell, |&(present, _)| present).ok()?;
+        Some(&self.terms[at].1)
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Result<Self, Error> {
+        self.check_degree(other.degree)?;
+        Self::from_terms(self.degree, self.terms.iter().chain(&other.terms).cloned().collect())
+    }
+
+    pub(super) fn negated(&self) -> Self {
+        let terms = self.terms.iter().map(|(cell, coefficient)| (*cell, coefficient.negated())).collect();
+        Self { degree: self.degree, terms }
+    }
+
+    pub(super) fn scaled(&self, factor: &C) -> Result<Self, Error> {
+        let multiply = |(cell, coefficient): &(CellId, C)| Ok((*cell, factor.times(coefficient)?));
+        // Products of residues can be zero where no factor is.
+        Self::from_terms(self.degree, self.terms.iter().map(multiply).collect::<Result<_, Error>>()?)
+    }
+
+    /// The sum of products over common cells; `None` for zero.
+    pub(super) fn inner_product(&self, other: &Self) -> Result<Option<C>, Error> {
+        self.check_degree(other.degree)?;
+        let mut products = Vec::new();
+        for (cell, coefficient) in &self.terms {
+            if let Some(factor) = other.coefficient(*cell) {
+                products.push(coefficient.times(factor)?);
+            }
+        }
+        total(products)
+    }
+}
+
+/// That the last cell, and so all of them, are there.
+fn check_cells(complex: &ChainComplex, degree: usize, last: Option<CellId>) -> Result<(), Error> {
+    let count = complex.cell_count(degree);
+    match last {
+        Some(cell) if cell.index() >= count => Err(Error::new(
+            ErrorKind::NotInComplex,
+            format!("there is no cell {cell} of degree {degree}: there are {count} such cells"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The sum; `None` for zero.
+pub(super) fn total<C: Coefficient>(values: impl IntoIterator<Item = C>) -> Result<Option<C>, Error> {
+    let mut sum: Option<C> = None;
+    for value in values {
+        sum = Some(match sum {
+            Some(sum) => sum.plus(&value)?,
+            None => value,
+        });
+    }
+    Ok(sum.filter(|sum| !sum.is_zero()))
+}
+
+impl<C: Coefficient> fmt::Display for Combination<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.terms.is_empty() {
+            return f.write_str("0");
+        }
+        for (at, (cell, coefficient)) in self.terms.iter().enumerate() {
+            let text = coefficient.to_string();
+            let (is_negative, size) = match text.strip_prefix('-') {
+                Some(size) => (true, size),
+                None => (false, text.as_str()),
+            };
+            f.write_str(match (at, is_negative) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            })?;
+            match size {
+                "1" => write!(f, "{cell}")?,
+                size if size.contains(' ') => write!(f, "({size}) {cell}")?,
+                size => write!(f, "{size} {cell}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The methods that chains and cochains share.
+macro_rules! combination {
+    ($type:ident, $noun:literal) => {
+        impl<C: Coefficient> $type<C> {
+            #[doc = concat!("The ", $noun, " of these terms, in any order; terms of one cell are added.")]
+            ///
+            /// # Errors
+            /// [`ErrorKind::NotInComplex`](crate::ErrorKind::NotInComplex) for a cell that the complex does not have;
+            /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) for coefficients of different rings and for
+            /// floating-point values that are no numbers.
+            ///
+            /// # Complexity
+            /// $O(m \log m)$ for m terms.
+            pub fn new(
+                complex: &ChainComplex,
+                degree: usize,
+                terms: impl IntoIterator<Item = (CellId, C)>,
+            ) -> Result<Self, Error> {
+                Combination::of_complex(complex, degree, terms).map(Self)
+            }
+
+            #[doc = concat!("The ", $noun, " of these terms, whose cells are known to be there, in any order.")]
+            #[doc(hidden)]
+            pub fn of_cells(
+                degree: usize,
+                terms: impl IntoIterator<Item = (CellId, C)>,
+            ) -> Result<Self, Error> {
+                Combination::from_terms(degree, terms.into_iter().collect()).map(Self)
+            }
+
+            #[doc = concat!("The ", $noun, " without terms.")]
+            pub fn zero(degree: usize) -> Self {
+                Self(Combination { degree, terms: Vec::new() })
+            }
+
+            #[doc = concat!("The degree of the cells of this ", $noun, ".")]
+            pub fn degree(&self) -> usize {
+                self.0.degree
+            }
+
+            /// The cells with their coefficients, which are not zero, in rising order.
+            pub fn terms(&self) -> &[(CellId, C)] {
+                &self.0.terms
+            }
+
+            /// The cells whose coefficient is not zero, in rising order.
+            pub fn support(&self) -> impl ExactSizeIterator<Item = CellId> + '_ {
+                self.0.terms.iter().map(|&(cell, _)| cell)
+            }
+
+            /// The coefficient of a cell; `None` stands for zero.
+            pub fn coefficient(&self, cell: CellId) -> Option<&C> {
+                self.0.coefficient(cell)
+            }
+
+            /// Whether every coefficient is zero.
+            pub fn is_zero(&self) -> bool {
+                self.0.terms.is_empty()
+            }
+
+            /// The sum.
+            ///
+            /// # Errors
+            /// [`ErrorKind::Shape`](crate::ErrorKind::Shape) if the degrees differ,
+            /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) if the rings do.
+            pub fn plus(&self, other: &Self) -> Result<Self, Error> {
+                self.0.plus(&other.0).map(Self)
+            }
+
+            /// The difference `self - other`.
+            ///
+            /// # Errors
+            /// As [`Self::plus`].
+            pub fn minus(&self, other: &Self) -> Result<Self, Error> {
+                self.plus(&other.negated())
+            }
+
+            #[doc = concat!("The ", $noun, " with the opposite coefficients.")]
+            #[must_use]
+            pub fn negated(&self) -> Self {
+                Self(self.0.negated())
+            }
+
+            #[doc = concat!("The ", $noun, " with each coefficient multiplied by `factor`.")]
+            ///
+            /// # Errors
+            /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) if the factor is of another ring.
+            pub fn scaled(&self, factor: &C) -> Result<Self, Error> {
+                self.0.scaled(factor).map(Self)
+            }
+        }
+
+        impl<C: Coefficient> std::fmt::Display for $type<C> {
+            /// A sum such as `c0 - 2 c3`; `0` without terms.
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                std::fmt::Display::fmt(&self.0, f)
+            }
+        }
+    };
+}
+
+pub(super) use combination;

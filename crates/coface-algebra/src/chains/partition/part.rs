@@ -1,0 +1,320 @@
+//! The closure of what one part owns, and what is left of it.
+
+use super::keys::Keys;
+use crate::chains::flow::inclusions;
+use crate::chains::matching::CellClasses;
+use crate::chains::{AcyclicMatching, ChainComplex, MorseComplex};
+use crate::{Entry, Integer, RaggedArray, SparseMatrix, SparseVector};
+use crate::{Error, ErrorKind, progress};
+use std::borrow::Cow;
+use xxhash_rust::xxh3::xxh3_64_with_seed;
+
+/// All cells of a complex that one part has in its closure, with their ids and keys.
+///
+/// Over 32-bit incidences it is a piece of a cell complex; over [`Integer`]s it is what is left of pieces, a
+/// [`ReducedPart`].
+///
+/// # Examples
+/// A circle of four edges in two parts: each sees its two edges and their three vertices, and nothing is left of it but the ends and an edge
+/// between them. Together one vertex and one edge are left.
+/// ```
+/// use coface_algebra::chains::{Partition, Parts};
+/// use coface_complexes::simplicial::SimplicialComplex;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [2, 3], [0, 3]])?.chain_complex()?;
+/// let partition = Partition::new(&circle, 2, |_, edge| u32::from(edge >= 2))?;
+/// let parts = [partition.part(0)?.reduced(), partition.part(1)?.reduced()];
+/// assert_eq!(parts[0].complex().f_vector(), [2, 1]);
+/// let whole = coface_algebra::chains::ReducedPart::merged(0, &parts, |_| 0)?.reduced();
+/// assert_eq!(whole.complex().f_vector(), [1, 1]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part<E: Entry = i32> {
+    number: u32,
+    complex: ChainComplex<E>,
+    ids: Vec<Vec<u64>>,
+    keys: Keys,
+}
+
+/// What is left of a part, or of several: critical cells with their exact boundaries in the Morse complex of the whole.
+pub type ReducedPart = Part<Integer>;
+
+/// A stratum that other parts see too, and a hash of the pairs and critical cells that the matching has in it.
+///
+/// Neighbors have the same hash, or one of them has been given something else than the other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WallHash {
+    /// The parts that have the stratum, rising; two at least.
+    pub key: Vec<u32>,
+    /// The hash of the ids of its pairs and critical cells.
+    pub hash: u64,
+}
+
+impl<E: Entry> Part<E> {
+    /// The part of this number with these cells.
+    ///
+    /// `ids[k]` are the ids of the cells of degree k, rising; `key_sets` are rising lists of part numbers, and `keys[k]` says which of them
+    /// each cell of degree k has.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] where lists are not as long as there are cells; [`ErrorKind::InvalidInput`] for ids that do not rise, for sets
+    /// that do not rise or lack the part, and for a face whose key lacks a number that the cell's has.
+    ///
+    /// # Complexity
+    /// Linear in the boundary matrices.
+    pub fn new(
+        number: u32,
+        complex: ChainComplex<E>,
+        ids: Vec<Vec<u64>>,
+        key_sets: &RaggedArray,
+        keys: Vec<Vec<u32>>,
+    ) -> Result<Self, Error> {
+        let counts = complex.f_vector().iter().copied();
+        if !counts.clone().eq(ids.iter().map(Vec::len)) || !counts.eq(keys.iter().map(Vec::len)) {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("part {number} lacks an id or a key of a cell"),
+            ));
+        }
+        for (degree, ids) in ids.iter().enumerate() {
+            if let Some(at) = ids.windows(2).position(|pair| pair[0] >= pair[1]) {
+                return Err(Error::invalid(format!(
+                    "the ids of part {number} in degree {degree} do not rise: {} comes before {}",
+                    ids[at],
+                    ids[at + 1]
+                )));
+            }
+        }
+        for set in key_sets.iter() {
+            if !set.is_sorted_by(|a, b| a < b) || set.binary_search(&number).is_err() {
+                return Err(Error::invalid(format!(
+                    "{set:?} is no key of a cell of part {number}: it must rise and have the number"
+                )));
+            }
+        }
+        if keys.iter().flatten().any(|&key| key as usize >= key_sets.len()) {
+            return Err(Error::invalid(format!(
+                "part {number} has {} keys, and a cell with another",
+                key_sets.len()
+            )));
+        }
+        let part = Self { number, complex, ids, keys: Keys::of_sets(key_sets, keys) };
+        part.check_keys()?;
+        Ok(part)
+    }
+
+    /// The same for lists that are right by the way they were made: only debug builds look.
+    ///
+    /// # Errors
+    /// None that a right list has.
+    #[doc(hidden)]
+    pub fn of_trusted_cells(
+        number: u32,
+        complex: ChainComplex<E>,
+        ids: Vec<Vec<u64>>,
+        key_sets: &RaggedArray,
+        keys: Vec<Vec<u32>>,
+    ) -> Result<Self, Error> {
+        if cfg!(debug_assertions) {
+            return Self::new(number, complex, ids, key_sets, keys);
+        }
+        Ok(Self { number, complex, ids, keys: Keys::of_sets(key_sets, keys) })
+    }
+
+    /// The same for lists that are right by the way they were made.
+    pub(super) fn from_trusted(
+        number: u32,
+        complex: ChainComplex<E>,
+        ids: Vec<Vec<u64>>,
+        keys: Keys,
+    ) -> Self {
+        let part = Self { number, complex, ids, keys };
+        debug_assert!(part.check_keys().is_ok(), "faces have the keys of their cells");
+        part
+    }
+
+    fn check_keys(&self) -> Result<(), Error> {
+        for degree in 1..self.complex.degree_count() {
+            let Some(matrix) = self.complex.boundary_matrix(degree) else { continue };
+            for (cell, column) in matrix.columns().enumerate() {
+                let own = self.keys.of_cell[degree][cell];
+                for &face in column.rows() {
+                    let other = self.keys.of_cell[degree - 1][face as usize];
+                    if own != other
+                        && !contains(self.keys.sets.list(other as usize), self.keys.sets.list(own as usize))
+                    {
+                        return Err(Error::invalid(format!(
+                            "in part {}, face {} of cell {} of degree {degree} lacks a number of its key",
+                            self.number,
+                            self.ids[degree - 1][face as usize],
+                            self.ids[degree][cell]
+                        )));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of the part.
+    pub fn number(&self) -> u32 {
+        self.number
+    }
+
+    /// The cells and their incidences.
+    pub fn complex(&self) -> &ChainComplex<E> {
+        &self.complex
+    }
+
+    /// The complex alone.
+    pub fn into_complex(self) -> ChainComplex<E> {
+        self.complex
+    }
+
+    /// The ids of the cells of this degree, rising.
+    pub fn ids(&self, degree: usize) -> &[u64] {
+        self.ids.get(degree).map_or(&[], Vec::as_slice)
+    }
+
+    /// The key of a cell: the parts that have it, rising.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn key(&self, degree: usize, cell: usize) -> &[u32] {
+        self.keys.of(degree, cell as u32)
+    }
+
+    /// The keys that occur, rising, and for each degree which of them each cell has.
+    pub fn keys(&self) -> (&RaggedArray, &[Vec<u32>]) {
+        (&self.keys.sets, &self.keys.of_cell)
+    }
+
+    pub(super) fn held_keys(&self) -> &Keys {
+        &self.keys
+    }
+
+    /// How many strata the part sees.
+    pub fn stratum_count(&self) -> usize {
+        self.keys.sets.len()
+    }
+
+    /// How many cells of each degree are the part's own: those of which it is the first in the key. Each cell of the whole is own to one
+    /// part.
+    pub fn own_counts(&self) -> Vec<usize> {
+        let is_own: Vec<bool> = self.keys.sets.iter().map(|set| set[0] == self.number).collect();
+        let own = |keys: &Vec<u32>| keys.iter().filter(|&&key| is_own[key as usize]).count();
+        self.keys.of_cell.iter().map(own).collect()
+    }
+
+    /// How many strata are the part's own: those of which it is the first in the key. Each stratum of the whole is own to one part.
+    pub fn own_stratum_count(&self) -> usize {
+        self.keys.sets.iter().filter(|set| set[0] == self.number).count()
+    }
+
+    /// Whether an incidence is 1 or -1, so that a further pair could cancel in a larger stratum.
+    pub fn has_units(&self) -> bool {
+        self.complex.boundary_matrices().iter().any(|matrix| matrix.entries().iter().any(E::is_unit))
+    }
+
+    /// The matching inside the strata.
+    ///
+    /// # Complexity
+    /// As of [`AcyclicMatching::new`].
+    pub fn matching(&self) -> AcyclicMatching {
+        let ranks = self.keys.sizes();
+        AcyclicMatching::within(&self.complex, CellClasses { of_cell: &self.keys.of_cell, ranks: &ranks })
+    }
+
+    /// What is left when all pairs inside the strata have cancelled: the critical cells of the strata that the part sees.
+    ///
+    /// # Complexity
+    /// As of [`MorseComplex`].
+    #[must_use]
+    pub fn reduced(&self) -> ReducedPart {
+        self.reduced_by(self.matching())
+    }
+
+    /// The same for a matching that is at hand.
+    #[must_use]
+    pub fn reduced_by(&self, matching: AcyclicMatching) -> ReducedPart {
+        let morse = MorseComplex::with_matching(Cow::Borrowed(&self.complex), matching);
+        let degrees = 0..self.complex.degree_count();
+        let matrices = degrees.skip(1).map(|degree| morse.boundary_matrix(degree)).collect();
+        let complex = ChainComplex::from_trusted(morse.critical_count(0), matrices);
+        let degrees = 0..complex.degree_count();
+        let critical = |degree: usize| morse.matching().critical_cells(degree);
+        let ids = degrees
+            .clone()
+            .map(|degree| critical(degree).iter().map(|&cell| self.ids[degree][cell as usize]).collect());
+        let ids = ids.collect();
+        let keys = self.keys.renamed(degrees.map(critical), |part| part);
+        Part::from_trusted(self.number, complex, ids, keys)
+    }
+
+    /// Chains on the critical cells of the matching as chains on the cells of the part; see [`MorseComplex::inclusion`]. Both go by numbers
+    /// in the part, that of a critical cell being its place among them.
+    ///
+    /// # Panics
+    /// If a number is not below the count of critical cells.
+    pub fn inclusions<'c>(
+        &self,
+        matching: &AcyclicMatching,
+        degree: usize,
+        chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
+    ) -> Vec<SparseVector> {
+        let steps = progress::stage("growing chains of a part", 0);
+        inclusions(&self.complex, matching, degree, chains, &steps)
+    }
+
+    /// What the matching has in the strata that other parts see too.
+    pub fn wall_hashes(&self, matching: &AcyclicMatching) -> Vec<WallHash> {
+        let mut hashes = vec![0; self.keys.sets.len()];
+        let mut add = |degree: usize, cell: u32, bytes: &[u8]| {
+            let hash = &mut hashes[self.keys.of_cell[degree][cell as usize] as usize];
+            *hash = xxh3_64_with_seed(bytes, *hash);
+        };
+        for degree in 0..self.complex.degree_count() {
+            for &cell in matching.critical_cells(degree) {
+                add(degree, cell, &self.ids[degree][cell as usize].to_le_bytes());
+            }
+            for pair in matching.pairs(&self.complex, degree) {
+                let mut bytes = [0; 16];
+                bytes[..8].copy_from_slice(&self.ids[degree - 1][pair.face as usize].to_le_bytes());
+                bytes[8..].copy_from_slice(&self.ids[degree][pair.cell as usize].to_le_bytes());
+                add(degree, pair.cell, &bytes);
+            }
+        }
+        let walls = self.keys.sets.iter().zip(hashes).filter(|(set, _)| set.len() > 1);
+        walls.map(|(set, hash)| WallHash { key: set.to_vec(), hash }).collect()
+    }
+}
+
+/// Whether a rising list has all of another.
+fn contains(set: &[u32], subset: &[u32]) -> bool {
+    let mut rest = set.iter();
+    subset.iter().all(|x| rest.any(|y| y == x))
+}
+
+impl Part {
+    /// The boundary matrices of the closure of some cells, from those of the whole: `cells` rise in each degree, and `place` has room for
+    /// the cells of each degree.
+    pub(super) fn local_matrix(
+        matrix: &SparseMatrix,
+        cells: &[u32],
+        faces: &[u32],
+        place: &mut [u32],
+    ) -> Result<SparseMatrix, Error> {
+        for (at, &face) in faces.iter().enumerate() {
+            place[face as usize] = at as u32;
+        }
+        let (mut starts, mut rows, mut entries) = (vec![0], Vec::new(), Vec::new());
+        for &cell in cells {
+            let column = matrix.column(cell as usize);
+            rows.extend(column.rows().iter().map(|&row| place[row as usize]));
+            entries.extend_from_slice(column.entries());
+            starts.push(rows.len() as u32);
+        }
+        SparseMatrix::from_trusted_parts(faces.len(), starts, rows, entries)
+    }
+}

@@ -1,0 +1,244 @@
+//! The one error of the crate: what went wrong, where, and what to do about it.
+
+use std::fmt;
+
+/// What sort of fault an [`Error`] is; stable for matching, while messages may be reworded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// A file or stream could not be opened, read or written.
+    Io,
+    /// The text or bytes break the rules of their format.
+    Parse,
+    /// The format is unknown, or this part of it is not supported.
+    UnsupportedFormat,
+    /// The data is readable but cannot be what is asked for (an index out of range, a face with a repeated vertex).
+    InvalidInput,
+    /// A simplex, cell or vertex that was named is not there.
+    NotInComplex,
+    /// A set of cells that had to be closed under faces is not.
+    NotAComplex,
+    /// A complex that had to be pure is not.
+    NotPure,
+    /// The boundary of a boundary is not zero.
+    BoundaryOfBoundary,
+    /// A chain that had to be a cycle has a boundary.
+    NotACycle,
+    /// Matrices or chains of shapes that do not fit together.
+    Shape,
+    /// More cells, or larger numbers, than the representation holds.
+    TooLarge,
+    /// A surface operation met an edge or vertex that no surface has.
+    NonManifold,
+    /// A coefficient that must be invertible is not, or two coefficients come from different rings.
+    Coefficient,
+}
+
+impl ErrorKind {
+    /// The kind as a word for programs: `io`, `parse`, `unsupported_format`, `invalid_input`, `not_in_complex`, `not_a_complex`,
+    /// `not_pure`, `boundary_of_boundary`, `not_a_cycle`, `shape`, `too_large`, `non_manifold`, `coefficient`.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::ErrorKind::UnsupportedFormat.word(), "unsupported_format");
+    /// ```
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Io => "io",
+            Self::Parse => "parse",
+            Self::UnsupportedFormat => "unsupported_format",
+            Self::InvalidInput => "invalid_input",
+            Self::NotInComplex => "not_in_complex",
+            Self::NotAComplex => "not_a_complex",
+            Self::NotPure => "not_pure",
+            Self::BoundaryOfBoundary => "boundary_of_boundary",
+            Self::NotACycle => "not_a_cycle",
+            Self::Shape => "shape",
+            Self::TooLarge => "too_large",
+            Self::NonManifold => "non_manifold",
+            Self::Coefficient => "coefficient",
+        }
+    }
+}
+
+/// Where in a file a fault was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Place {
+    file: Option<String>,
+    line: Option<u64>,
+    byte: Option<u64>,
+}
+
+/// A fault in data or in a request: it names the place, the fault and the cure.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::{Error, ErrorKind};
+/// let error = Error::new(ErrorKind::Parse, "\"abc\" is not a coordinate")
+///     .at_line(12)
+///     .in_file("cube.off")
+///     .with_cure("write a decimal number");
+/// assert_eq!(error.to_string(), "cube.off:12: \"abc\" is not a coordinate; write a decimal number");
+/// assert_eq!(error.kind(), ErrorKind::Parse);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error(Box<Inner>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Inner {
+    kind: ErrorKind,
+    message: String,
+    place: Place,
+    cure: Option<String>,
+    cells: Vec<Vec<u32>>,
+}
+
+impl Error {
+    /// An error of this kind. The message says what is wrong, in lower case and without a full stop.
+    pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
+        Self(Box::new(Inner {
+            kind,
+            message: message.into(),
+            place: Place::default(),
+            cure: None,
+            cells: Vec::new(),
+        }))
+    }
+
+    /// A fault in the text or bytes of a file.
+    pub fn parse(message: impl Into<String>) -> Self {
+        Self::new(ErrorKind::Parse, message)
+    }
+
+    /// Readable data that cannot be what is asked for.
+    pub fn invalid(message: impl Into<String>) -> Self {
+        Self::new(ErrorKind::InvalidInput, message)
+    }
+
+    /// The same error with what to do about it.
+    #[must_use]
+    pub fn with_cure(mut self, cure: impl Into<String>) -> Self {
+        self.0.cure = Some(cure.into());
+        self
+    }
+
+    /// The same error with the cells it is about, each by the numbers of its vertices; cells without vertices by their own number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Error, ErrorKind};
+    /// let error = Error::new(ErrorKind::NonManifold, "the edge {v4 v9} lies in three faces").with_cells([[4, 9]]);
+    /// assert_eq!(error.cells(), [[4, 9]]);
+    /// ```
+    #[must_use]
+    pub fn with_cells<L: Into<Vec<u32>>>(mut self, cells: impl IntoIterator<Item = L>) -> Self {
+        self.0.cells = cells.into_iter().map(Into::into).collect();
+        self
+    }
+
+    /// The same error at a line of a text file, counted from 1. A line already known is kept.
+    #[must_use]
+    pub fn at_line(mut self, line: u64) -> Self {
+        self.0.place.line.get_or_insert(line);
+        self
+    }
+
+    /// The same error at a byte of a binary file, counted from 0. A byte already known is kept.
+    #[must_use]
+    pub fn at_byte(mut self, byte: u64) -> Self {
+        self.0.place.byte.get_or_insert(byte);
+        self
+    }
+
+    /// The same error in the file of this name. A file already known is kept.
+    #[must_use]
+    pub fn in_file(mut self, file: impl Into<String>) -> Self {
+        self.0.place.file.get_or_insert_with(|| file.into());
+        self
+    }
+
+    /// What sort of fault this is.
+    pub fn kind(&self) -> ErrorKind {
+        self.0.kind
+    }
+
+    /// The fault alone, without place and cure.
+    pub fn message(&self) -> &str {
+        &self.0.message
+    }
+
+    /// What to do about it.
+    pub fn cure(&self) -> Option<&str> {
+        self.0.cure.as_deref()
+    }
+
+    /// The cells it is about, each by the numbers of its vertices, so that a program can show them; none where it is about no cells.
+    pub fn cells(&self) -> &[Vec<u32>] {
+        &self.0.cells
+    }
+
+    /// The file it is in.
+    pub fn file(&self) -> Option<&str> {
+        self.0.place.file.as_deref()
+    }
+
+    /// The line it is at, from 1.
+    pub fn line(&self) -> Option<u64> {
+        self.0.place.line
+    }
+
+    /// The byte it is at, from 0.
+    pub fn byte(&self) -> Option<u64> {
+        self.0.place.byte
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Place { file, line, byte } = &self.0.place;
+        match (file, line) {
+            (Some(file), Some(line)) => write!(f, "{file}:{line}: ")?,
+            (Some(file), None) => write!(f, "{file}: ")?,
+            (None, Some(line)) => write!(f, "line {line}: ")?,
+            (None, None) => {}
+        }
+        if let (None, Some(byte)) = (line, byte) {
+            write!(f, "at byte {byte}: ")?;
+        }
+        f.write_str(&self.0.message)?;
+        if let Some(cure) = &self.0.cure {
+            write!(f, "; {cure}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<std::io::Error> for Error {
+    fn from(error: std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::OutOfMemory => {
+                Self::new(ErrorKind::TooLarge, "there is not enough memory").with_cure("allow more memory")
+            }
+            _ => Self::new(ErrorKind::Io, error.to_string()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_place_is_kept() {
+        let error = Error::parse("bad").at_line(3).at_line(9).in_file("a").in_file("b");
+        assert_eq!((error.line(), error.file()), (Some(3), Some("a")));
+    }
+
+    #[test]
+    fn a_byte_is_named_when_there_is_no_line() {
+        let error = Error::parse("the data ends").at_byte(84).in_file("x.stl");
+        assert_eq!(error.to_string(), "x.stl: at byte 84: the data ends");
+    }
+}

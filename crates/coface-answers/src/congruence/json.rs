@@ -1,0 +1,113 @@
+//! Congruences as JSON.
+
+use super::ModelCongruence;
+use coface_algebra::{CellId, Error};
+use coface_arrange::congruence::{BlockMerge, BlockPolicy};
+use serde_json::{Value, json};
+use std::io::Write;
+
+/// How many merges within blocks are listed.
+const LISTED_MERGES: usize = 100;
+
+impl ModelCongruence {
+    /// The congruence as one JSON object with the keys that programs rely on: `f_vector_before`, `f_vector`, `classes`,
+    /// `largest_class_diameter`, `discarded`, `products_zero`.
+    ///
+    /// `discarded` and `changed` are the numbers of cells of each degree that collapsed, and that lost facets without
+    /// collapsing. Merges within blocks are counted (`null` without blocks), and unless the request allows them the first 100
+    /// are listed.
+    ///
+    /// # Errors
+    /// Those of [`Self::products_are_zero`].
+    pub fn to_json(&self) -> Result<Value, Error> {
+        let chains = self.chains();
+        let counts = |lists: &[Vec<u32>]| lists.iter().map(Vec::len).collect::<Vec<_>>();
+        let classes: Vec<usize> = chains.classes().iter().map(|classes| classes.class_count()).collect();
+        let merges = self.merges().filter(|_| self.request.within_blocks != BlockPolicy::Allow);
+        let inputs = self.names.iter().enumerate().map(|(model, name)| {
+            let counts: Vec<usize> =
+                self.starts.iter().map(|starts| starts[model + 1] - starts[model]).collect();
+            json!({"file": name, "f_vector": counts})
+        });
+        Ok(json!({
+            "inputs": inputs.collect::<Vec<_>>(),
+            "tolerance": self.request.tolerance,
+            "f_vector_before": self.f_vector_before(),
+            "f_vector": self.complex().f_vector(),
+            "euler_characteristic": self.complex().euler_characteristic(),
+            "classes": classes,
+            "largest_class_diameter": self.vertices().largest_diameter(),
+            "discarded": chains.collapsed_counts(),
+            "changed": counts(chains.changed()),
+            "products_zero": self.products_are_zero()?,
+            "merged_within_blocks": self.merges().map(<[_]>::len),
+            "block_merges": merges.map(|merges| {
+                merges.iter().take(LISTED_MERGES).map(|merge| self.merge_to_json(merge)).collect::<Vec<_>>()
+            }),
+        }))
+    }
+
+    fn merge_to_json(&self, merge: &BlockMerge) -> Value {
+        let of_model = |&vertex: &u32| self.vertex_source(vertex as usize).1;
+        json!({
+            "class": merge.class,
+            "block": merge.block,
+            "file": merge.vertices.first().map(|&vertex| self.vertex_source(vertex as usize).0),
+            "vertices": merge.vertices.iter().map(of_model).collect::<Vec<_>>(),
+            "distance": merge.distance,
+        })
+    }
+
+    /// Writes the classes of all degrees as JSON: for each degree the members of each class, rising, and their signs against the
+    /// first of them. Members are numbered one model after the other.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::Io`] from the output.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let twice = io::read(&b"v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 0\nl 1 2\nl 3 4\n"[..], Format::Obj)?;
+    /// let merged = ModelCongruence::of(vec![("twice".to_owned(), twice)], &CongruenceRequest::within(0.0))?;
+    /// let mut text = Vec::new();
+    /// merged.write_classes(&mut text)?;
+    /// let expected = "{\"classes\":[\n\
+    ///     {\"degree\":0,\"members\":[[0,3],[1,2]],\"signs\":[[1,1],[1,1]]},\n\
+    ///     {\"degree\":1,\"members\":[[0,1]],\"signs\":[[1,-1]]}\n]}\n";
+    /// assert_eq!(String::from_utf8_lossy(&text), expected);
+    /// # Ok(()) }
+    /// ```
+    pub fn write_classes(&self, mut out: impl Write) -> Result<(), Error> {
+        write!(out, "{{\"classes\":[")?;
+        for (degree, classes) in self.chains().classes().iter().enumerate() {
+            write!(out, "{}\n{{\"degree\":{degree},\"members\":[", separator(degree))?;
+            for (class, members) in classes.members().iter().enumerate() {
+                write!(out, "{}[", separator(class))?;
+                for (i, member) in members.iter().enumerate() {
+                    write!(out, "{}{member}", separator(i))?;
+                }
+                write!(out, "]")?;
+            }
+            write!(out, "],\"signs\":[")?;
+            for (class, members) in classes.members().iter().enumerate() {
+                write!(out, "{}[", separator(class))?;
+                for (i, &member) in members.iter().enumerate() {
+                    let mut image = classes.image(CellId::from_u32(member));
+                    let sign = image.find(|&(other, _)| other == class).map_or(1, |(_, sign)| sign.to_i32());
+                    write!(out, "{}{sign}", separator(i))?;
+                }
+                write!(out, "]")?;
+            }
+            write!(out, "]}}")?;
+        }
+        writeln!(out, "\n]}}")?;
+        Ok(())
+    }
+}
+
+fn separator(position: usize) -> &'static str {
+    if position == 0 { "" } else { "," }
+}

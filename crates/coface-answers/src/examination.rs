@@ -1,0 +1,263 @@
+//! From a model to its report.
+
+use super::facts::{DataSummary, Kind, Report};
+use super::moments::{Moment, check_exponents};
+use super::producer::{Cells, Producer};
+use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
+use coface_algebra::Error;
+use coface_io::{Model, Structure};
+
+impl Report {
+    /// Examines a model. The model is taken along, so that its arrays become those of the structures made from it.
+    ///
+    /// # Errors
+    /// Those of [`Producer::of`].
+    ///
+    /// # Complexity
+    /// That of integral homology, near-linear on meshes; everything else is near-linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_io::{Model, Structure};
+    /// use coface_answers::Report;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The Moebius band of five triangles.
+    /// let band = RaggedArray::from_lists([[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]]);
+    /// let report = Report::of(Model::from_structure(Structure::Facets(band)))?;
+    /// assert_eq!(report.name(), Some("Moebius band"));
+    /// assert_eq!(report.is_orientable(), Some(false));
+    /// assert_eq!(report.homology()[1].to_string(), "Z");
+    /// # Ok(()) }
+    /// ```
+    pub fn of(model: Model) -> Result<Self, Error> {
+        Self::with_moments(model, &[])
+    }
+
+    /// Examines a model as [`Self::of`] does, and integrates monomials $x^a y^b z^c$ with these exponents a, b, c over it.
+    ///
+    /// # Errors
+    /// Those of [`Self::of`]; [`coface_algebra::ErrorKind::InvalidInput`] for exponents that add up to more than 100.
+    ///
+    /// # Complexity
+    /// $O(n (a + 1) (b + 1) (c + 1))$ for n corners of polygons, for each monomial.
+    ///
+    /// # Examples
+    /// The integral of x over a tetrahedron: its volume times its middle.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_answers::Report;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let tetrahedron = io::read(text.as_bytes(), Format::Obj)?;
+    /// let report = Report::with_moments(tetrahedron, &[[1, 0, 0]])?;
+    /// assert_eq!(report.mass().map(|mass| mass.volume()), Some(1.0));
+    /// assert!((report.moments()[0].volume().unwrap_or(0.0) - 0.25).abs() < 1e-15);
+    /// # Ok(()) }
+    /// ```
+    pub fn with_moments(mut model: Model, exponents: &[[u32; 3]]) -> Result<Self, Error> {
+        check_exponents(exponents)?;
+        let kind = kind_of(&model);
+        let mut warnings = std::mem::take(&mut model.warnings);
+        let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
+        // Nothing of a volume is made whole but its voxels.
+        let volume = match model.structure.take() {
+            Some(Structure::Volume(volume)) => Some(volume),
+            structure => {
+                model.structure = structure;
+                None
+            }
+        };
+        let mut report = match &volume {
+            Some(volume) => volume::report(volume)?,
+            None => report_of(Producer::of(model)?, kind, exponents)?,
+        };
+        if report.moments.is_empty() {
+            let nothing = |&exponents: &[u32; 3]| Moment { exponents, volume: None, surface: None };
+            report.moments = exponents.iter().map(nothing).collect();
+        }
+        if kind == Kind::Complex {
+            // The vertices of a facet have an order, but it orients nothing.
+            report.coherently_oriented = None;
+            report.problems.retain(|problem| problem.kind() != super::ProblemKind::OrientationConflict);
+        }
+        warnings.extend(report.problems.iter().map(|problem| problem.message().to_owned()));
+        warnings.append(&mut report.warnings);
+        report.warnings = warnings;
+        report.data = data;
+        Ok(report)
+    }
+}
+
+/// The report on cells whose faces are identified.
+fn report_of(producer: Producer, kind: Kind, exponents: &[[u32; 3]]) -> Result<Report, Error> {
+    let Producer { cells, labels, positions } = producer;
+    Ok(match cells {
+        Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, exponents),
+        Cells::Solids(mesh) => cells::report(*mesh, &positions, exponents),
+        Cells::Simplices(complex) => simplicial::report(&complex)?,
+        Cells::Halfedges(mesh) => halfedges::report(&mesh),
+        Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
+        Cells::Chains(complex) => chains::report(&complex),
+        Cells::Voxels(cells) => volume::report(cells.volume())?,
+    })
+}
+
+/// What sort of thing a model is.
+fn kind_of(model: &Model) -> Kind {
+    match &model.structure {
+        Some(Structure::Halfedges { .. }) => Kind::Surface,
+        Some(Structure::Volume(_)) => Kind::Volume,
+        Some(_) => Kind::Complex,
+        None if !model.cells.is_empty() => Kind::Volume,
+        None if !model.polygons.is_empty() => Kind::Surface,
+        None if !model.lines.is_empty() && is_planar(model) => Kind::Planar,
+        None => Kind::Complex,
+    }
+}
+
+/// Whether all positions have two coordinates, or a third that is zero.
+fn is_planar(model: &Model) -> bool {
+    match model.positions.dimension() {
+        2 => true,
+        3 => model.positions.as_flat().iter().skip(2).step_by(3).all(|&z| z == 0.0),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Answer, Problem, ProblemKind};
+    use coface_algebra::RaggedArray;
+    use coface_complexes::cellular::CellShape;
+    use coface_complexes::simplicial::FrozenComplex;
+    use coface_geometry::Positions;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    /// Up to 14 facets of one to five of nine vertices, with gaps in their numbers.
+    fn facet_lists() -> impl Strategy<Value = Vec<Vec<u32>>> {
+        let facet = prop::collection::btree_set(0_u32..9, 1..6);
+        prop::collection::vec(facet.prop_map(|facet| facet.into_iter().map(|v| v * v + 1).collect()), 0..14)
+    }
+
+    fn report_of(facets: &[Vec<u32>]) -> Report {
+        Report::of(Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets)))).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn reports_agree_with_sets_and_with_homology(facets in facet_lists()) {
+            let mut simplices: BTreeSet<Vec<u32>> = BTreeSet::new();
+            for facet in &facets {
+                for chosen in 1..1_usize << facet.len() {
+                    simplices.insert((0..facet.len()).filter(|i| chosen >> i & 1 == 1).map(|i| facet[i]).collect());
+                }
+            }
+            let report = report_of(&facets);
+            let count = |k: usize| simplices.iter().filter(|simplex| simplex.len() == k + 1).count();
+            let counts: Vec<usize> = (0..5).map(count).take_while(|&count| count > 0).collect();
+            prop_assert_eq!(report.f_vector(), &counts[..]);
+            let betti: Vec<i64> = report.homology().iter().map(|group| group.betti() as i64).collect();
+            prop_assert_eq!(betti.len(), counts.len());
+            let alternating = betti.iter().enumerate().map(|(k, b)| if k % 2 == 0 { *b } else { -b }).sum::<i64>();
+            prop_assert_eq!(report.euler_characteristic(), alternating);
+            prop_assert_eq!(report.components() as i64, betti.first().copied().unwrap_or(0));
+            let is_face = |a: &Vec<u32>, b: &Vec<u32>| a.len() < b.len() && a.iter().all(|v| b.contains(v));
+            let maximal = simplices.iter().filter(|a| !simplices.iter().any(|b| is_face(a, b)));
+            let sizes: BTreeSet<usize> = maximal.map(Vec::len).collect();
+            prop_assert_eq!(report.is_pure(), Some(sizes.len() <= 1));
+            if report.manifold() != Answer::Unknown {
+                prop_assert_eq!(report.manifold() == Answer::No, report.witness().is_some());
+            }
+        }
+
+        /// A triangle list goes one way through polygon meshes and another through simplices.
+        #[test]
+        fn two_ways_through_the_house_agree(
+            facets in prop::collection::vec(prop::collection::btree_set(0_u32..7, 3..4), 1..16)
+        ) {
+            let facets: Vec<Vec<u32>> = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
+            let polygons = report_of(&facets);
+            let complex = FrozenComplex::from_facets(&RaggedArray::from_lists(&facets)).unwrap();
+            let simplices = simplicial::report(&complex).unwrap();
+            prop_assert_eq!(polygons.f_vector(), simplices.f_vector());
+            prop_assert_eq!(polygons.components(), simplices.components());
+            prop_assert_eq!(polygons.manifold(), simplices.manifold());
+            prop_assert_eq!(polygons.is_closed(), simplices.is_closed());
+            prop_assert_eq!(polygons.is_orientable(), simplices.is_orientable());
+            prop_assert_eq!(polygons.homology(), simplices.homology());
+        }
+    }
+
+    #[test]
+    fn every_component_of_a_surface_is_named() {
+        let disk_and_sphere =
+            report_of(&[vec![0, 1, 2], vec![3, 4, 5], vec![3, 4, 6], vec![3, 5, 6], vec![4, 5, 6]]);
+        let of = |report: &Report| -> Vec<(String, [usize; 3])> {
+            let surfaces = report.surfaces().iter();
+            surfaces.map(|part| (part.surface().unwrap().to_string(), part.f_vector())).collect()
+        };
+        assert_eq!(of(&disk_and_sphere), [("disk".into(), [3, 3, 1]), ("sphere".into(), [4, 6, 4])]);
+        // A torus of one vertex beside a segment in a digon.
+        let next = vec![2, 3, 1, 0, 5, 4];
+        let twin = vec![1, 0, 3, 2, 5, 4];
+        let halfedges = Report::of(Model::from_structure(Structure::Halfedges { next, twin })).unwrap();
+        assert_eq!(of(&halfedges), [("torus".into(), [1, 2, 1]), ("sphere".into(), [2, 1, 1])]);
+        assert_eq!(halfedges.name(), Some("1 sphere and 1 torus"));
+        let json = halfedges.to_json(1);
+        assert_eq!((&json["surfaces"][0]["genus"], &json["genus"]), (&1.into(), &serde_json::Value::Null));
+    }
+
+    #[test]
+    fn curves_points_and_nothing_are_ordinary() {
+        let empty = report_of(&[]);
+        assert_eq!((empty.dimension(), empty.components(), empty.homology().len()), (None, 0, 0));
+        let points = report_of(&[vec![3], vec![8]]);
+        assert_eq!(
+            (points.f_vector(), points.manifold(), points.homology()[0].betti()),
+            (&[2][..], Answer::Yes, 2)
+        );
+        let rim = report_of(&[vec![0, 1], vec![1, 2], vec![0, 2], vec![7]]);
+        assert_eq!((rim.manifold(), rim.is_closed(), rim.is_pure()), (Answer::Yes, Some(true), Some(false)));
+        let star = report_of(&[vec![0, 1], vec![0, 2], vec![0, 30]]);
+        assert_eq!((star.manifold(), star.is_closed()), (Answer::No, Some(false)));
+        assert_eq!(star.witness().unwrap().cells(), [[0]]);
+    }
+
+    #[test]
+    fn faults_are_named_by_the_numbers_of_the_file() {
+        let report =
+            report_of(&[vec![10, 20, 30], vec![10, 20, 40], vec![10, 20, 50], vec![10, 20, 30], vec![60]]);
+        let kinds: Vec<ProblemKind> = report.problems().iter().map(Problem::kind).collect();
+        let expected = [
+            ProblemKind::NonManifoldRidge,
+            ProblemKind::NonManifoldVertex,
+            ProblemKind::DuplicateCell,
+            ProblemKind::IsolatedVertex,
+        ];
+        assert_eq!(kinds, expected);
+        assert_eq!(report.problems()[0].cells().list(0), [10, 20]);
+        assert_eq!(report.problems()[2].tops().list(0), [0, 3]);
+        assert_eq!(report.problems()[3].cells().list(0), [60]);
+        assert_eq!(report.warnings().len(), 4);
+    }
+
+    #[test]
+    fn drawings_are_planar_and_cells_know_their_inside() {
+        let lines = RaggedArray::from_lists([[0, 1], [1, 2]]);
+        let positions = Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1.]).unwrap();
+        let drawing = Model { vertex_count: 3, positions, lines, ..Model::default() };
+        assert_eq!(Report::of(drawing).unwrap().kind(), Kind::Planar);
+        let positions =
+            Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 6.]).unwrap();
+        let cells = RaggedArray::from_lists([[1, 0, 2, 3]]);
+        let inverted = Model::from_cells(positions, vec![CellShape::Tetrahedron], cells).unwrap();
+        let report = Report::of(inverted).unwrap();
+        assert_eq!((report.kind(), report.signed_volume()), (Kind::Volume, Some(-1.0)));
+        assert!(report.warnings()[0].contains("negative volume"), "{:?}", report.warnings());
+        assert_eq!(report.skin().unwrap().name(), Some("sphere"));
+    }
+}

@@ -1,0 +1,162 @@
+//! The report on gluing tables.
+
+use super::facts::{Answer, BoundaryPart, Report, Skin, Witness};
+use super::polygons::counted;
+use super::{Problem, ProblemKind};
+use coface_algebra::Error;
+use coface_algebra::RaggedArray;
+use coface_complexes::simplicial::{
+    FaceClasses, GluingOrientation, GluingTable, GluingVerdict, GluingWitness,
+};
+use coface_complexes::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
+use coface_topology::homology;
+
+/// The report on a table with its face classes.
+///
+/// # Errors
+/// [`coface_algebra::ErrorKind::TooLarge`] for a subdivision or boundary matrices beyond their limits.
+pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report, Error> {
+    let chains = faces.chain_complex()?;
+    let mut problems = Vec::new();
+    let verdict = table.manifold_verdict(faces)?;
+    let witness = verdict.witness().map(|found| witness(found, faces));
+    if let (GluingVerdict::No(found), Some(witness)) = (&verdict, &witness) {
+        problems.push(problem(found, witness, faces));
+    }
+    let orientation = table.orientation();
+    if let GluingOrientation::NonOrientable(chain) = &orientation {
+        problems.push(one_sided(table, faces, chain));
+    }
+    let components = table.components().into_iter().max().map_or(0, |last| last as usize + 1);
+    let is_surface = table.dimension() == 2 && components > 0;
+    let loops = if is_surface { Some(boundary_loops(table, faces)?) } else { None };
+    // A table of triangles is a surface unless a side is glued to itself backwards.
+    let surfaces = match is_surface {
+        true => GeneralizedMap::new(faces.two_skeleton()?).map_or(Vec::new(), |map| map.components()),
+        false => Vec::new(),
+    };
+    let surface = match &surfaces[..] {
+        [only] => only.surface(),
+        _ => None,
+    };
+    let warnings = match faces.has_folds() {
+        true => vec![
+            "homology is that of the barycentric subdivision, because face classes are identified with themselves"
+                .to_owned(),
+        ],
+        false => Vec::new(),
+    };
+    Ok(Report {
+        f_vector: faces.f_vector(),
+        shapes: shapes(table),
+        components,
+        euler_characteristic: chains.euler_characteristic(),
+        manifold: match &verdict {
+            GluingVerdict::Yes(_) => Answer::Yes,
+            GluingVerdict::No(_) => Answer::No,
+            _ => Answer::Unknown,
+        },
+        closed: Some(table.is_closed()),
+        witness,
+        boundary_loops: loops,
+        skin: if table.dimension() == 3 && !table.is_closed() { Some(skin(table)?) } else { None },
+        orientable: (components > 0).then(|| orientation.is_orientable()),
+        surface_type: surface,
+        name: SurfaceComponent::names(&surfaces),
+        surfaces,
+        homology: homology(&chains).groups().to_vec(),
+        problems,
+        warnings,
+        ..Report::of_nothing()
+    })
+}
+
+fn shapes(table: &GluingTable) -> Vec<(&'static str, usize)> {
+    let name = match table.dimension() {
+        1 => "edge",
+        2 => "triangle",
+        3 => "tetrahedron",
+        _ => "simplex",
+    };
+    let count = table.simplex_count();
+    if count == 0 { Vec::new() } else { vec![(name, count)] }
+}
+
+/// The connected surface with these numbers.
+fn surface_type(euler_characteristic: i64, is_orientable: bool, boundary_count: usize) -> SurfaceType {
+    let crosscaps = usize::try_from(2 - euler_characteristic - boundary_count as i64)
+        .expect("a connected surface has at most the Euler characteristic of a sphere with its holes");
+    match is_orientable {
+        true => SurfaceType::orientable(crosscaps / 2, boundary_count),
+        false => SurfaceType::non_orientable(crosscaps, boundary_count),
+    }
+}
+
+/// The loops of the boundary of a surface, by its vertex classes in order.
+fn boundary_loops(table: &GluingTable, faces: &FaceClasses) -> Result<Vec<BoundaryPart>, Error> {
+    let (rim, sides) = table.boundary_table()?;
+    let mut is_met = vec![false; sides.len()];
+    let mut loops = Vec::new();
+    for first in 0..sides.len() {
+        if is_met[first] {
+            continue;
+        }
+        let mut vertices = Vec::new();
+        // Along each side from its end `from`.
+        let (mut at, mut from) = (first, 0);
+        while !is_met[at] {
+            is_met[at] = true;
+            let (triangle, side) = sides[at];
+            let corner = if from >= side { from + 1 } else { from };
+            vertices.push(faces.class(triangle, &[corner])?.0 as u32);
+            // The facet opposite to an end is the other end.
+            let (next, images) = rim.neighbor(at, from).expect("a boundary has no boundary");
+            (at, from) = (next, images[1 - from] as usize);
+        }
+        loops.push(BoundaryPart { edge_count: vertices.len(), vertices, is_simple: true });
+    }
+    Ok(loops)
+}
+
+/// The boundary surface of a table of tetrahedra: it is closed, and a surface before its vertices are identified.
+fn skin(table: &GluingTable) -> Result<Skin, Error> {
+    let (boundary, triangles) = table.boundary_table()?;
+    let components = boundary.components().into_iter().max().map_or(0, |last| last as usize + 1);
+    let euler_characteristic = boundary.faces()?.alternating_count();
+    let is_orientable = boundary.orientation().is_orientable();
+    let name = (components == 1).then(|| surface_type(euler_characteristic, is_orientable, 0).to_string());
+    Ok(Skin { face_count: triangles.len(), components, euler_characteristic, is_manifold: true, name })
+}
+
+fn witness(found: &GluingWitness, faces: &FaceClasses) -> Witness {
+    Witness {
+        kind: found.fault().as_str(),
+        cells: found.classes().iter().take(1).map(|&class| faces.vertices(found.degree(), class)).collect(),
+        message: found.message().to_owned(),
+    }
+}
+
+fn problem(found: &GluingWitness, witness: &Witness, faces: &FaceClasses) -> Problem {
+    let kind = match found.degree() {
+        0 => ProblemKind::NonManifoldVertex,
+        _ => ProblemKind::NonManifoldEdge,
+    };
+    let mut message = witness.message.clone();
+    if found.classes().len() > 1 {
+        message += &format!(" (the first of {})", found.classes().len());
+    }
+    let cells =
+        RaggedArray::from_lists(found.classes().iter().map(|&class| faces.vertices(found.degree(), class)));
+    Problem::new(kind, message, cells, RaggedArray::new(), "cell")
+}
+
+/// A closed chain of simplices without orientation, each by its vertices and number.
+fn one_sided(table: &GluingTable, faces: &FaceClasses, chain: &[(usize, usize)]) -> Problem {
+    let message = format!(
+        "no orientation can be chosen: a closed chain of {} comes back reversed",
+        counted(chain.len(), "simplex", "simplices")
+    );
+    let cells = RaggedArray::from_lists(chain.iter().map(|step| faces.vertices(table.dimension(), step.0)));
+    let tops = RaggedArray::from_lists(chain.iter().map(|step| [step.0 as u32]));
+    Problem::new(ProblemKind::OneSidedChain, message, cells, tops, "cell")
+}

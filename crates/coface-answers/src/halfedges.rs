@@ -1,0 +1,33 @@
+//! The report on a surface given by permutations of its halfedges.
+
+use super::facts::{Answer, Kind, Report};
+use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh, SurfaceComponent};
+use coface_topology::homology;
+
+/// The report on a mesh: any pair of permutations is a closed oriented surface, so only its numbers are open.
+pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
+    let complex = mesh.chain_complex();
+    let map = GeneralizedMap::new(mesh.two_skeleton()).expect("permutations are a surface");
+    let surfaces = map.components();
+    let surface = match &surfaces[..] {
+        [only] => only.surface(),
+        _ => None,
+    };
+    let is_empty = mesh.halfedge_count() == 0;
+    Report {
+        kind: Kind::Surface,
+        f_vector: if is_empty { Vec::new() } else { mesh.f_vector().to_vec() },
+        shapes: if is_empty { Vec::new() } else { vec![("polygon", mesh.f_vector()[2])] },
+        components: mesh.component_count(),
+        euler_characteristic: mesh.euler_characteristic(),
+        manifold: Answer::Yes,
+        boundary_loops: Some(Vec::new()),
+        orientable: Some(true),
+        coherently_oriented: Some(true),
+        surface_type: surface,
+        name: SurfaceComponent::names(&surfaces),
+        surfaces,
+        homology: homology(&complex).groups().to_vec(),
+        ..Report::of_nothing()
+    }
+}

@@ -1,0 +1,67 @@
+//! The report on a model: everything that `coface info` says, as data.
+//!
+//! # Words
+//! * A [`SurfaceModel`] is a model that is a surface; what is cut from it or covers it is a model again.
+//! * A [`Producer`] is a model with the faces of its cells identified; it makes the chain complex.
+//! * The **top cells** are those of the highest degree: the faces of a surface, the cells of a volume. A **ridge** is a
+//!   cell one degree below: an edge of a surface, a face of a volume.
+//! * A [`Report`] is what [`Report::of`] finds out about a model. A [`Problem`] is one sort of fault in it, with all its
+//!   places; a [`Witness`] shows why a model is no manifold.
+
+mod cells;
+mod chains;
+mod congruence;
+mod cycles;
+mod examination;
+mod facts;
+mod gluings;
+mod halfedges;
+mod json;
+mod labels;
+mod lookup;
+mod moments;
+mod ordered_simplices;
+mod pair;
+mod planar;
+mod polygons;
+mod problem;
+mod producer;
+mod repair;
+mod simplices;
+mod simplicial;
+mod spatial;
+mod surface_model;
+pub mod text;
+mod triangulation;
+mod volume;
+mod yin;
+
+pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
+pub use cycles::Term;
+pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
+pub use json::{groups_to_json, integer_to_json};
+pub use moments::Moment;
+pub use ordered_simplices::OrderedSimplices;
+pub use pair::Pair;
+pub use planar::{
+    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
+    is_planar,
+};
+pub use problem::{Problem, ProblemKind};
+pub use producer::Producer;
+pub use repair::{RepairRequest, repaired};
+pub use simplices::{model_of_simplices, simplicial_complex};
+pub use spatial::{
+    InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
+};
+pub use surface_model::{
+    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, SurfaceCover, SurfaceCut, SurfaceModel,
+    edge_lengths,
+};
+pub use triangulation::triangulated;
+pub use volume::homology_of_volume;
+#[doc(hidden)]
+pub use yin::{SetPiece, set_pieces};
+pub use yin::{KinkRequest, PlanarSet, SetRequest};
+
+use labels::Labels;

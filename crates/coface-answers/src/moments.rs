@@ -1,0 +1,95 @@
+//! Integrals of monomials over what a model encloses.
+
+use coface_algebra::RaggedArray;
+use coface_algebra::{Error, FaceId};
+use coface_complexes::cellular::CellMesh;
+use coface_geometry::{MassProperties, Positions, enclosed_moment, surface_centroid, surface_moment};
+
+/// The largest sum of exponents: beyond it numbers leave the range of floating point.
+const LARGEST_DEGREE: u32 = 100;
+
+/// The integrals of a monomial $x^a y^b z^c$ over a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Moment {
+    pub(super) exponents: [u32; 3],
+    pub(super) volume: Option<f64>,
+    pub(super) surface: Option<f64>,
+}
+
+impl Moment {
+    /// The exponents a, b, c.
+    pub fn exponents(&self) -> [u32; 3] {
+        self.exponents
+    }
+
+    /// The integral over the solid that a closed, coherently oriented surface encloses, or over the cells of a volume mesh
+    /// with the signs of their volumes; `None` without a solid in space.
+    pub fn volume(&self) -> Option<f64> {
+        self.volume
+    }
+
+    /// The integral over the faces of a surface, or over the boundary of a volume mesh, with respect to area; `None` without a
+    /// surface in space.
+    pub fn surface(&self) -> Option<f64> {
+        self.surface
+    }
+}
+
+/// That the exponents are not too large.
+pub(super) fn check_exponents(exponents: &[[u32; 3]]) -> Result<(), Error> {
+    for &[a, b, c] in exponents {
+        let degree = u64::from(a) + u64::from(b) + u64::from(c);
+        if degree > u64::from(LARGEST_DEGREE) {
+            return Err(Error::invalid(format!(
+                "the exponents {a}, {b}, {c} add up to {degree}; the limit is {LARGEST_DEGREE}"
+            ))
+            .with_cure("ask for moments of a lower degree"));
+        }
+    }
+    Ok(())
+}
+
+/// What the integrals of a model are taken over.
+pub(super) struct Integrals<'a> {
+    /// The surface.
+    pub(super) surface: Option<&'a RaggedArray>,
+    /// The closed chain of polygons around the solid.
+    pub(super) around: Option<&'a RaggedArray>,
+    pub(super) positions: &'a Positions,
+}
+
+impl Integrals<'_> {
+    pub(super) fn surface_centroid(&self) -> Option<[f64; 3]> {
+        surface_centroid(self.positions, self.surface?)
+    }
+
+    pub(super) fn mass(&self) -> Option<MassProperties> {
+        MassProperties::enclosed(self.positions, self.around?)
+    }
+
+    pub(super) fn moments(&self, exponents: &[[u32; 3]]) -> Vec<Moment> {
+        let moment = |&exponents: &[u32; 3]| Moment {
+            exponents,
+            volume: self.around.and_then(|around| enclosed_moment(self.positions, around, exponents)),
+            surface: self.surface.and_then(|surface| surface_moment(self.positions, surface, exponents)),
+        };
+        exponents.iter().map(moment).collect()
+    }
+}
+
+/// The boundary of the sum of all cells: each face as often as the cells have it in all, turned the way that they have it.
+pub(super) fn boundary_chain(mesh: &CellMesh) -> RaggedArray {
+    let mut chain = RaggedArray::new();
+    let mut turned = Vec::new();
+    for face in (0..mesh.face_count()).map(FaceId::new) {
+        let coefficient: i32 = mesh.cells_of_face(face).map(|(_, sign)| sign.to_i32()).sum();
+        turned.clear();
+        turned.extend_from_slice(mesh.skeleton().face(face));
+        if coefficient < 0 {
+            turned.reverse();
+        }
+        (0..coefficient.unsigned_abs()).for_each(|_| chain.push(&turned));
+    }
+    chain
+}

@@ -1,0 +1,253 @@
+//! The complex that drawings cut the plane into.
+
+use super::containment::{Containment, ContainmentSearch};
+use super::drawing::PlanarDrawing;
+use super::sides::Sides;
+use coface_algebra::RaggedArray;
+use coface_algebra::{EdgeId, Error, FaceId, VertexId};
+use coface_arrange::boolean::InsideRule;
+use coface_arrange::planar::{PlanarArrangement, PlanarOptions, RoundingCertificate, Step, VertexSource};
+use serde_json::{Value, json};
+
+/// How drawings are arranged.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct ArrangementRequest {
+    /// Which winding numbers are inside of a region. Without a rule those that are not zero are, holes of polygons count against
+    /// their outer rings whatever their direction is, and drawings that state a rule keep it.
+    pub rule: Option<InsideRule>,
+    /// Leave out edges with one face on both sides, and the vertices that no edge is left at.
+    pub prune: bool,
+    /// Round coordinates and arrange again until all vertices are where their coordinates say.
+    pub snap: bool,
+    /// The most vertices, edges and faces together.
+    pub max_cells: Option<usize>,
+}
+
+/// The vertices, edges and faces of drawings in the plane, with the segments along each edge and the regions around each face.
+///
+/// # Examples
+/// Two squares that overlap in a quarter.
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+/// use coface_algebra::FaceId;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let a = io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], Format::Wkt)?;
+/// let b = io::read(&b"POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))"[..], Format::Wkt)?;
+/// let drawing = PlanarDrawing::new([("a", &a), ("b", &b)], RegionSource::Models)?;
+/// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+/// assert_eq!(arranged.arrangement().f_vector(), [10, 12, 3]);
+/// let inside: Vec<&[u32]> = (0..3).map(|face| arranged.regions_around(FaceId::new(face))).collect();
+/// assert_eq!(inside, [&[0][..], &[0, 1], &[1]]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct DrawingArrangement {
+    pub(super) drawing: PlanarDrawing,
+    pub(super) arrangement: PlanarArrangement,
+    sources: Vec<VertexSource>,
+    pub(super) segments_of_edge: RaggedArray,
+    /// How often coordinates were rounded, if that was asked for.
+    pub(super) snap_rounds: Option<usize>,
+    pub(super) containment: Containment,
+}
+
+impl DrawingArrangement {
+    /// Arranges a drawing.
+    ///
+    /// # Errors
+    /// Those of [`PlanarArrangement::with_options`] and [`PlanarArrangement::snapped`].
+    ///
+    /// # Complexity
+    /// That of the arrangement, and linear in the segments along all edges.
+    pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
+        let options = PlanarOptions::new().max_cells(request.max_cells);
+        let mut arrangement =
+            PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
+        let sources = |arrangement: &PlanarArrangement| -> Vec<VertexSource> {
+            (0..arrangement.vertex_count()).map(|vertex| arrangement.source(VertexId::new(vertex))).collect()
+        };
+        let (mut sources, mut segments_of_edge, snap_rounds) = if request.snap {
+            let snapped = arrangement.snapped()?;
+            arrangement = snapped.arrangement().clone();
+            let sources = (0..arrangement.vertex_count()).map(|v| snapped.source(VertexId::new(v))).collect();
+            (sources, snapped.segments_of_edges().clone(), Some(snapped.round_count()))
+        } else {
+            (sources(&arrangement), arrangement.segments_of_edges().clone(), None)
+        };
+        if request.prune {
+            let is_kept = |edge: &usize| !arrangement.is_bridge(EdgeId::new(*edge));
+            let edges: Vec<usize> = (0..arrangement.edge_count()).filter(is_kept).collect();
+            let mut is_end = vec![false; arrangement.vertex_count()];
+            for &edge in &edges {
+                arrangement.ends(EdgeId::new(edge)).iter().for_each(|end| is_end[end.index()] = true);
+            }
+            segments_of_edge = RaggedArray::from_lists(edges.iter().map(|&edge| segments_of_edge.list(edge)));
+            let mut kept = is_end.iter();
+            sources.retain(|_| *kept.next().expect("each vertex has a source"));
+            arrangement = arrangement.pruned()?;
+        }
+        let sides = Sides {
+            drawing: &drawing,
+            arrangement: &arrangement,
+            segments: &segments_of_edge,
+            is_exact: snap_rounds.is_none_or(|rounds| rounds == 0),
+        };
+        let mut search = ContainmentSearch::new(&drawing, request.rule, arrangement.face_count());
+        arrangement.tour(|step| match step {
+            Step::Into { face, across } => {
+                sides.across(across, |ring, by| search.wind(ring, by));
+                search.enter(face);
+            }
+            Step::Back { across, .. } => sides.across(across, |ring, by| search.wind(ring, by)),
+        });
+        let containment = search.finish();
+        Ok(Self { drawing, arrangement, sources, segments_of_edge, snap_rounds, containment })
+    }
+
+    /// What was drawn.
+    pub fn drawing(&self) -> &PlanarDrawing {
+        &self.drawing
+    }
+
+    /// The arrangement: pruned or snapped if that was asked for. Its own segments are those of the drawing unless it is snapped.
+    pub fn arrangement(&self) -> &PlanarArrangement {
+        &self.arrangement
+    }
+
+    /// The segments of the drawing along each edge, rising.
+    pub fn segments_of_edges(&self) -> &RaggedArray {
+        &self.segments_of_edge
+    }
+
+    /// Where a vertex comes from: a vertex of the drawing, or the crossing of two segments of the drawing.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn source(&self, vertex: VertexId) -> VertexSource {
+        self.sources[vertex.index()]
+    }
+
+    /// The regions that contain a face, rising.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    pub fn regions_around(&self, face: FaceId) -> &[u32] {
+        self.containment.regions.list(face.index())
+    }
+
+    /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
+    pub fn warnings(&self) -> Vec<String> {
+        self.containment.warnings(&self.drawing)
+    }
+
+    /// The number of edges with one face on both sides that hang on the rest by one end, or by none: taken away one by one from
+    /// vertices with a single edge.
+    pub fn dangling_edge_count(&self) -> usize {
+        let arrangement = &self.arrangement;
+        let around = |vertex: VertexId| arrangement.halfedges_around(vertex).map(|h| h.to_u32() / 2);
+        let mut degrees: Vec<usize> =
+            (0..arrangement.vertex_count()).map(|v| around(VertexId::new(v)).count()).collect();
+        let mut is_gone = vec![false; arrangement.edge_count()];
+        let mut leaves: Vec<usize> = (0..degrees.len()).filter(|&v| degrees[v] == 1).collect();
+        let mut count = 0;
+        while let Some(leaf) = leaves.pop() {
+            let Some(edge) = around(VertexId::new(leaf)).find(|&edge| !is_gone[edge as usize]) else {
+                continue;
+            };
+            is_gone[edge as usize] = true;
+            count += 1;
+            for end in arrangement.ends(EdgeId::from_u32(edge)) {
+                degrees[end.index()] -= 1;
+                if degrees[end.index()] == 1 {
+                    leaves.push(end.index());
+                }
+            }
+        }
+        count
+    }
+
+    /// Whether the product of the two boundary matrices is zero, found by multiplying them.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) if a matrix does not fit in 32 bits.
+    pub fn products_are_zero(&self) -> Result<bool, Error> {
+        let complex = self.arrangement.chain_complex()?;
+        match (complex.boundary_matrix(1), complex.boundary_matrix(2)) {
+            (Some(edges), Some(faces)) => Ok(edges.product(faces)?.is_zero()),
+            _ => Ok(true),
+        }
+    }
+
+    /// The arrangement as one JSON object with the keys that programs rely on: `dimension`, `f_vector`, `measures` (areas),
+    /// `inside` (of each face the models, or regions, that contain it), `products_zero`, `holes`.
+    ///
+    /// # Errors
+    /// Those of [`Self::products_are_zero`] and [`PlanarArrangement::rounding_certificate`].
+    pub fn to_json(&self) -> Result<Value, Error> {
+        let arrangement = &self.arrangement;
+        let [vertices, edges, faces] = arrangement.f_vector();
+        let bridges = (0..edges).filter(|&edge| arrangement.is_bridge(EdgeId::new(edge))).count();
+        let inside: Value = self.containment.regions.iter().map(|regions| json!(regions)).collect();
+        Ok(json!({
+            "dimension": 2,
+            "f_vector": [vertices, edges, faces],
+            "measures": arrangement.areas(),
+            "inside": inside,
+            "products_zero": self.products_are_zero()?,
+            "holes": arrangement.hole_count(),
+            "components": arrangement.component_count(),
+            "euler_characteristic": vertices as i64 - edges as i64 + faces as i64,
+            "bridges": bridges,
+            "dangling_edges": self.dangling_edge_count(),
+            "rounding": rounding_to_json(&arrangement.rounding_certificate()?, arrangement.is_exactly_rounded()),
+            "snap_rounds": self.snap_rounds,
+            "inputs": self.drawing.inputs_to_json(),
+            "regions": self.drawing.region_names(),
+            "warnings": self.warnings(),
+        }))
+    }
+
+    /// Where everything comes from, as JSON: of each vertex the vertex of the inputs or the two segments that cross there, of each
+    /// edge the segments along it, of each face the regions around it. Segments and vertices are pairs of an input and
+    /// a number in it.
+    pub fn provenance_to_json(&self) -> Value {
+        let drawing = &self.drawing;
+        let segment = |segment: usize| json!(drawing.segment_source(segment));
+        let vertices: Value = self
+            .sources
+            .iter()
+            .map(|source| match *source {
+                VertexSource::Given(vertex) => json!({"vertex": drawing.vertex_source(vertex)}),
+                VertexSource::Crossing(segments) => json!({"segments": segments.map(segment)}),
+            })
+            .collect();
+        let edges: Value = self
+            .segments_of_edge
+            .iter()
+            .map(|segments| segments.iter().map(|&s| segment(s as usize)).collect::<Value>())
+            .collect();
+        let faces: Value = self.containment.regions.iter().map(|regions| json!(regions)).collect();
+        json!({
+            "inputs": drawing.names,
+            "regions": drawing.region_names(),
+            "vertices": vertices,
+            "edges": edges,
+            "faces": faces,
+        })
+    }
+}
+
+/// What rounding does to a drawing.
+fn rounding_to_json(certificate: &RoundingCertificate, is_exact: bool) -> Value {
+    json!({
+        "exact": is_exact,
+        "valid": certificate.is_valid(),
+        "merged_vertices": certificate.merged_vertices.len(),
+        "broken_edges": certificate.broken_edges.len(),
+        "turned_vertices": certificate.turned_vertices.len(),
+        "moved_components": certificate.moved_components.len(),
+    })
+}

@@ -1,0 +1,377 @@
+//! Formulas of regions.
+
+use super::canonical::Canonical;
+use super::containment::{Containment, ContainmentSearch};
+use super::drawing::{Filling, PlanarDrawing};
+use super::outline::Outline;
+use super::walks::Walks;
+use coface_algebra::RaggedArray;
+use coface_algebra::{Error, VertexId};
+use coface_arrange::boolean::{BooleanFormula, InsideRule};
+use coface_arrange::planar::{
+    PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step, VertexSource,
+};
+use coface_geometry::{Positions, Sum};
+use serde_json::{Value, json};
+
+/// How regions are combined.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct BooleanRequest {
+    /// Which winding numbers are inside, as in [`ArrangementRequest::rule`](crate::ArrangementRequest::rule). Without a rule, rings that cross themselves are refused
+    /// unless the drawing states a rule.
+    pub rule: Option<InsideRule>,
+    /// Keep the edges between faces that are selected both: then each face is a polygon.
+    pub keep_walls: bool,
+    /// Round coordinates and arrange again until all vertices are where their coordinates say.
+    pub snap: bool,
+    /// The most vertices, edges and faces of the arrangement together.
+    pub max_cells: Option<usize>,
+}
+
+/// The set that a formula of regions describes, as polygons with holes.
+///
+/// Outer rings run counterclockwise and holes clockwise; each ring is simple, and the points inside of each polygon are connected.
+/// Where regions only touch, their corners leave no trace: a vertex at which two sides go on straight along one segment is
+/// none of the result.
+///
+/// # Examples
+/// Two rectangles side by side, and a square around the middle of what they share. Corners of both stay, though sides go straight on.
+/// ```
+/// use coface_arrange::boolean::BooleanFormula;
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let a = io::read(&b"POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))"[..], Format::Wkt)?;
+/// let b = io::read(&b"POLYGON ((2 0, 4 0, 4 1, 2 1, 2 0))"[..], Format::Wkt)?;
+/// let c = io::read(&b"POLYGON ((1.5 0.25, 2.5 0.25, 2.5 0.75, 1.5 0.75, 1.5 0.25))"[..], Format::Wkt)?;
+/// let drawing = PlanarDrawing::new([("a", &a), ("b", &b), ("c", &c)], RegionSource::Models)?;
+/// let formula = BooleanFormula::parse("(a | b) - c", &[])?;
+/// let result = RegionBoolean::new(drawing, &formula, &BooleanRequest::default())?;
+/// assert_eq!((result.f_vector(), result.hole_count(), result.area()), ([10, 10, 1], 1, 3.5));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct RegionBoolean {
+    pub(super) drawing: PlanarDrawing,
+    pub(super) outline: Outline,
+    pub(super) positions: Positions,
+    sources: Vec<VertexSource>,
+    /// The sides of all rings, lower vertex first, rising, each once, and the segments along them.
+    pub(super) edges: Vec<[u32; 2]>,
+    segments_of_edge: RaggedArray,
+    areas: Vec<f64>,
+    component_count: usize,
+    pinches: Vec<VertexId>,
+    /// For each polygon the regions that contain some of its faces, rising.
+    regions_of_polygon: RaggedArray,
+    is_valid: bool,
+    is_exact: bool,
+    /// The vertices, edges and faces that the rings cut the plane into.
+    cell_counts: [usize; 3],
+    snap_rounds: Option<usize>,
+    warnings: Vec<String>,
+}
+
+impl RegionBoolean {
+    /// Combines the regions of a drawing, which are the inputs of the formula in their order.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle) naming where lines end that should bound a region; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the crossing
+    /// of a ring with itself, an input of the formula that is not there, or a formula that holds outside of all regions;
+    /// those of [`DrawingArrangement::new`](crate::DrawingArrangement::new).
+    ///
+    /// # Complexity
+    /// That of the arrangement, and the faces times the length of the formula.
+    pub fn new(
+        drawing: PlanarDrawing,
+        formula: &BooleanFormula,
+        request: &BooleanRequest,
+    ) -> Result<Self, Error> {
+        drawing.check_regions()?;
+        let region_count = drawing.regions.len();
+        if formula.input_count() > region_count {
+            return Err(Error::invalid(format!(
+                "the formula names input {}, but there are {region_count}, numbered from 0",
+                formula.input_count() - 1
+            ))
+            .with_cure("name inputs that are there, or give more of them"));
+        }
+        if formula.evaluate(|_| false) {
+            return Err(Error::invalid(
+                "the formula holds outside of all regions, so the result has no bounds",
+            )
+            .with_cure("take the complement within a region, as in \"a - b\""));
+        }
+        let options = PlanarOptions::new().max_cells(request.max_cells);
+        let snapped = match request.snap {
+            true => Some(
+                PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?
+                    .snapped()?,
+            ),
+            false => None,
+        };
+        let walks = Walks::new(&drawing, snapped.as_ref());
+        let overlay = walks.overlay(&options)?;
+        let containment = containment(&drawing, &overlay, request.rule);
+        if request.rule.is_none() {
+            check_rings(&drawing, &overlay, &containment)?;
+        }
+        let face_count = overlay.face_count();
+        let mut is_inside = vec![false; region_count];
+        let mut select = |face: usize| {
+            let regions = containment.regions.list(face);
+            regions.iter().for_each(|&region| is_inside[region as usize] = true);
+            let is_selected = formula.evaluate(|input| is_inside[input]);
+            regions.iter().for_each(|&region| is_inside[region as usize] = false);
+            is_selected
+        };
+        let mut selected: Vec<bool> = (0..face_count).map(&mut select).collect();
+        selected.push(false);
+        let merged = overlay.outline(&selected, false)?;
+        let component_count = merged.polygons().len();
+        let mut pinches: Vec<u32> = merged.pinch_vertices().map(|vertex| merged.event(vertex)).collect();
+        let found = if request.keep_walls { overlay.outline(&selected, true)? } else { merged };
+        let canonical = Canonical::new(&found);
+        pinches.sort_unstable();
+        let is_pinch = |vertex: u32| pinches.binary_search(&found.event(VertexId::from_u32(vertex))).is_ok();
+        let pinches: Vec<VertexId> = (0..)
+            .zip(&canonical.order)
+            .filter(|(_, vertex)| !pinches.is_empty() && is_pinch(**vertex))
+            .map(|(number, _)| VertexId::from_u32(number))
+            .collect();
+        let sources = canonical.order.iter().map(|&v| walks.source(found.source(VertexId::from_u32(v))));
+        let sources = sources.collect();
+        let (edges, segments_of_edge) = canonical.edges(|side| walks.segment(side));
+        let areas = found.areas();
+        let areas = canonical.polygons.iter().map(|&polygon| areas[polygon as usize]).collect();
+        let regions_of_polygon = canonical.regions(&containment.regions);
+        let flat = found.positions().as_flat().as_chunks::<2>().0;
+        let flat = canonical.order.iter().flat_map(|&vertex| flat[vertex as usize]).collect();
+        let positions = Positions::from_flat(2, flat)?;
+        let is_exact = found.is_exactly_rounded();
+        let outline = canonical.outline;
+        let is_valid = is_exact || is_drawn_well(&outline, &positions, edges.len())?;
+        let cell_counts = overlay.f_vector();
+        let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
+        let warnings = containment.warnings(&drawing);
+        drop(walks);
+        Ok(Self {
+            drawing,
+            outline,
+            positions,
+            sources,
+            edges,
+            segments_of_edge,
+            areas,
+            component_count,
+            pinches,
+            regions_of_polygon,
+            is_valid,
+            is_exact,
+            cell_counts,
+            snap_rounds,
+            warnings,
+        })
+    }
+
+    /// The numbers of vertices, edges and polygons of the result.
+    pub fn f_vector(&self) -> [usize; 3] {
+        [self.positions.len(), self.edges.len(), self.outline.polygon_count()]
+    }
+
+    /// The area, in the square of the unit of the drawing.
+    pub fn area(&self) -> f64 {
+        let mut sum = Sum::default();
+        self.areas.iter().for_each(|&area| sum.add(area));
+        sum.value()
+    }
+
+    /// The areas of the polygons.
+    pub fn polygon_areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// The number of parts whose inner points are connected. Parts that touch in points only are different ones.
+    pub fn component_count(&self) -> usize {
+        self.component_count
+    }
+
+    /// The number of holes.
+    pub fn hole_count(&self) -> usize {
+        self.outline.hole_count()
+    }
+
+    /// The positions of the vertices of the result: each coordinate is the floating-point number nearest to the exact one.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The rings of a polygon by their vertices: the outer one, counterclockwise, then the holes, clockwise. Each is simple.
+    ///
+    /// # Panics
+    /// If there is no such polygon.
+    pub fn rings_of_polygon(&self, polygon: usize) -> impl ExactSizeIterator<Item = &[u32]> {
+        self.outline.rings_of(polygon)
+    }
+
+    /// The edges of the result by their vertices, the lower first.
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+
+    /// The segments of the drawing along an edge of the result, rising.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    pub fn segments_of_edge(&self, edge: usize) -> &[u32] {
+        self.segments_of_edge.list(edge)
+    }
+
+    /// The regions that contain some of a polygon, rising.
+    ///
+    /// # Panics
+    /// If there is no such polygon.
+    pub fn regions_of_polygon(&self, polygon: usize) -> &[u32] {
+        self.regions_of_polygon.list(polygon)
+    }
+
+    /// The vertices at which the boundary is no curve: more than two of its edges meet there.
+    pub fn pinches(&self) -> &[VertexId] {
+        &self.pinches
+    }
+
+    /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// Whether the polygons are sound with their rounded coordinates: they have all their vertices, no two edges cross, and
+    /// each edge has the result on the side that it should.
+    pub fn is_valid_when_rounded(&self) -> bool {
+        self.is_valid
+    }
+
+    /// The result as one JSON object with the keys that programs rely on: `measure` (the area), `f_vector`, `components`,
+    /// `closed`, `manifold`.
+    pub fn to_json(&self) -> Value {
+        let witness = self.pinches.first().map(|&vertex| {
+            let [x, y] = [self.positions.point(vertex)[0], self.positions.point(vertex)[1]];
+            json!({
+                "kind": "pinched_vertex",
+                "cells": [[vertex.index()]],
+                "message": format!("more than two edges of the boundary meet at vertex {} at ({x}, {y})", vertex.index()),
+            })
+        });
+        json!({
+            "dimension": 2,
+            "measure": self.area(),
+            "f_vector": self.f_vector(),
+            "components": self.component_count,
+            "closed": true,
+            "manifold": {
+                "verdict": if self.pinches.is_empty() { "yes" } else { "no" },
+                "closed": true,
+                "witness": witness,
+            },
+            "polygons": self.outline.polygon_count(),
+            "holes": self.hole_count(),
+            "measures": self.areas,
+            "pinches": self.pinches.len(),
+            "rounding": {"exact": self.is_exact, "valid": self.is_valid},
+            "snap_rounds": self.snap_rounds,
+            "arrangement": self.cell_counts,
+            "regions": self.drawing.region_names(),
+            "inputs": self.drawing.inputs_to_json(),
+            "warnings": self.warnings,
+        })
+    }
+
+    /// Where everything comes from, as JSON: as [`DrawingArrangement::provenance_to_json`](crate::DrawingArrangement::provenance_to_json), edges with their ends, and for each
+    /// polygon the regions that contain some of it.
+    pub fn provenance_to_json(&self) -> Value {
+        let drawing = &self.drawing;
+        let segment = |segment: u32| json!(drawing.segment_source(segment as usize));
+        let vertices: Value = (self.sources.iter())
+            .map(|source| match *source {
+                VertexSource::Given(vertex) => json!({"vertex": drawing.vertex_source(vertex)}),
+                VertexSource::Crossing(segments) => {
+                    json!({"segments": segments.map(|s| segment(s as u32))})
+                }
+            })
+            .collect();
+        let edges: Value = (self.edges.iter().zip(self.segments_of_edge.iter()))
+            .map(|(ends, segments)| {
+                let segments: Value = segments.iter().map(|&s| segment(s)).collect();
+                json!({"ends": ends, "segments": segments})
+            })
+            .collect();
+        let polygons: Value = self.regions_of_polygon.iter().map(|regions| json!(regions)).collect();
+        json!({
+            "inputs": drawing.names,
+            "regions": drawing.region_names(),
+            "vertices": vertices,
+            "edges": edges,
+            "polygons": polygons,
+        })
+    }
+}
+
+/// The regions around the faces of an overlay in which rings are regions.
+fn containment(drawing: &PlanarDrawing, overlay: &PlanarOverlay, rule: Option<InsideRule>) -> Containment {
+    let mut search = ContainmentSearch::new(drawing, rule, overlay.face_count());
+    overlay.tour(|step| match step {
+        Step::Into { face, across } => {
+            overlay.across(across, |ring, by| search.wind(ring, by));
+            search.enter(face);
+        }
+        Step::Back { across, .. } => overlay.across(across, |ring, by| search.wind(ring, by)),
+    });
+    search.finish()
+}
+
+/// `InvalidInput` naming a ring that winds around something more than once, or in both directions, with the place.
+fn check_rings(
+    drawing: &PlanarDrawing,
+    overlay: &PlanarOverlay,
+    containment: &Containment,
+) -> Result<(), Error> {
+    let is_wrong = |ring: &usize| {
+        let [least, most] = containment.windings[*ring];
+        let polygon = drawing.rings[*ring].polygon as usize;
+        most - least > 1 && drawing.polygons[polygon].filling == Filling::OuterWithoutHoles
+    };
+    let Some(ring) = (0..drawing.rings.len()).find(is_wrong) else { return Ok(()) };
+    let name = drawing.ring_name(ring as u32);
+    let what = match overlay.meeting_of(ring as u32) {
+        Some(point) => {
+            let [x, y] = point.rounded();
+            format!("{name} crosses itself at ({x}, {y})")
+        }
+        None => format!("{name} runs around its inside more than once"),
+    };
+    Err(Error::invalid(what)
+        .with_cure("say what is inside of it: --rule evenodd or --rule nonzero")
+        .in_file(drawing.model_of_ring(ring as u32)))
+}
+
+/// Whether rings drawn with these positions have all their vertices and edges, and together wind once around what is in them.
+fn is_drawn_well(outline: &Outline, positions: &Positions, edge_count: usize) -> Result<bool, Error> {
+    let overlay = PlanarOverlay::without_windings(
+        positions,
+        &outline.rings,
+        &vec![0; outline.rings.len()],
+        &PlanarOptions::default(),
+    )?;
+    let [vertices, edges, _] = overlay.f_vector();
+    let (mut winding, mut is_sound) = (0, [vertices, edges] == [positions.len(), edge_count]);
+    overlay.tour(|step| match step {
+        Step::Into { across, .. } => {
+            overlay.across(across, |_, by| winding += by);
+            is_sound &= winding == 0 || winding == 1;
+        }
+        Step::Back { across, .. } => overlay.across(across, |_, by| winding += by),
+    });
+    Ok(is_sound)
+}

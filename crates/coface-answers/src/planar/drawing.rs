@@ -1,0 +1,453 @@
+//! What models draw in the plane: segments, rings, polygons and regions.
+
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_arrange::boolean::InsideRule;
+use coface_geometry::Positions;
+use coface_io::{Features, GroupKind, Model, Shape, Structure, shapes};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// A segment that is in no ring.
+pub(super) const NO_RING: u32 = u32::MAX;
+
+/// What makes one region of a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum RegionSource {
+    /// All polygons of a model are one region.
+    #[default]
+    Models,
+    /// The polygons of a model with one name are a region, and so are those of each feature without a name: a whole `MultiPolygon`.
+    Features,
+}
+
+/// Segments in the plane with the model that each is of, and the regions that rings of them bound.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_answers::{PlanarDrawing, RegionSource};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let square = io::read(&b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..], Format::Wkt)?;
+/// let cut = io::read(&b"0.5,-1,0.5,2\n"[..], Format::Lines)?;
+/// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+/// assert_eq!((drawing.segments().len(), drawing.region_names().len()), (5, 2));
+/// assert_eq!(drawing.segment_source(4), (1, 0));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct PlanarDrawing {
+    pub(super) names: Vec<String>,
+    pub(super) positions: Positions,
+    /// The first vertex of each model, and of none behind the last.
+    pub(super) vertex_starts: Vec<u32>,
+    pub(super) segments: Vec<[u32; 2]>,
+    pub(super) segment_starts: Vec<u32>,
+    pub(super) ring_of_segment: Vec<u32>,
+    pub(super) rings: Vec<Ring>,
+    pub(super) polygons: Vec<Polygon>,
+    pub(super) regions: Vec<Region>,
+}
+
+/// A closed walk of segments.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ring {
+    pub(super) polygon: u32,
+    pub(super) is_hole: bool,
+}
+
+/// Rings that bound one set.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Polygon {
+    pub(super) region: u32,
+    pub(super) filling: Filling,
+    /// Its place among the polygons of its model.
+    pub(super) number: u32,
+}
+
+/// What is inside of a polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Filling {
+    /// What is inside of the outer ring and of no hole, whatever the directions of the rings are.
+    OuterWithoutHoles,
+    /// What all rings together wind around as the drawing says.
+    Stated(InsideRule),
+    /// Lines without directions: the parity.
+    Lines,
+}
+
+/// The polygons that are one operand.
+#[derive(Clone, Debug)]
+pub(super) struct Region {
+    pub(super) name: String,
+    pub(super) model: u32,
+    /// A vertex at which lines of a model without polygons end, of all vertices.
+    pub(super) open_at: Option<u32>,
+    pub(super) is_empty: bool,
+}
+
+/// Whether a model lies in the plane: its points have two coordinates, or a third that is zero, and it has no 3-cells.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let flat = io::read(&b"v 0 0 0\nv 1 0 0\nl 1 2\n"[..], Format::Obj)?;
+/// let steep = io::read(&b"v 0 0 0\nv 1 0 2\nl 1 2\n"[..], Format::Obj)?;
+/// assert!(coface_answers::is_planar(&flat) && !coface_answers::is_planar(&steep));
+/// # Ok(()) }
+/// ```
+pub fn is_planar(model: &Model) -> bool {
+    let positions = model.positions();
+    model.cells().is_empty()
+        && match positions.dimension() {
+            2 => true,
+            3 => positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0),
+            dimension => dimension == 0 && model.vertex_count() == 0 && model.structure().is_none(),
+        }
+}
+
+impl PlanarDrawing {
+    /// The drawing of models with their names.
+    ///
+    /// Lines, then the sides of the polygons, are the segments of a model, in its order. A polygon with holes (rings of GeoJSON,
+    /// WKT, SVG) is one polygon, a polygon of a mesh is another.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] with the name of a model that does not lie in the plane, has 3-cells or no positions;
+    /// [`ErrorKind::UnsupportedFormat`] for an abstract structure that is no chain complex with positions;
+    /// [`ErrorKind::TooLarge`] beyond 2^31 vertices or segments.
+    ///
+    /// # Complexity
+    /// Linear, and $O(n \log n)$ for the n ends of lines of models without polygons.
+    pub fn new<'a>(
+        models: impl IntoIterator<Item = (&'a str, &'a Model)>,
+        source: RegionSource,
+    ) -> Result<Self, Error> {
+        let mut drawing = Self { vertex_starts: vec![0], segment_starts: vec![0], ..Self::default() };
+        let mut flat = Vec::new();
+        for (name, model) in models {
+            drawing.add(name, model, source, &mut flat).map_err(|error| error.in_file(name))?;
+        }
+        drawing.positions = Positions::from_flat(2, flat)?;
+        Ok(drawing)
+    }
+
+    fn add(
+        &mut self,
+        name: &str,
+        model: &Model,
+        source: RegionSource,
+        flat: &mut Vec<f64>,
+    ) -> Result<(), Error> {
+        check_plane(model)?;
+        let first = self.vertex_starts.last().copied().unwrap_or(0);
+        let number = self.names.len() as u32;
+        if first as usize + model.vertex_count() >= 1 << 31 {
+            return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 vertices in all"));
+        }
+        self.names.push(name.to_owned());
+        self.vertex_starts.push(first + model.vertex_count() as u32);
+        for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
+            flat.extend_from_slice(&point[..2]);
+        }
+        let mut regions =
+            Regions { source, number, name, of_group: BTreeMap::new(), last_feature: None, feature_count: 0 };
+        let features = Features::new(model);
+        if source == RegionSource::Models {
+            self.regions.push(Region { name: name.to_owned(), model: number, open_at: None, is_empty: true });
+        }
+        let mut polygon_number = 0;
+        let fill_rules = model.data_named("fill_rule", GroupKind::Lines);
+        for (shape, group) in shapes(model) {
+            let filling = match &shape {
+                Shape::Rings(lines) => match fill_rules.and_then(|rules| rules.integer_row(lines.start)) {
+                    Some(rule) if rule[0] == 0 => Filling::Stated(InsideRule::Nonzero),
+                    Some(rule) if rule[0] == 1 => Filling::Stated(InsideRule::Odd),
+                    _ => Filling::OuterWithoutHoles,
+                },
+                _ => Filling::OuterWithoutHoles,
+            };
+            if matches!(shape, Shape::Rings(_) | Shape::Face(_)) {
+                let name = group.map(|group| model.groups()[group].name());
+                let region = regions.region_of(self, name, features.of(&shape));
+                self.regions[region as usize].is_empty = false;
+                self.polygons.push(Polygon { region, filling, number: polygon_number });
+                polygon_number += 1;
+            }
+            match shape {
+                Shape::Line(i) => self.path(first, model.lines().list(i).iter().copied(), NO_RING)?,
+                Shape::Rings(lines) => {
+                    for (i, line) in lines.enumerate() {
+                        let ring = self.begin_ring(i > 0);
+                        self.path(first, model.lines().list(line).iter().copied(), ring)?;
+                    }
+                }
+                Shape::Face(i) => {
+                    let ring = self.begin_ring(false);
+                    let polygon = model.polygons().list(i);
+                    self.path(first, polygon.iter().chain(polygon.first()).copied(), ring)?;
+                }
+                Shape::Point(_) => {}
+            }
+        }
+        if let Some(Structure::Chains(complex)) = model.structure()
+            && let Some(edges) = complex.boundary_matrix(1)
+        {
+            for (edge, column) in edges.columns().enumerate() {
+                let ends: Vec<(usize, i32)> = column.iter().collect();
+                let (from, to) = match ends[..] {
+                    [(a, -1), (b, 1)] | [(b, 1), (a, -1)] => (a as u32, b as u32),
+                    _ => {
+                        return Err(Error::invalid(format!(
+                            "edge e{edge} does not run from one vertex to another"
+                        ))
+                        .with_cure("give each edge the coefficients -1 and 1 on its two ends"));
+                    }
+                };
+                self.path(first, [from, to].into_iter(), NO_RING)?;
+            }
+        }
+        let start = self.segment_starts.last().copied().unwrap_or(0);
+        self.segment_starts.push(self.segments.len() as u32);
+        if polygon_number == 0 && self.segments.len() > start as usize {
+            self.region_of_lines(model, start, first, &mut regions);
+        }
+        Ok(())
+    }
+
+    /// Lines of a model without polygons: a region if none of them ends.
+    fn region_of_lines(&mut self, model: &Model, start: u32, first: u32, regions: &mut Regions<'_>) {
+        let place = |vertex: u32| {
+            let point = &model.positions().point(VertexId::from_u32(vertex - first))[..2];
+            // Zeros of both signs are equal.
+            [point[0] + 0.0, point[1] + 0.0].map(f64::to_bits)
+        };
+        let mut ends: Vec<([u64; 2], u32)> = self.segments[start as usize..]
+            .as_flattened()
+            .iter()
+            .map(|&vertex| (place(vertex), vertex))
+            .collect();
+        ends.sort_unstable();
+        let odd = ends.chunk_by(|a, b| a.0 == b.0).find(|group| group.len() % 2 == 1);
+        let region = regions.region_of(self, None, None);
+        if let Some(group) = odd {
+            self.regions[region as usize].open_at = Some(group[0].1);
+            return;
+        }
+        self.regions[region as usize].is_empty = false;
+        self.polygons.push(Polygon { region, filling: Filling::Lines, number: 0 });
+        self.rings.push(Ring { polygon: self.polygons.len() as u32 - 1, is_hole: false });
+        self.ring_of_segment[start as usize..].fill(self.rings.len() as u32 - 1);
+    }
+
+    fn begin_ring(&mut self, is_hole: bool) -> u32 {
+        self.rings.push(Ring { polygon: self.polygons.len() as u32 - 1, is_hole });
+        self.rings.len() as u32 - 1
+    }
+
+    fn path(&mut self, first: u32, path: impl Iterator<Item = u32>, ring: u32) -> Result<(), Error> {
+        let mut last = None;
+        for vertex in path {
+            if let Some(last) = last {
+                self.segments.push([first + last, first + vertex]);
+                self.ring_of_segment.push(ring);
+            }
+            last = Some(vertex);
+        }
+        if self.segments.len() >= 1 << 31 {
+            return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 segments in all"));
+        }
+        Ok(())
+    }
+
+    /// The names of the models.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The positions of the vertices of all models, one model after the other.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The segments of all models, one model after the other, by the positions of their ends.
+    pub fn segments(&self) -> &[[u32; 2]] {
+        &self.segments
+    }
+
+    /// The model that a segment is of, and its place among the segments of that model.
+    ///
+    /// # Panics
+    /// If there is no such segment.
+    pub fn segment_source(&self, segment: usize) -> (usize, usize) {
+        assert!(segment < self.segments.len(), "there are {} segments", self.segments.len());
+        source_in(&self.segment_starts, segment)
+    }
+
+    /// The model that a vertex is of, and its place among the vertices of that model.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn vertex_source(&self, vertex: usize) -> (usize, usize) {
+        assert!(vertex < self.positions.len(), "there are {} vertices", self.positions.len());
+        source_in(&self.vertex_starts, vertex)
+    }
+
+    /// The names of the regions.
+    pub fn region_names(&self) -> Vec<&str> {
+        self.regions.iter().map(|region| region.name.as_str()).collect()
+    }
+
+    /// The number of segments that bound no polygon.
+    pub fn unbounded_segment_count(&self) -> usize {
+        self.ring_of_segment.iter().filter(|&&ring| ring == NO_RING).count()
+    }
+
+    /// The models with how much they draw.
+    pub(super) fn inputs_to_json(&self) -> Value {
+        let mut polygon_counts = vec![0; self.names.len()];
+        for polygon in &self.polygons {
+            polygon_counts[self.regions[polygon.region as usize].model as usize] += 1;
+        }
+        let models = self.names.iter().zip(&polygon_counts).enumerate();
+        models
+            .map(|(model, (name, polygons))| {
+                let segments = self.segment_starts[model + 1] - self.segment_starts[model];
+                json!({"file": name, "segments": segments, "polygons": polygons})
+            })
+            .collect()
+    }
+
+    /// `NotACycle` naming a region of open lines, or `InvalidInput` naming one of nothing that has an inside.
+    pub(super) fn check_regions(&self) -> Result<(), Error> {
+        for region in &self.regions {
+            let file = |error: Error| error.in_file(self.names[region.model as usize].clone());
+            if let Some(vertex) = region.open_at {
+                let [x, y] = self.place(vertex);
+                return Err(file(
+                    Error::new(
+                        ErrorKind::NotACycle,
+                        format!("lines end at ({x}, {y}), so they have no inside"),
+                    )
+                    .with_cure("close them, or give polygons: only what is closed can be combined"),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// What a ring is called within its model.
+    pub(super) fn ring_name(&self, ring: u32) -> String {
+        let polygon = self.rings[ring as usize].polygon;
+        let first = self.rings.partition_point(|other| other.polygon < polygon);
+        let number = self.polygons[polygon as usize].number;
+        match ring as usize - first {
+            0 => format!("polygon {number}"),
+            hole => format!("hole {hole} of polygon {number}"),
+        }
+    }
+
+    /// The name of the model that a ring is of.
+    pub(super) fn model_of_ring(&self, ring: u32) -> &str {
+        let polygon = self.polygons[self.rings[ring as usize].polygon as usize];
+        &self.names[self.regions[polygon.region as usize].model as usize]
+    }
+
+    /// The coordinates of a vertex.
+    pub(super) fn place(&self, vertex: u32) -> [f64; 2] {
+        let point = self.positions.point(VertexId::from_u32(vertex));
+        [point[0], point[1]]
+    }
+}
+
+fn source_in(starts: &[u32], at: usize) -> (usize, usize) {
+    let model = starts.partition_point(|&start| start as usize <= at) - 1;
+    (model, at - starts[model] as usize)
+}
+
+/// Which region a polygon of one model is of.
+struct Regions<'a> {
+    source: RegionSource,
+    number: u32,
+    name: &'a str,
+    of_group: BTreeMap<String, u32>,
+    /// The feature of the last polygon, if it is known, and the region of it.
+    last_feature: Option<(i64, u32)>,
+    /// The number of features that have polygons.
+    feature_count: u32,
+}
+
+impl Regions<'_> {
+    /// The region of a polygon of a named group, or of a feature; of its own if it has neither.
+    fn region_of(&mut self, drawing: &mut PlanarDrawing, group: Option<&str>, feature: Option<i64>) -> u32 {
+        let count = drawing.regions.len() as u32;
+        if self.source == RegionSource::Models {
+            return count - 1;
+        }
+        let known = self.last_feature.filter(|&(last, _)| feature == Some(last));
+        self.feature_count += u32::from(known.is_none());
+        let name = match group {
+            Some(group) => match self.of_group.get(group) {
+                Some(&region) => {
+                    self.last_feature = feature.map(|feature| (feature, region));
+                    return region;
+                }
+                None => {
+                    self.of_group.insert(group.to_owned(), count);
+                    group.to_owned()
+                }
+            },
+            None => {
+                if let Some((_, region)) = known {
+                    return region;
+                }
+                format!("{}#{}", self.name, self.feature_count - 1)
+            }
+        };
+        self.last_feature = feature.map(|feature| (feature, count));
+        drawing.regions.push(Region { name, model: self.number, open_at: None, is_empty: true });
+        count
+    }
+}
+
+/// Refuses a model that does not lie in the plane.
+fn check_plane(model: &Model) -> Result<(), Error> {
+    match model.structure() {
+        None => {}
+        Some(Structure::Chains(_)) if !model.positions().is_empty() => {}
+        Some(_) => {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "an abstract structure has no place in the plane",
+            )
+            .with_cure("give a drawing: segments, polylines or polygons with coordinates"));
+        }
+    }
+    if !model.cells().is_empty() {
+        return Err(Error::invalid(format!("{} 3-cells do not lie in the plane", model.cells().len()))
+            .with_cure("arrange them in space: leave --dimension 2 out"));
+    }
+    let positions = model.positions();
+    match positions.dimension() {
+        2 => Ok(()),
+        0 if model.vertex_count() == 0 => Ok(()),
+        0 => {
+            Err(Error::invalid("the vertices have no positions").with_cure("give a drawing with coordinates"))
+        }
+        3 => match positions.as_flat().iter().skip(2).step_by(3).position(|&height| height != 0.0) {
+            None => Ok(()),
+            Some(vertex) => Err(Error::invalid(format!(
+                "v{vertex} is at height {}, not in the plane z = 0",
+                positions.as_flat()[3 * vertex + 2]
+            ))
+            .with_cure("set all heights to 0, or arrange the model in space")),
+        },
+        dimension => Err(Error::new(
+            ErrorKind::Shape,
+            format!("points with {dimension} coordinates do not lie in the plane"),
+        )
+        .with_cure("give two coordinates for each point, or three of which the last is 0")),
+    }
+}

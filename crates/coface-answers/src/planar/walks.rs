@@ -1,0 +1,173 @@
+//! The rings of a drawing as closed walks, for an overlay of them.
+
+use super::drawing::{Filling, NO_RING, PlanarDrawing};
+use coface_algebra::RaggedArray;
+use coface_algebra::{EdgeId, Error, VertexId};
+use coface_arrange::planar::{PlanarOptions, PlanarOverlay, SnappedArrangement, VertexSource};
+use coface_geometry::Positions;
+use coface_geometry::predicates::orientation;
+use std::cmp::Ordering;
+
+/// Closed walks along the segments of a drawing: what is laid over each other.
+///
+/// Each ring of a polygon is a walk. Lines that bound a region are walks in any directions: only parities count there. A
+/// segment of no ring is a walk there and back, which bounds nothing. In a snapped drawing, walks run through the places that
+/// segments were moved to.
+pub(super) struct Walks<'a> {
+    drawing: &'a PlanarDrawing,
+    snapped: Option<Snapped<'a>>,
+    /// The corners of each walk, vertices of the drawing or of the snapped arrangement.
+    corners: RaggedArray,
+    /// The ring of each walk; the number of rings for segments of none.
+    rings: Vec<u32>,
+    /// The segment of the drawing along each side of the walks.
+    segments: Vec<u32>,
+}
+
+struct Snapped<'a> {
+    arrangement: &'a SnappedArrangement,
+    /// The edges along each segment of the drawing.
+    edges_of_segment: RaggedArray,
+}
+
+impl<'a> Walks<'a> {
+    /// The walks of a drawing, through the vertices of the arrangement that it was snapped to if there is one.
+    pub(super) fn new(drawing: &'a PlanarDrawing, snapped: Option<&'a SnappedArrangement>) -> Self {
+        let snapped = snapped.map(|arrangement| Snapped {
+            arrangement,
+            edges_of_segment: arrangement.segments_of_edges().transposed(drawing.segments.len()),
+        });
+        let (mut corners, mut rings, mut segments) = (RaggedArray::new(), Vec::new(), Vec::new());
+        let mut add = |ring: u32, halfsegments: &mut dyn Iterator<Item = u32>| {
+            let mut own = Vec::new();
+            for halfsegment in halfsegments {
+                match &snapped {
+                    Some(snapped) => snapped.corners_along(drawing, halfsegment, &mut own),
+                    None => own.push(drawing.segments[halfsegment as usize / 2][halfsegment as usize % 2]),
+                }
+                segments.resize(corners.item_count() + own.len(), halfsegment / 2);
+            }
+            corners.push(&own);
+            rings.push(ring);
+        };
+        // The segments of a ring follow each other. Halfsegment 2s goes along segment s, 2s + 1 back.
+        let mut next = 0;
+        for group in drawing.ring_of_segment.chunk_by(|a, b| a == b) {
+            let (first, ring) = (next, group[0]);
+            next += group.len() as u32;
+            let mut along = (first..next).map(|segment| 2 * segment);
+            if ring == NO_RING {
+                along.for_each(|halfsegment| {
+                    add(drawing.rings.len() as u32, &mut [halfsegment, halfsegment + 1].into_iter());
+                });
+            } else if drawing.polygons[drawing.rings[ring as usize].polygon as usize].filling
+                == Filling::Lines
+            {
+                for walk in closed_walks(drawing, first, group.len()) {
+                    add(ring, &mut walk.into_iter());
+                }
+            } else {
+                add(ring, &mut along);
+            }
+        }
+        Self { drawing, snapped, corners, rings, segments }
+    }
+
+    /// The overlay of all walks, in which rings are regions.
+    ///
+    /// # Errors
+    /// As [`PlanarOverlay::with_options`].
+    pub(super) fn overlay(&self, options: &PlanarOptions) -> Result<PlanarOverlay, Error> {
+        let positions: &Positions = match &self.snapped {
+            Some(snapped) => snapped.arrangement.arrangement().positions(),
+            None => &self.drawing.positions,
+        };
+        PlanarOverlay::without_windings(positions, &self.corners, &self.rings, options)
+    }
+
+    /// The segment of the drawing along a side of the walks.
+    pub(super) fn segment(&self, side: usize) -> u32 {
+        self.segments[side]
+    }
+
+    /// Where a vertex of the overlay comes from in the drawing.
+    pub(super) fn source(&self, source: VertexSource) -> VertexSource {
+        match source {
+            VertexSource::Given(corner) => match &self.snapped {
+                Some(snapped) => snapped.arrangement.source(VertexId::new(corner)),
+                None => source,
+            },
+            VertexSource::Crossing(sides) => {
+                VertexSource::Crossing(sides.map(|side| self.segments[side] as usize))
+            }
+        }
+    }
+}
+
+impl Snapped<'_> {
+    /// Adds the vertices from the start of a halfsegment on to before its end. Those at which it goes straight on are left out.
+    fn corners_along(&self, drawing: &PlanarDrawing, halfsegment: u32, corners: &mut Vec<u32>) {
+        let segment = halfsegment as usize / 2;
+        let arrangement = self.arrangement.arrangement();
+        let place = |vertex: u32| {
+            let point = arrangement.positions().point(VertexId::from_u32(vertex));
+            [point[0], point[1]]
+        };
+        let edges = self.edges_of_segment.list(segment).iter();
+        let mut vertices: Vec<u32> =
+            edges.flat_map(|&edge| arrangement.ends(EdgeId::from_u32(edge)).map(VertexId::to_u32)).collect();
+        // Rounding never turns the order of coordinates around: pieces go the way of the segment on both axes, or stand still on one.
+        let [from, to] = drawing.segments[segment].map(|vertex| drawing.place(vertex));
+        let along = |a: f64, b: f64, axis: usize| match from[axis].total_cmp(&to[axis]) {
+            Ordering::Greater => b.total_cmp(&a),
+            _ => a.total_cmp(&b),
+        };
+        vertices.sort_unstable_by(|&a, &b| {
+            let [p, q] = [a, b].map(place);
+            along(p[0], q[0], 0).then_with(|| along(p[1], q[1], 1)).then(a.cmp(&b))
+        });
+        vertices.dedup();
+        if halfsegment % 2 == 1 {
+            vertices.reverse();
+        }
+        for i in 0..vertices.len().saturating_sub(1) {
+            let goes_straight = i > 0 && {
+                let [p, q, r] = [vertices[i - 1], vertices[i], vertices[i + 1]].map(place);
+                orientation(p, q, r).is_eq()
+            };
+            if !goes_straight {
+                corners.push(vertices[i]);
+            }
+        }
+    }
+}
+
+/// Lines of which an even number ends at every point as closed walks of halfsegments.
+fn closed_walks(drawing: &PlanarDrawing, first: u32, count: usize) -> Vec<Vec<u32>> {
+    // End 2s is where segment s starts, 2s + 1 where it ends, from the first segment on.
+    let place = |end: u32| {
+        let vertex = drawing.segments[first as usize + end as usize / 2][end as usize % 2];
+        // Zeros of both signs are equal.
+        drawing.place(vertex).map(|x| (x + 0.0).to_bits())
+    };
+    let mut ends: Vec<([u64; 2], u32)> = (0..2 * count as u32).map(|end| (place(end), end)).collect();
+    ends.sort_unstable();
+    let mut partners = vec![0; ends.len()];
+    for pair in ends.chunks_exact(2) {
+        let [a, b] = [pair[0].1, pair[1].1];
+        (partners[a as usize], partners[b as usize]) = (b, a);
+    }
+    let mut is_done = vec![false; count];
+    let mut walks = Vec::new();
+    for start in 0..count as u32 {
+        let (mut walk, mut end) = (Vec::new(), 2 * start);
+        while !std::mem::replace(&mut is_done[end as usize / 2], true) {
+            walk.push(2 * first + end);
+            end = partners[(end ^ 1) as usize];
+        }
+        if !walk.is_empty() {
+            walks.push(walk);
+        }
+    }
+    walks
+}

@@ -1,0 +1,201 @@
+//! Arrangements and results as models, for files.
+
+use super::arrangement::DrawingArrangement;
+use super::boolean::RegionBoolean;
+use super::outline::Outline;
+use coface_algebra::RaggedArray;
+use coface_algebra::{EdgeId, Error, FaceId, VertexId};
+use coface_geometry::Positions;
+use coface_geometry::predicates::orientation;
+use coface_geometry::triangulation::triangulate;
+use coface_io as io;
+use coface_io::{CellData, Format, GroupKind, Model, geojson};
+use serde_json::{Map, Value, json};
+use std::io::Write;
+
+impl DrawingArrangement {
+    /// Writes the arrangement in a format.
+    ///
+    /// * JSON: the chain complex with the positions of the vertices.
+    /// * Segments as text: all edges.
+    /// * GeoJSON, WKT, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
+    ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it).
+    /// * Others: faces as polygons; a face with holes or corners that touch is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the format cannot hold it; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) from the output.
+    pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
+        let arrangement = &self.arrangement;
+        let positions = arrangement.positions().clone();
+        match format {
+            Format::Json => {
+                return io::write(&Model::from_chains(arrangement.chain_complex()?, positions)?, out, format);
+            }
+            Format::Lines => {
+                let edges = (0..arrangement.edge_count())
+                    .map(|edge| arrangement.ends(EdgeId::new(edge)).map(VertexId::to_u32));
+                return io::write(
+                    &Model::from_lines(positions, RaggedArray::from_lists(edges))?,
+                    out,
+                    format,
+                );
+            }
+            _ => {}
+        }
+        let [rings, polygons] = arrangement.face_polygons();
+        let outline = Outline { rings, polygons };
+        let loose = self.bridges();
+        if is_drawing(format) {
+            let areas = arrangement.areas();
+            let names = self.drawing.region_names();
+            let properties = |polygon: usize| {
+                let regions = self.regions_around(FaceId::new(polygon)).iter();
+                let inside: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
+                object(json!({"face": polygon, "area": areas[polygon], "inside": inside}))
+            };
+            return write_drawing(&outline, positions, &loose, out, format, &properties);
+        }
+        let model = mesh(&outline, &positions, &loose)?;
+        io::write(&model, out, format)
+    }
+
+    /// The faces as polygons, and edges in no face's rim; a face with holes or corners that touch is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a face cannot be cut with rounded coordinates.
+    pub fn to_mesh(&self) -> Result<Model, Error> {
+        let [rings, polygons] = self.arrangement.face_polygons();
+        mesh(&Outline { rings, polygons }, self.arrangement.positions(), &self.bridges())
+    }
+
+    /// The ends of the edges with one face on both sides.
+    fn bridges(&self) -> Vec<[u32; 2]> {
+        (0..self.arrangement.edge_count())
+            .map(EdgeId::new)
+            .filter(|&edge| self.arrangement.is_bridge(edge))
+            .map(|edge| self.arrangement.ends(edge).map(VertexId::to_u32))
+            .collect()
+    }
+}
+
+impl RegionBoolean {
+    /// Writes the result in a format.
+    ///
+    /// * GeoJSON, WKT, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
+    ///   those that contain some of it).
+    /// * Segments as text: the edges.
+    /// * Others: polygons; one with holes is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the format cannot hold it; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) from the output.
+    pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
+        let positions = self.positions.clone();
+        if format == Format::Lines {
+            let lines = RaggedArray::from_lists(&self.edges);
+            return io::write(&Model::from_lines(positions, lines)?, out, format);
+        }
+        if is_drawing(format) {
+            let names = self.drawing.region_names();
+            let properties = |polygon: usize| {
+                let regions = self.regions_of_polygon(polygon).iter();
+                let regions: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
+                object(json!({"polygon": polygon, "area": self.polygon_areas()[polygon], "regions": regions}))
+            };
+            return write_drawing(&self.outline, positions, &[], out, format, &properties);
+        }
+        io::write(&mesh(&self.outline, &positions, &[])?, out, format)
+    }
+
+    /// The result as polygons; one with holes is cut into triangles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a polygon cannot be cut with rounded coordinates.
+    pub fn to_mesh(&self) -> Result<Model, Error> {
+        mesh(&self.outline, &self.positions, &[])
+    }
+}
+
+/// Whether a format holds polygons with holes.
+fn is_drawing(format: Format) -> bool {
+    matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
+}
+
+fn object(value: Value) -> Map<String, Value> {
+    match value {
+        Value::Object(map) => map,
+        _ => Map::new(),
+    }
+}
+
+/// Polygons with holes, then loose edges, then vertices that nothing uses.
+fn write_drawing(
+    outline: &Outline,
+    positions: Positions,
+    loose: &[[u32; 2]],
+    out: &mut dyn Write,
+    format: Format,
+    properties: &dyn Fn(usize) -> Map<String, Value>,
+) -> Result<(), Error> {
+    let (mut lines, mut polygons, mut rings) = (RaggedArray::new(), Vec::new(), Vec::new());
+    let mut closed = Vec::new();
+    for polygon in 0..outline.polygon_count() {
+        for (ring, corners) in outline.rings_of(polygon).enumerate() {
+            closed.clear();
+            closed.extend(corners.iter().chain(corners.first()));
+            lines.push(&closed);
+            polygons.push(polygon as i64);
+            rings.push(ring as i64);
+        }
+    }
+    for edge in loose {
+        lines.push(edge);
+        polygons.push(-1);
+        rings.push(-1);
+    }
+    let model = Model::from_lines(positions, lines)?
+        .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
+        .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
+    if format == Format::GeoJson {
+        let count = outline.polygon_count();
+        return geojson::write_with(&model, out, &|shape| {
+            if shape < count { properties(shape) } else { Map::new() }
+        });
+    }
+    io::write(&model, out, format)
+}
+
+/// Polygons of a mesh, and loose edges. Polygons with holes are cut into triangles.
+fn mesh(outline: &Outline, positions: &Positions, loose: &[[u32; 2]]) -> Result<Model, Error> {
+    let place = |vertex: u32| {
+        let point = positions.point(VertexId::from_u32(vertex));
+        [point[0], point[1]]
+    };
+    let compare = |a: u32, b: u32| {
+        let [[ax, ay], [bx, by]] = [a, b].map(place);
+        // Zeros of both signs are equal.
+        (ax + 0.0).total_cmp(&(bx + 0.0)).then((ay + 0.0).total_cmp(&(by + 0.0)))
+    };
+    let turn = |a: u32, b: u32, c: u32| orientation(place(a), place(b), place(c));
+    let (mut polygons, mut numbers) = (RaggedArray::new(), Vec::new());
+    for polygon in 0..outline.polygon_count() {
+        let rings: Vec<&[u32]> = outline.rings_of(polygon).collect();
+        if let [ring] = rings[..] {
+            polygons.push(ring);
+            numbers.push(polygon as i64);
+            continue;
+        }
+        let triangles = triangulate(&rings, compare, turn).map_err(|fault| {
+            Error::invalid(format!(
+                "with rounded coordinates polygon {polygon} cannot be cut into triangles: {fault}"
+            ))
+            .with_cure("use --snap, or write GeoJSON, WKT or SVG, which hold polygons with holes")
+        })?;
+        for triangle in &triangles {
+            polygons.push(triangle);
+            numbers.push(polygon as i64);
+        }
+    }
+    let lines = RaggedArray::from_lists(loose);
+    let model = Model::from_polygons(positions.clone(), polygons)?.with_lines(lines)?;
+    model.with_data(CellData::integers("face", GroupKind::Polygons, 1, numbers)?)
+}

@@ -1,0 +1,327 @@
+//! The report on polygons, edges and vertices.
+
+use super::facts::{Answer, BoundaryPart, Kind, Report, Witness};
+use super::moments::Integrals;
+use super::{Labels, Problem, ProblemKind};
+use coface_algebra::RaggedArray;
+use coface_algebra::{EdgeId, FaceId, VertexId};
+use coface_complexes::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, SurfaceSurvey};
+use coface_geometry::{Positions, enclosed_volume, polygon_area};
+use coface_topology::homology;
+
+/// The report on a mesh, whose vertices have these labels in the file.
+pub(super) fn report(
+    mesh: PolygonMesh,
+    positions: Positions,
+    labels: &Labels,
+    kind: Kind,
+    exponents: &[[u32; 3]],
+) -> Report {
+    let degrees = VertexDegrees::of(&mesh);
+    let mut report = match (mesh.face_count(), mesh.edge_count()) {
+        (0, 0) => of_points(&mesh),
+        (0, _) => of_graph(&mesh, &degrees, labels),
+        _ => of_faces(&mesh, &positions, labels, exponents),
+    };
+    drop(positions);
+    report.kind = kind;
+    duplicates(&mesh, labels, &mut report.problems);
+    if report.dimension() != Some(0) {
+        isolated(&degrees, labels, &mut report.problems);
+    }
+    report.pure = Some(match report.dimension() {
+        Some(2) => degrees.isolated.is_empty() && !has(&report, ProblemKind::LooseCell),
+        Some(1) => degrees.isolated.is_empty(),
+        _ => true,
+    });
+    drop(degrees);
+    let complex = mesh.into_chain_complex();
+    report.euler_characteristic = complex.euler_characteristic();
+    report.homology = homology(&complex).groups().to_vec();
+    report
+}
+
+fn has(report: &Report, kind: ProblemKind) -> bool {
+    report.problems.iter().any(|problem| problem.kind() == kind)
+}
+
+/// The numbers of edges at the vertices.
+pub(super) struct VertexDegrees {
+    of_vertex: Vec<u32>,
+    pub(super) isolated: Vec<u32>,
+}
+
+impl VertexDegrees {
+    pub(super) fn of(mesh: &PolygonMesh) -> Self {
+        let mut of_vertex = vec![0; mesh.vertex_count()];
+        for &end in mesh.edge_ends() {
+            of_vertex[end as usize] += 1;
+        }
+        let isolated = (0..of_vertex.len() as u32).filter(|&v| of_vertex[v as usize] == 0).collect();
+        Self { of_vertex, isolated }
+    }
+}
+
+fn of_points(mesh: &PolygonMesh) -> Report {
+    Report {
+        f_vector: if mesh.vertex_count() == 0 { Vec::new() } else { vec![mesh.vertex_count()] },
+        shapes: vec![("vertex", mesh.vertex_count())],
+        components: mesh.vertex_count(),
+        orientable: (mesh.vertex_count() > 0).then_some(true),
+        ..Report::of_nothing()
+    }
+}
+
+/// A graph is a 1-manifold when each vertex that has an edge has one or two.
+fn of_graph(mesh: &PolygonMesh, degrees: &VertexDegrees, labels: &Labels) -> Report {
+    let branching: Vec<u32> =
+        (0..degrees.of_vertex.len() as u32).filter(|&v| degrees.of_vertex[v as usize] > 2).collect();
+    let witness = branching.first().map(|&v| Witness {
+        kind: "vertex_in_many_edges",
+        cells: vec![vec![labels.of(v)]],
+        message: format!("vertex v{} lies in {} edges", labels.of(v), degrees.of_vertex[v as usize]),
+    });
+    let mut problems = Vec::new();
+    if !branching.is_empty() {
+        let message = format!(
+            "{} in three or more edges; a curve allows two",
+            counted(branching.len(), "vertex lies", "vertices lie")
+        );
+        problems.push(Problem::at_vertices(
+            ProblemKind::NonManifoldRidge,
+            message,
+            &labels.of_all(branching),
+        ));
+    }
+    Report {
+        f_vector: vec![mesh.vertex_count(), mesh.edge_count()],
+        shapes: vec![("edge", mesh.edge_count())],
+        components: mesh.components().count(),
+        manifold: if witness.is_none() { Answer::Yes } else { Answer::No },
+        closed: Some(!degrees.of_vertex.contains(&1)),
+        orientable: witness.is_none().then_some(true),
+        witness,
+        problems,
+        ..Report::of_nothing()
+    }
+}
+
+fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels, exponents: &[[u32; 3]]) -> Report {
+    let survey = mesh.survey();
+    let (verdict, orientation) = (survey.verdict(), survey.orientation());
+    let mut problems = Vec::new();
+    non_manifold(mesh, &survey, labels, &mut problems);
+    orientation_problems(mesh, orientation, labels, &mut problems);
+    let area = polygon_area(positions, mesh.polygons());
+    let around = is_cycle(mesh, &survey).then(|| mesh.polygons());
+    let signed_volume = around.and_then(|around| enclosed_volume(positions, around));
+    let integrals = Integrals { surface: Some(mesh.polygons()), around, positions };
+    let boundary_loops = survey.boundary_loops().iter().map(|part| BoundaryPart {
+        vertices: part.vertices().iter().map(|&vertex| labels.of(vertex.to_u32())).collect(),
+        edge_count: part.edges().len(),
+        is_simple: part.is_simple(),
+    });
+    Report {
+        f_vector: mesh.f_vector().to_vec(),
+        shapes: polygon_shapes(mesh.polygons()),
+        components: survey.components().count(),
+        manifold: if verdict.is_manifold() { Answer::Yes } else { Answer::No },
+        closed: Some(verdict.is_closed()),
+        witness: verdict.witness().map(|defect| witness(mesh, defect, labels)),
+        boundary_loops: Some(boundary_loops.collect()),
+        orientable: orientation.is_orientable(),
+        coherently_oriented: orientation.is_coherent(),
+        surface_type: survey.surface(),
+        surfaces: survey.parts().iter().filter(|part| part.f_vector() != [1, 0, 0]).cloned().collect(),
+        name: survey.name(),
+        area,
+        signed_volume,
+        surface_centroid: integrals.surface_centroid(),
+        mass: integrals.mass(),
+        moments: integrals.moments(exponents),
+        problems,
+        ..Report::of_nothing()
+    }
+}
+
+/// Whether the sum of all faces, as they are oriented, has no boundary: then it encloses a volume.
+fn is_cycle(mesh: &PolygonMesh, survey: &SurfaceSurvey) -> bool {
+    if let Some(coherent) = survey.orientation().is_coherent() {
+        return coherent && survey.verdict().is_closed();
+    }
+    (0..mesh.edge_count())
+        .all(|edge| mesh.faces_of_edge(EdgeId::new(edge)).map(|(_, sign)| sign.to_i32()).sum::<i32>() == 0)
+}
+
+/// How many polygons have how many sides.
+pub(super) fn polygon_shapes(polygons: &RaggedArray) -> Vec<(&'static str, usize)> {
+    const NAMES: [&str; 4] = ["triangle", "quadrangle", "pentagon", "hexagon"];
+    let mut counts = [0; 5];
+    if let Some(width) = polygons.uniform_width() {
+        counts[(width - 3).min(4)] = polygons.len();
+    } else {
+        for polygon in polygons.iter() {
+            counts[(polygon.len() - 3).min(4)] += 1;
+        }
+    }
+    let names = NAMES.into_iter().chain(["polygon of more sides"]);
+    names.zip(counts).filter(|&(_, count)| count > 0).collect()
+}
+
+fn edge_vertices(mesh: &PolygonMesh, edge: EdgeId, labels: &Labels) -> [u32; 2] {
+    mesh.edge(edge).map(|end| labels.of(end.to_u32()))
+}
+
+/// The positions in the file of the faces at an edge.
+fn faces_at(mesh: &PolygonMesh, edge: EdgeId) -> Vec<u32> {
+    mesh.faces_of_edge(edge).map(|(face, _)| mesh.polygon_of_face(face) as u32).collect()
+}
+
+fn face_vertices(mesh: &PolygonMesh, face: FaceId, labels: &Labels) -> Vec<u32> {
+    mesh.face(face).iter().map(|&vertex| labels.of(vertex)).collect()
+}
+
+/// The edges by their ends, with the faces at each.
+fn at_edges(
+    mesh: &PolygonMesh,
+    edges: &[EdgeId],
+    labels: &Labels,
+    kind: ProblemKind,
+    message: String,
+) -> Problem {
+    let cells = RaggedArray::from_lists(edges.iter().map(|&edge| edge_vertices(mesh, edge, labels)));
+    let faces = RaggedArray::from_lists(edges.iter().map(|&edge| faces_at(mesh, edge)));
+    Problem::new(kind, message, cells, faces, "face")
+}
+
+pub(super) fn witness(mesh: &PolygonMesh, defect: &SurfaceDefect, labels: &Labels) -> Witness {
+    match defect {
+        SurfaceDefect::EdgeInManyFaces { edge, .. } => {
+            let [a, b] = edge_vertices(mesh, *edge, labels);
+            let faces = faces_at(mesh, *edge);
+            let few: Vec<String> = faces.iter().take(8).map(|face| format!("f{face}")).collect();
+            let more = if faces.len() > few.len() { ", .." } else { "" };
+            Witness {
+                kind: "edge_in_many_faces",
+                cells: vec![vec![a, b]],
+                message: format!(
+                    "edge {{v{a} v{b}}} lies in {} faces: {}{more}",
+                    faces.len(),
+                    few.join(", ")
+                ),
+            }
+        }
+        SurfaceDefect::LooseEdge { edge } => {
+            let [a, b] = edge_vertices(mesh, *edge, labels);
+            Witness {
+                kind: "edge_in_no_face",
+                cells: vec![vec![a, b]],
+                message: format!("edge {{v{a} v{b}}} lies in no face"),
+            }
+        }
+        SurfaceDefect::SeveralFans { vertex, link } => {
+            let v = labels.of(vertex.to_u32());
+            Witness {
+                kind: "vertex_with_several_fans",
+                cells: vec![vec![v]],
+                message: format!("{} separate fans of faces touch at vertex v{v}", link.len()),
+            }
+        }
+    }
+}
+
+fn non_manifold(mesh: &PolygonMesh, survey: &SurfaceSurvey, labels: &Labels, problems: &mut Vec<Problem>) {
+    let verdict = survey.verdict();
+    let (edges, loose) = (verdict.non_manifold_edges(), verdict.loose_edges());
+    if !edges.is_empty() {
+        let message = format!(
+            "{} in three or more faces; a surface allows two",
+            counted(edges.len(), "edge lies", "edges lie")
+        );
+        problems.push(at_edges(mesh, edges, labels, ProblemKind::NonManifoldRidge, message));
+    }
+    if !loose.is_empty() {
+        let message = format!("{} in no face", counted(loose.len(), "edge lies", "edges lie"));
+        problems.push(at_edges(mesh, loose, labels, ProblemKind::LooseCell, message));
+    }
+    let vertices = verdict.non_manifold_vertices();
+    if !vertices.is_empty() {
+        let mut ends: Vec<VertexId> = edges.iter().chain(loose).flat_map(|&edge| mesh.edge(edge)).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        // The vertices that no bad edge explains come first.
+        let (explained, pinched): (Vec<VertexId>, Vec<VertexId>) =
+            vertices.iter().partition(|vertex| ends.binary_search(vertex).is_ok());
+        let mut message = format!(
+            "{} not surrounded by a single fan or ring of faces",
+            counted(vertices.len(), "vertex is", "vertices are")
+        );
+        if pinched.is_empty() {
+            message += ": ends of the edges above";
+        } else if !explained.is_empty() {
+            message += &format!("; {} of them are ends of the edges above", explained.len());
+        }
+        let listed = pinched.into_iter().chain(explained).map(VertexId::to_u32).collect();
+        problems.push(Problem::at_vertices(ProblemKind::NonManifoldVertex, message, &labels.of_all(listed)));
+    }
+}
+
+fn orientation_problems(
+    mesh: &PolygonMesh,
+    orientation: &SurfaceOrientation,
+    labels: &Labels,
+    problems: &mut Vec<Problem>,
+) {
+    if let (Some(false), Some(cycle)) = (orientation.is_orientable(), orientation.odd_cycle()) {
+        let message = format!(
+            "no side can be chosen: a closed chain of {} comes back reversed (a Moebius band)",
+            counted(cycle.faces().len(), "face", "faces")
+        );
+        let cells = cycle.faces().iter().map(|&face| face_vertices(mesh, face, labels));
+        let faces = cycle.faces().iter().map(|&face| [mesh.polygon_of_face(face) as u32]);
+        let (cells, faces) = (RaggedArray::from_lists(cells), RaggedArray::from_lists(faces));
+        problems.push(Problem::new(ProblemKind::OneSidedChain, message, cells, faces, "face"));
+    } else if orientation.is_coherent() == Some(false) {
+        let edges = orientation.conflicts();
+        let message = format!(
+            "at {} the two faces run against each other; some faces must be turned over",
+            counted(edges.len(), "edge", "edges")
+        );
+        problems.push(at_edges(mesh, edges, labels, ProblemKind::OrientationConflict, message));
+    }
+}
+
+fn duplicates(mesh: &PolygonMesh, labels: &Labels, problems: &mut Vec<Problem>) {
+    let found = mesh.duplicate_faces();
+    if found.is_empty() {
+        return;
+    }
+    let (_, later) = found[0];
+    let first = mesh.polygon_of_face(found[0].0);
+    let message = format!(
+        "{} an earlier one and counted once: face f{later} repeats f{first}{}",
+        counted(found.len(), "face repeats", "faces repeat"),
+        if found.len() > 1 { ", .." } else { "" },
+    );
+    let cells = RaggedArray::from_lists(found.iter().map(|&(face, _)| face_vertices(mesh, face, labels)));
+    let pair = |&(face, later): &(FaceId, usize)| [mesh.polygon_of_face(face) as u32, later as u32];
+    let faces = RaggedArray::from_lists(found.iter().map(pair));
+    problems.push(Problem::new(ProblemKind::DuplicateCell, message, cells, faces, "face"));
+}
+
+fn isolated(degrees: &VertexDegrees, labels: &Labels, problems: &mut Vec<Problem>) {
+    if !degrees.isolated.is_empty() {
+        problems.push(isolated_vertices(&labels.of_all(degrees.isolated.clone())));
+    }
+}
+
+/// The problem of vertices that lie in no edge.
+pub(super) fn isolated_vertices(vertices: &[u32]) -> Problem {
+    let message = format!("{} isolated: in no edge", counted(vertices.len(), "vertex is", "vertices are"));
+    Problem::at_vertices(ProblemKind::IsolatedVertex, message, vertices)
+}
+
+/// `1 edge lies`, `12 edges lie`.
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}

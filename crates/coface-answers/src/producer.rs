@@ -1,0 +1,221 @@
+//! What makes the chain complex of a model.
+
+use super::Labels;
+use super::volume::VolumeCells;
+use coface_algebra::Error;
+use coface_algebra::RaggedArray;
+use coface_algebra::chains::{ChainComplex, TwoSkeleton};
+use coface_algebra::{CellId, EdgeId, FaceId};
+use coface_complexes::cellular::{CellMesh, CubicalVolume, LarModel};
+use coface_complexes::simplicial::{FaceClasses, FrozenComplex, GluingTable};
+use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
+use coface_geometry::Positions;
+use coface_io::{Model, Structure, segments};
+
+/// The cells of a model with their faces identified: what its chain complex is made from.
+///
+/// Cells of each degree are numbered; [`Self::cell_vertices`] names them by vertices of the file.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_io::{Model, Structure};
+/// use coface_answers::Producer;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let facets = RaggedArray::from_lists([[0, 1, 7], [1, 7, 9]]);
+/// let producer = Producer::of(Model::from_structure(Structure::Facets(facets)))?;
+/// assert_eq!(producer.chain_complex()?.f_vector(), [4, 5, 2]);
+/// assert_eq!(producer.cell_vertices(2, 1), [1, 7, 9]);
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct Producer {
+    pub(super) cells: Cells,
+    pub(super) labels: Labels,
+    pub(super) positions: Positions,
+}
+
+/// The structures that models become.
+#[derive(Debug)]
+pub(super) enum Cells {
+    /// Polygons, edges and vertices.
+    Polygons(PolygonMesh),
+    /// 3-cells, faces, edges and vertices.
+    Solids(Box<CellMesh>),
+    /// Simplices of any dimension.
+    Simplices(FrozenComplex),
+    /// Halfedges.
+    Halfedges(HalfedgeMesh),
+    /// Simplices with facets glued in pairs, and their face classes.
+    Gluings(Box<(GluingTable, FaceClasses)>),
+    /// Boundary matrices.
+    Chains(ChainComplex),
+    /// Voxels with their faces.
+    Voxels(Box<VolumeCells>),
+}
+
+impl Producer {
+    /// Identifies the cells of a model.
+    ///
+    /// # Errors
+    /// Those of the structure that fits the model: [`coface_algebra::ErrorKind::InvalidInput`] naming a cell that is none,
+    /// [`coface_algebra::ErrorKind::TooLarge`] for what its numbers do not hold.
+    pub fn of(model: Model) -> Result<Self, Error> {
+        let Model { vertex_count, mut positions, polygons, shapes, cells, lines, structure, .. } = model;
+        let (cells, labels) = match structure {
+            Some(Structure::Facets(facets)) => of_facets(facets)?,
+            Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),
+            Some(Structure::Volume(volume)) => {
+                let cells = VolumeCells::new(volume);
+                positions = cells.positions().unwrap_or_default();
+                (Cells::Voxels(Box::new(cells)), Labels::default())
+            }
+            Some(Structure::Halfedges { next, twin }) => {
+                (Cells::Halfedges(HalfedgeMesh::from_permutations(&next, &twin)?), Labels::default())
+            }
+            Some(Structure::Gluings(table)) => {
+                let faces = table.faces()?;
+                (Cells::Gluings(Box::new((table, faces))), Labels::default())
+            }
+            None if !cells.is_empty() => {
+                let mesh = CellMesh::new(vertex_count, shapes, cells, &polygons, &segments(&lines))?;
+                (Cells::Solids(Box::new(mesh)), Labels::default())
+            }
+            None => {
+                let mesh = PolygonMesh::new(vertex_count, polygons, &segments(&lines))?;
+                (Cells::Polygons(mesh), Labels::default())
+            }
+        };
+        Ok(Self { cells, labels, positions })
+    }
+
+    /// The positions of the vertices by their numbers in the file; empty when it has none.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The volume, where the cells are voxels with their faces.
+    pub fn volume(&self) -> Option<&CubicalVolume> {
+        match &self.cells {
+            Cells::Voxels(cells) => Some(cells.volume()),
+            _ => None,
+        }
+    }
+
+    /// The chain complex of the cells, in the order of their numbers.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        Ok(match &self.cells {
+            Cells::Polygons(mesh) => mesh.chain_complex(),
+            Cells::Solids(mesh) => mesh.chain_complex(),
+            Cells::Simplices(complex) => complex.chain_complex()?,
+            Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Gluings(gluings) => gluings.1.chain_complex()?,
+            Cells::Chains(complex) => complex.clone(),
+            Cells::Voxels(cells) => cells.chain_complex()?,
+        })
+    }
+
+    /// The chain complex, made out of the arrays of the producer; saves memory and time where no cell has to be named.
+    ///
+    /// # Errors
+    /// Those of [`Self::chain_complex`].
+    pub fn into_chain_complex(self) -> Result<ChainComplex, Error> {
+        Ok(match self.cells {
+            Cells::Polygons(mesh) => mesh.into_chain_complex(),
+            Cells::Solids(mesh) => mesh.into_chain_complex(),
+            Cells::Simplices(complex) => complex.chain_complex()?,
+            Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Gluings(gluings) => gluings.1.chain_complex()?,
+            Cells::Chains(complex) => complex,
+            Cells::Voxels(cells) => cells.chain_complex()?,
+        })
+    }
+
+    /// The vertices, edges and faces with the paths around the faces, numbered as in [`Self::chain_complex`].
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] for a bare chain complex, which does not say how its faces are attached;
+    /// [`coface_algebra::ErrorKind::TooLarge`] beyond 32 bits.
+    pub fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
+        Ok(match &self.cells {
+            Cells::Polygons(mesh) => mesh.two_skeleton(),
+            Cells::Solids(mesh) => mesh.two_skeleton(),
+            Cells::Simplices(complex) => complex.two_skeleton()?,
+            Cells::Halfedges(mesh) => mesh.two_skeleton(),
+            Cells::Gluings(gluings) => gluings.1.two_skeleton()?,
+            Cells::Voxels(_) => {
+                return Err(Error::invalid("loops in a volume of voxels have no words")
+                    .with_cure("ask for its homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj"));
+            }
+            Cells::Chains(_) => {
+                return Err(Error::invalid(
+                    "boundary matrices do not say in which order faces run along their edges, so loops have no words",
+                )
+                .with_cure("give the complex as facets, polygons, cells or halfedges"));
+            }
+        })
+    }
+
+    /// The cells of all degrees as lists of vertices, numbered as in [`Self::chain_complex`], with their facets.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] for halfedges and gluings, whose cells may have a vertex several times, and for
+    /// boundary matrices that do not tell the vertices of cells; [`coface_algebra::ErrorKind::TooLarge`] beyond 32 bits.
+    pub fn lar_model(&self) -> Result<LarModel, Error> {
+        match &self.cells {
+            Cells::Polygons(mesh) => LarModel::try_from(mesh),
+            Cells::Solids(mesh) => LarModel::try_from(&**mesh),
+            Cells::Simplices(complex) => LarModel::try_from(complex),
+            Cells::Chains(complex) => LarModel::try_from(complex),
+            Cells::Voxels(cells) => LarModel::try_from(&cells.chain_complex()?),
+            Cells::Halfedges(_) | Cells::Gluings(_) => {
+                Err(Error::invalid("the cells of halfedges and gluings are not sets of vertices")
+                    .with_cure("give the complex as facets, polygons or cells, or its boundary matrices"))
+            }
+        }
+    }
+
+    /// The vertices of a cell, by their numbers in the file, in an order that has the orientation of the cell: an edge
+    /// from its start to its end, a polygon around. The cells of a chain complex have no vertices, and those of halfedge
+    /// permutations and gluing tables may have one vertex several times: they are named by their own numbers. With a
+    /// folded face class the cells of a gluing table are those of its barycentric subdivision.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn cell_vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+        let skeleton = match &self.cells {
+            Cells::Polygons(mesh) => mesh,
+            Cells::Solids(mesh) if degree == 3 => return mesh.cell(CellId::new(cell)).to_vec(),
+            Cells::Solids(mesh) => mesh.skeleton(),
+            Cells::Simplices(complex) => return complex.numbers(degree, cell).to_vec(),
+            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => return vec![cell as u32],
+            Cells::Voxels(cells) => return cells.vertices(degree, cell),
+        };
+        self.labels.of_all(match degree {
+            0 => vec![cell as u32],
+            1 => skeleton.edge(EdgeId::new(cell)).map(|end| end.to_u32()).to_vec(),
+            _ => skeleton.face(FaceId::new(cell)).to_vec(),
+        })
+    }
+}
+
+/// Up to dimension 2 a polygon mesh, whose questions have more answers.
+fn of_facets(mut facets: RaggedArray) -> Result<(Cells, Labels), Error> {
+    if facets.iter().any(|facet| facet.len() > 3) {
+        return Ok((Cells::Simplices(FrozenComplex::from_facets(&facets)?), Labels::default()));
+    }
+    let (labels, vertex_count) = Labels::compact(&mut facets);
+    let mut triangles = RaggedArray::new();
+    let mut edges = Vec::new();
+    for facet in facets.iter() {
+        match *facet {
+            [a, b] => edges.push([a, b]),
+            [_, _, _] => triangles.push(facet),
+            _ => {}
+        }
+    }
+    Ok((Cells::Polygons(PolygonMesh::new(vertex_count, triangles, &edges)?), labels))
+}

@@ -1,0 +1,199 @@
+//! The arrangement of a scene: what reports and Booleans ask of it.
+
+use super::{SpatialRequest, SpatialScene};
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{RaggedArray, Sign, SparseMatrix};
+use coface_arrange::spatial::{SpatialArrangement, SpatialOptions};
+use coface_geometry::Positions;
+use std::sync::OnceLock;
+
+/// The cells that the polygons of a scene cut space into.
+///
+/// Cells of the complex are those of the arrangement. Polygons and triangles that faces are drawn with have **drawn** vertices: those
+/// before pieces of polygons were put together.
+#[derive(Clone, Debug)]
+pub(super) struct Arranged {
+    arrangement: SpatialArrangement,
+    complex: ChainComplex,
+    /// Found when they are asked for.
+    volumes: OnceLock<Vec<f64>>,
+    /// Rows are faces, columns models.
+    inputs: SparseMatrix,
+}
+
+impl Arranged {
+    pub(super) fn new(scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
+        let options = SpatialOptions {
+            non_planar: request.non_planar,
+            merge_coplanar: request.merge_coplanar,
+            max_cells: request.max_cells,
+        };
+        let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
+        // A polygon that is none is named by its number in its own model.
+        let mut arrangement = match arrangement {
+            Err(error) if error.kind() == ErrorKind::InvalidInput => {
+                scene.check(request.non_planar)?;
+                return Err(error);
+            }
+            other => other?,
+        };
+        if request.snap {
+            arrangement = arrangement.snapped(&options)?;
+        }
+        let (complex, chains) = rayon::join(|| arrangement.chain_complex(), || arrangement.input_chains());
+        let (complex, chains) = (complex?, chains?);
+        // Walls are inputs of their own there, after the models.
+        let count = scene.names().len();
+        if chains.column_count() == count {
+            return Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs: chains });
+        }
+        let columns = chains.columns().take(count).enumerate();
+        let entries = columns
+            .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
+        let inputs = SparseMatrix::from_entries(chains.row_count(), count, entries)?;
+        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs })
+    }
+
+    pub(super) fn complex(&self) -> &ChainComplex {
+        &self.complex
+    }
+
+    /// Where the vertices of the complex are.
+    pub(super) fn positions(&self) -> &Positions {
+        self.arrangement.positions()
+    }
+
+    /// Where drawn vertices are.
+    pub(super) fn drawn_positions(&self) -> &Positions {
+        self.arrangement.fine_triangles().positions()
+    }
+
+    pub(super) fn volumes(&self) -> &[f64] {
+        self.volumes.get_or_init(|| {
+            self.arrangement.volumes().expect("vertices of an arrangement are points in space")
+        })
+    }
+
+    /// The volumes of some cells.
+    pub(super) fn volumes_of(&self, cells: &[CellId]) -> Vec<f64> {
+        match self.volumes.get() {
+            Some(all) => cells.iter().map(|cell| all[cell.index()]).collect(),
+            None => {
+                let found = self.arrangement.fine().volumes_of(self.drawn_positions(), cells);
+                found.expect("vertices of an arrangement are points in space")
+            }
+        }
+    }
+
+    /// The models as chains of faces: rows are faces, columns models.
+    pub(super) fn inputs(&self) -> &SparseMatrix {
+        &self.inputs
+    }
+
+    /// The polygons that a face is part of, plus where they have its front in front.
+    pub(super) fn polygons_of_face(&self, face: CellId) -> Vec<(u32, Sign)> {
+        self.arrangement.polygons_of_face(FaceId::from_u32(face.to_u32()))
+    }
+
+    /// The walks around a face in drawn vertices, the outer one first.
+    pub(super) fn walks(&self, face: CellId) -> RaggedArray {
+        self.arrangement.face_outlines(FaceId::from_u32(face.to_u32()))
+    }
+
+    /// The corners of a face that is a triangle as it is.
+    pub(super) fn single_triangle(&self, face: CellId) -> Option<[u32; 3]> {
+        self.arrangement.single_triangle(FaceId::from_u32(face.to_u32()))
+    }
+
+    /// Triangles that make up a face, with drawn vertices.
+    pub(super) fn triangles(&self, face: CellId) -> Result<Vec<[u32; 3]>, Error> {
+        self.arrangement.triangulated(FaceId::from_u32(face.to_u32()))
+    }
+
+    /// The edges of the complex as pairs of drawn vertices, the smaller first, each with what [`Self::faces_around`] wants to know.
+    pub(super) fn drawn_edges(&self, edges: &[CellId], is_drawn: impl Fn(u32) -> bool) -> Vec<DrawnEdge> {
+        let mut drawn = Vec::new();
+        let ends = self.arrangement.fine().complex().edges();
+        for &edge in edges {
+            let mut start: Option<(u32, EdgeId, Sign)> = None;
+            for (fine, sign) in self.arrangement.fine_edges(EdgeId::from_u32(edge.to_u32())) {
+                let [mut from, mut to] = ends[fine.index()];
+                if sign == Sign::Minus {
+                    (from, to) = (to, from);
+                }
+                let (begin, first, run) = *start.get_or_insert((from, fine, sign));
+                if is_drawn(to) {
+                    let run = if begin < to { run } else { run.opposite() };
+                    drawn.push(DrawnEdge { ends: [begin.min(to), begin.max(to)], first, run });
+                    start = None;
+                }
+            }
+        }
+        drawn.sort_unstable_by_key(|edge| edge.ends);
+        drawn
+    }
+
+    /// The faces around a drawn edge, counterclockwise seen from its larger end, with minus where their sides run towards the
+    /// smaller.
+    pub(super) fn faces_around(&self, edge: &DrawnEdge, faces: &[(u32, Sign)]) -> Vec<(CellId, Sign)> {
+        let list = self.arrangement.fine().faces_around(edge.first).map(|(fine, side)| {
+            let (face, sign) = faces[fine.index()];
+            (CellId::from_u32(face), side.times(sign).times(edge.run))
+        });
+        let list: Vec<(CellId, Sign)> = list.collect();
+        if edge.run == Sign::Plus { list } else { list.into_iter().rev().collect() }
+    }
+
+    /// The face that each face before merging is part of, minus if it runs the other way.
+    pub(super) fn faces_of_fine(&self) -> Vec<(u32, Sign)> {
+        let mut faces = vec![(0, Sign::Plus); self.arrangement.fine().complex().face_count()];
+        for face in 0..self.complex.cell_count(2) {
+            for (fine, sign) in self.arrangement.fine_faces(FaceId::new(face)) {
+                faces[fine.index()] = (face as u32, sign);
+            }
+        }
+        faces
+    }
+
+    /// The number of walks around faces beyond the first of each.
+    pub(super) fn hole_count(&self) -> usize {
+        self.arrangement.hole_count()
+    }
+
+    /// The number of shells of cells beyond the first of each.
+    pub(super) fn void_count(&self) -> usize {
+        self.arrangement.void_count()
+    }
+
+    /// Whether a coordinate of this vertex was rounded.
+    pub(super) fn is_rounded(&self, vertex: CellId) -> bool {
+        !self.arrangement.point(VertexId::from_u32(vertex.to_u32())).is_exactly_rounded()
+    }
+
+    /// How many times coordinates were rounded and everything arranged again.
+    pub(super) fn round_count(&self) -> usize {
+        self.arrangement.round_count()
+    }
+
+    /// The polygons without area, which are left out.
+    pub(super) fn degenerate_polygons(&self) -> &[u32] {
+        self.arrangement.polygons_without_area()
+    }
+
+    /// The number of polygons that were split because they are not planar, and the largest distance of a vertex from its plane.
+    pub(super) fn split_polygons(&self) -> (usize, f64) {
+        let split = self.arrangement.split_polygons();
+        (split.len(), split.iter().map(|polygon| polygon.deviation).fold(0.0, f64::max))
+    }
+}
+
+/// An edge between two drawn vertices.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DrawnEdge {
+    pub(super) ends: [u32; 2],
+    /// The first edge before merging, seen along the edge of the complex.
+    first: EdgeId,
+    /// Whether that runs from the smaller end to the larger.
+    run: Sign,
+}

@@ -1,0 +1,456 @@
+//! Boolean combinations of the models of a scene.
+
+use super::inputs::Membership;
+use super::{InputState, OpenInputs, SceneArrangement};
+use crate::Labels;
+use crate::polygons::witness;
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, Error, ErrorKind, VertexId};
+use coface_algebra::{RaggedArray, Sign, UnionFind};
+use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, SelectionBoundary, SelectionMesh};
+use coface_complexes::surface::PolygonMesh;
+use coface_geometry::{Positions, Sum, polygon_area};
+use coface_io::repeated_vertex;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use std::sync::OnceLock;
+
+/// So many pinches of a sort are listed.
+const MOST_LISTED: usize = 100;
+/// So many faces are cut into polygons at a time.
+const CHUNK: usize = 1 << 11;
+/// A mesh has fewer corners than this.
+const MOST_CORNERS: usize = 1 << 30;
+/// Where a face has the exterior.
+const EXTERIOR: u32 = u32::MAX;
+
+/// What is asked of a Boolean combination.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct SolidRequest {
+    /// The formula; input i is model i.
+    pub formula: BooleanFormula,
+    /// Which winding numbers mean inside a model.
+    pub rule: InsideRule,
+    /// What becomes of models that are open.
+    pub open: OpenInputs,
+    /// Whether faces are cut into triangles; if not, only those with holes or slits are, since meshes hold none.
+    pub triangles: bool,
+    /// Whether vertices and edges where the result is pinched are split.
+    pub split_pinches: bool,
+    /// Whether faces between cells of the result are kept.
+    pub keep_walls: bool,
+}
+
+impl SolidRequest {
+    /// The formula by itself: nonzero winding numbers mean inside, models must be closed, faces are polygons.
+    pub fn of(formula: BooleanFormula) -> Self {
+        Self {
+            formula,
+            rule: InsideRule::default(),
+            open: OpenInputs::default(),
+            triangles: false,
+            split_pinches: false,
+            keep_walls: false,
+        }
+    }
+}
+
+/// What a formula makes of the models of a scene: some cells of their arrangement, and the surface around them.
+///
+/// # Examples
+/// Of two tetrahedra on a common face the union:
+/// ```
+/// use coface_arrange::boolean::BooleanFormula;
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let read = |top: &str| {
+///     let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv {top}\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+///     io::read(text.as_bytes(), Format::Obj)
+/// };
+/// let (up, down) = (read("0 0 6")?, read("0 0 -12")?);
+/// let scene = SceneArrangement::of([("up", &up), ("down", &down)], &SpatialRequest::default())?;
+/// let union = SolidBoolean::of(&scene, &SolidRequest::of(BooleanFormula::parse("a | b", &[])?))?;
+/// assert_eq!(union.volume(), Some(3.0));
+/// assert_eq!(union.mesh().f_vector(), [5, 9, 6]);
+/// assert!(union.mesh().manifold_verdict().is_manifold());
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct SolidBoolean<'a> {
+    pub(super) arrangement: &'a SceneArrangement,
+    pub(super) request: SolidRequest,
+    membership: Membership,
+    pub(super) selection: CellSelection,
+    pub(super) boundary: SelectionBoundary,
+    /// The boundary, with copies of vertices if pinches are split.
+    pub(super) surface: SelectionMesh,
+    /// Made when it is asked for.
+    mesh: OnceLock<PolygonMesh>,
+    /// The numbers of vertices and edges that splitting pinches added.
+    copies: [usize; 2],
+    /// The cells behind and in front of each face.
+    pub(super) sides: Vec<[u32; 2]>,
+    /// The connected part of each cell, selected or not; that of the exterior last.
+    pub(super) regions: Vec<u32>,
+}
+
+impl<'a> SolidBoolean<'a> {
+    /// The cells for which the formula holds.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotACycle`] naming a model that is open, with a closed walk along its rim, or whose polygons do not agree in
+    /// direction; [`ErrorKind::InvalidInput`] if the formula names a model that is not there, or if pinches are to be split
+    /// while walls are kept.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ for n sides of faces, and the number of cells times that of models.
+    pub fn of(arrangement: &'a SceneArrangement, request: &SolidRequest) -> Result<Self, Error> {
+        let SceneArrangement { scene, arranged, inputs } = arrangement;
+        let input_count = scene.names().len();
+        if request.formula.input_count() > input_count {
+            return Err(Error::invalid(format!(
+                "the formula names input {}, but there are {input_count} inputs, from 0",
+                request.formula.input_count() - 1
+            )));
+        }
+        if request.keep_walls && request.split_pinches {
+            return Err(Error::invalid("pinches cannot be split while walls are kept")
+                .with_cure("ask for one of both; cells that touch are told apart by walls"));
+        }
+        let membership = inputs.membership(scene, arranged, request.rule, request.open)?;
+        let complex = arranged.complex();
+        let selection =
+            CellSelection::by_membership(complex.cell_count(3), &request.formula, |cell, input| {
+                membership.is_inside(cell, input)
+            });
+        let mut boundary = selection.boundary_without_pinches(complex)?;
+        let facets = boundary.facets().to_vec();
+        let (surface, ()) = rayon::join(
+            || arrangement.mesh_of(&facets, request.triangles),
+            || boundary.find_pinches(complex),
+        );
+        let mut surface = surface?;
+        if surface.polygons().item_count() >= MOST_CORNERS {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                "2^30 or more corners of polygons around the result",
+            ));
+        }
+        let mut copies = [0; 2];
+        if request.split_pinches && !boundary.is_manifold() {
+            let is_drawn =
+                |vertex: u32| surface.vertex_sources().binary_search(&CellId::from_u32(vertex)).is_ok();
+            let edges = arranged.drawn_edges(boundary.pinched_ridges(), is_drawn);
+            let faces = arranged.faces_of_fine();
+            let edge_count = mesh_on(&surface).edge_count();
+            let around = |[a, b]: [CellId; 2]| {
+                let ends = [a.to_u32(), b.to_u32()];
+                let found = edges.binary_search_by_key(&ends, |edge| edge.ends);
+                found.map_or(Vec::new(), |at| arranged.faces_around(&edges[at], &faces))
+            };
+            copies[0] = surface.split_pinches(around)?;
+            copies[1] = mesh_on(&surface).edge_count() - edge_count;
+        }
+        let sides = arrangement.sides_of_faces();
+        let regions = regions(&selection, &sides, complex.cell_count(3));
+        Ok(Self {
+            arrangement,
+            request: request.clone(),
+            membership,
+            selection,
+            boundary,
+            surface,
+            mesh: OnceLock::new(),
+            copies,
+            sides,
+            regions,
+        })
+    }
+
+    /// The cells that are selected.
+    pub fn selection(&self) -> &CellSelection {
+        &self.selection
+    }
+
+    /// The faces around them, walls, and pinches, in the arrangement.
+    pub fn boundary(&self) -> &SelectionBoundary {
+        &self.boundary
+    }
+
+    /// The surface around the selected cells with the face that each polygon is part of.
+    pub fn surface(&self) -> &SelectionMesh {
+        &self.surface
+    }
+
+    /// The same as a mesh, for what can be asked of one.
+    pub fn mesh(&self) -> &PolygonMesh {
+        self.mesh.get_or_init(|| mesh_on(&self.surface))
+    }
+
+    /// The number of vertices that were copied to split pinches.
+    pub fn copy_count(&self) -> usize {
+        self.copies[0]
+    }
+
+    /// The volume of the selected cells, rounded; `None` if the exterior is among them.
+    pub fn volume(&self) -> Option<f64> {
+        if self.selection.has_exterior() {
+            return None;
+        }
+        let mut sum = Sum::default();
+        let cells: Vec<CellId> = self.selection.cells().collect();
+        self.arrangement.arranged.volumes_of(&cells).into_iter().for_each(|volume| sum.add(volume));
+        Some(sum.value())
+    }
+
+    /// Where the vertices of the surface are.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    pub fn positions(&self) -> Result<Positions, Error> {
+        self.surface.positions(self.arrangement.arranged.drawn_positions())
+    }
+
+    /// The numbers of connected parts that are selected, solids, and of bounded ones that are not, voids. Cells are connected
+    /// through faces.
+    pub fn part_counts(&self) -> [usize; 2] {
+        let exterior = self.regions.len() - 1;
+        let mut solids = Vec::new();
+        let mut voids = Vec::new();
+        for (cell, &region) in self.regions[..exterior].iter().enumerate() {
+            match self.selection.contains(CellId::new(cell)) {
+                true => solids.push(region),
+                false if region != self.regions[exterior] => voids.push(region),
+                false => {}
+            }
+        }
+        [solids, voids].map(|mut list| {
+            list.sort_unstable();
+            list.dedup();
+            list.len()
+        })
+    }
+
+    /// The result as one JSON object with the keys that programs rely on: `measure`, `f_vector`, `components`, `closed`, `manifold`.
+    ///
+    /// `measure` is the volume, `null` if the exterior is in the result. `f_vector` counts vertices, edges and polygons of the surface;
+    /// where faces are not cut into triangles those with holes count once. `components` are those of the surface, `solids` those of
+    /// what it encloses. Pinches are told by coordinates as they were before they were split.
+    ///
+    /// # Errors
+    /// Those of [`Self::positions`].
+    pub fn to_json(&self) -> Result<Value, Error> {
+        let positions = self.positions()?;
+        let survey = self.mesh().survey();
+        let verdict = survey.verdict();
+        let place = |vertex: &u32| positions.point(VertexId::from_u32(*vertex)).to_vec();
+        let witness = verdict.witness().map(|defect| {
+            let found = witness(self.mesh(), defect, &Labels::default());
+            let cells = found.cells();
+            let points: Vec<Vec<Vec<f64>>> =
+                cells.iter().map(|cell| cell.iter().map(place).collect()).collect();
+            json!({"kind": found.kind(), "cells": cells, "message": found.message(), "points": points})
+        });
+        let f_vector = self.f_vector();
+        let [solids, voids] = self.part_counts();
+        let surface = survey.surface();
+        Ok(json!({
+            "dimension": 3,
+            "measure": self.volume(),
+            "f_vector": f_vector,
+            "components": survey.components().count(),
+            "closed": verdict.boundary_edge_count() == 0,
+            "manifold": {
+                "verdict": if verdict.is_manifold() { "yes" } else { "no" },
+                "closed": verdict.is_closed(),
+                "witness": witness,
+            },
+            "euler_characteristic": self.mesh().euler_characteristic(),
+            "genus": surface.map(|surface| surface.genus()),
+            "area": polygon_area(&positions, self.surface.polygons()),
+            "solids": solids,
+            "voids": voids,
+            "cells": self.selection.cells().count(),
+            "unbounded": self.selection.has_exterior(),
+            "triangles": self.request.triangles,
+            "faces_cut": self.faces_cut(),
+            "walls": if self.request.keep_walls { self.boundary.walls().len() } else { 0 },
+            "pinches": self.pinches_to_json(),
+            "rule": match self.request.rule {
+                InsideRule::Nonzero => "nonzero",
+                InsideRule::Positive => "positive",
+                InsideRule::Odd => "evenodd",
+            },
+            "files": self.files_to_json(),
+            "rounding": self.arrangement.rounding_to_json(self.closure()[0].iter().copied()),
+            "remarks": self.arrangement.scene().remarks(),
+        }))
+    }
+
+    /// The numbers of vertices, edges and faces of the surface, faces with holes once; of triangles if faces are cut.
+    pub fn f_vector(&self) -> [usize; 3] {
+        if self.request.triangles {
+            return self.mesh().f_vector();
+        }
+        let [vertices, edges, faces] = self.closure().map(|cells| cells.len());
+        [vertices + self.copies[0], edges + self.copies[1], faces]
+    }
+
+    /// The vertices, edges and faces of the arrangement that are part of the surface.
+    fn closure(&self) -> [Vec<CellId>; 3] {
+        let complex = self.arrangement.complex();
+        let faces: Vec<CellId> = self.boundary.facets().iter().map(|facet| facet.0).collect();
+        let edges = facets_of(complex, 2, &faces);
+        [facets_of(complex, 1, &edges), edges, faces]
+    }
+
+    /// The number of faces that are no polygon of a mesh, since they have holes or slits, and were cut into triangles.
+    pub fn faces_cut(&self) -> usize {
+        if self.request.triangles {
+            return 0;
+        }
+        let facets = self.surface.facets().chunk_by(|x, y| x.0 == y.0);
+        facets.filter(|chunk| chunk.len() > 1).count()
+    }
+
+    fn pinches_to_json(&self) -> Value {
+        let complex = self.arrangement.complex();
+        let positions = self.arrangement.positions();
+        let place = |vertex: u32| positions.point(VertexId::from_u32(vertex));
+        let (edges, vertices) = (self.boundary.pinched_ridges(), self.boundary.pinched_vertices());
+        let ends = |edge: &CellId| -> Vec<&[f64]> {
+            let rows =
+                complex.boundary_matrix(1).map_or(&[][..], |matrix| matrix.column(edge.index()).rows());
+            rows.iter().map(|&vertex| place(vertex)).collect()
+        };
+        json!({
+            "edge_count": edges.len(),
+            "vertex_count": vertices.len(),
+            "edges": edges.iter().take(MOST_LISTED).map(ends).collect::<Vec<_>>(),
+            "vertices": vertices.iter().take(MOST_LISTED).map(|v| place(v.to_u32())).collect::<Vec<_>>(),
+            "split": self.request.split_pinches,
+            "copies": self.copies[0],
+        })
+    }
+
+    fn files_to_json(&self) -> Vec<Value> {
+        let mut files = self.arrangement.files_to_json();
+        for (input, file) in files.iter_mut().enumerate() {
+            let by = match self.arrangement.input_state(input) {
+                _ if self.membership.generalized.contains(&input) => "generalized_winding",
+                InputState::Incoherent { .. } => "parity",
+                _ => "winding",
+            };
+            if let Some(object) = file.as_object_mut() {
+                object.insert("inside_by".to_owned(), json!(by));
+            }
+        }
+        files
+    }
+}
+
+impl SceneArrangement {
+    /// The polygons of these faces.
+    pub(super) fn mesh_of(&self, facets: &[(CellId, Sign)], triangles: bool) -> Result<SelectionMesh, Error> {
+        let add_pieces = |face: CellId, pieces: &mut Pieces| {
+            if let Some(corners) = self.arranged.single_triangle(face) {
+                pieces.polygons.push(&corners);
+                pieces.counts.push(1);
+                return Ok(());
+            }
+            if !triangles {
+                let walks = self.arranged.walks(face);
+                if walks.len() == 1 && walks.list(0).len() >= 3 && repeated_vertex(walks.list(0)).is_none() {
+                    pieces.polygons.push(walks.list(0));
+                    pieces.counts.push(1);
+                    return Ok(());
+                }
+            }
+            let own = self.arranged.triangles(face)?;
+            own.iter().for_each(|triangle| pieces.polygons.push(triangle));
+            pieces.counts.push(own.len() as u32);
+            Ok::<_, Error>(())
+        };
+        let pieces_of = |facets: &[(CellId, Sign)]| {
+            let mut pieces = Pieces::default();
+            facets.iter().try_for_each(|&(face, _)| add_pieces(face, &mut pieces))?;
+            Ok(pieces)
+        };
+        let pieces: Vec<Result<Pieces, Error>> = facets.par_chunks(CHUNK).map(pieces_of).collect();
+        let pieces: Vec<Pieces> = pieces.into_iter().collect::<Result<_, _>>()?;
+        let counts = pieces.iter().flat_map(|pieces| &pieces.counts);
+        let own = facets.iter().zip(counts).flat_map(|(&facet, &count)| (0..count).map(move |_| facet));
+        let polygons = pieces.iter().flat_map(|pieces| pieces.polygons.iter());
+        Ok(SelectionMesh::of_pieces(own.zip(polygons)))
+    }
+
+    /// The cells behind and in front of each face.
+    pub(super) fn sides_of_faces(&self) -> Vec<[u32; 2]> {
+        let mut sides = vec![[EXTERIOR; 2]; self.complex().cell_count(2)];
+        if let Some(cells) = self.complex().boundary_matrix(3) {
+            for (cell, column) in cells.columns().enumerate() {
+                for (face, entry) in column.iter() {
+                    sides[face][usize::from(entry < 0)] = cell as u32;
+                }
+            }
+        }
+        sides
+    }
+}
+
+/// The polygons of some faces, one face after the other.
+#[derive(Default)]
+struct Pieces {
+    polygons: RaggedArray,
+    /// How many there are of each face.
+    counts: Vec<u32>,
+}
+
+fn mesh_on(surface: &SelectionMesh) -> PolygonMesh {
+    PolygonMesh::new(surface.vertex_sources().len(), surface.polygons().clone(), &[])
+        .expect("polygons on vertices of the surface that repeat none, with fewer than 2^30 corners")
+}
+
+/// The facets of cells of one degree, rising.
+pub(super) fn facets_of(complex: &ChainComplex, degree: usize, cells: &[CellId]) -> Vec<CellId> {
+    let Some(matrix) = complex.boundary_matrix(degree) else { return Vec::new() };
+    let mut facets: Vec<CellId> = cells
+        .iter()
+        .flat_map(|cell| matrix.column(cell.index()).rows())
+        .map(|&facet| CellId::from_u32(facet))
+        .collect();
+    facets.sort_unstable();
+    facets.dedup();
+    facets
+}
+
+/// The connected parts of the selection and of the rest, by cells that have a face in common; the exterior is the last cell.
+fn regions(selection: &CellSelection, sides: &[[u32; 2]], cell_count: usize) -> Vec<u32> {
+    let mut parts = UnionFind::new(cell_count + 1);
+    let number = |cell: u32| if cell == EXTERIOR { cell_count as u32 } else { cell };
+    let is_in = |cell: u32| match cell {
+        EXTERIOR => selection.has_exterior(),
+        _ => selection.contains(CellId::from_u32(cell)),
+    };
+    for &[back, front] in sides {
+        if is_in(back) == is_in(front) {
+            parts.unite(number(back), number(front));
+        }
+    }
+    parts.class_numbers()
+}
+
+/// Refuses what is no result in space.
+pub(super) fn refuse_unbounded(result: &SolidBoolean<'_>) -> Result<(), Error> {
+    if result.selection().has_exterior() {
+        return Err(Error::new(
+            ErrorKind::UnsupportedFormat,
+            "the result contains the exterior, which is no cell of a complex",
+        )
+        .with_cure("write its surface as a mesh, or intersect it with a solid"));
+    }
+    Ok(())
+}

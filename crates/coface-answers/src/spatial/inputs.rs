@@ -1,0 +1,225 @@
+//! The models of a scene as inputs of formulas: which are closed, and which cells are inside them.
+
+use super::SpatialScene;
+use super::arranged::Arranged;
+use coface_algebra::SparseMatrix;
+use coface_algebra::{CellId, Error, ErrorKind, VertexId};
+use coface_arrange::boolean::{
+    InputRim, InsideRule, WindingNumbers, generalized_winding_numbers, point_inside,
+};
+use coface_geometry::Positions;
+use std::fmt::Write;
+
+/// So many vertices of a rim are named in a message.
+const MOST_NAMED: usize = 8;
+
+/// Whether a model has an inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum InputState {
+    /// It is closed: each cell has a winding number.
+    Closed,
+    /// It is closed but for the directions of polygons, which do not agree across `edges` edges of the arrangement: each cell has a
+    /// winding number modulo 2.
+    Incoherent {
+        /// The number of such edges.
+        edges: usize,
+    },
+    /// It has a rim of `edges` edges of the arrangement.
+    Open {
+        /// The number of edges of the rim.
+        edges: usize,
+    },
+}
+
+/// What becomes of models that are open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OpenInputs {
+    /// They are refused, with a closed walk along their rim.
+    #[default]
+    Refuse,
+    /// Nothing is inside them. A model whose polygons only disagree in direction has an inside by parity.
+    Empty,
+    /// A cell is inside if the generalized winding number of the model around a point of the cell is at least 1/2, in absolute value
+    /// for [`InsideRule::Nonzero`], and for [`InsideRule::Odd`] if the nearest integer is odd: floating point decides.
+    Generalized,
+}
+
+/// The models as chains of faces.
+#[derive(Clone, Debug)]
+pub(super) struct Inputs {
+    rims: Vec<Option<InputRim>>,
+    /// Zero around all cells for models that are not closed.
+    winding: WindingNumbers,
+    /// Zero for models that are closed, and for open ones.
+    parities: Option<WindingNumbers>,
+}
+
+/// Which cells are inside which inputs.
+#[derive(Clone, Debug)]
+pub(super) struct Membership {
+    input_count: usize,
+    /// The inputs of one cell after those of another.
+    is_inside: Vec<bool>,
+    /// The inputs that generalized winding numbers decided about.
+    pub(super) generalized: Vec<usize>,
+}
+
+impl Membership {
+    pub(super) fn is_inside(&self, cell: CellId, input: usize) -> bool {
+        self.is_inside[cell.index() * self.input_count + input]
+    }
+
+    /// The inputs that a cell is inside of, rising.
+    pub(super) fn inputs_around(&self, cell: CellId) -> Vec<usize> {
+        (0..self.input_count).filter(|&input| self.is_inside(cell, input)).collect()
+    }
+}
+
+impl Inputs {
+    pub(super) fn new(scene: &SpatialScene, arranged: &Arranged) -> Result<Self, Error> {
+        let complex = arranged.complex();
+        let (count, chains) = (scene.names().len(), arranged.inputs());
+        let mut rims = vec![None; count];
+        for rim in InputRim::of_inputs(complex, chains)? {
+            let input = rim.input();
+            rims[input] = Some(rim);
+        }
+        let is_even = |input: usize| rims[input].as_ref().is_some_and(InputRim::is_even);
+        let with = |is_kept: &dyn Fn(usize) -> bool| {
+            let kept =
+                chains.columns().enumerate().filter(|&(input, _)| is_kept(input)).flat_map(
+                    |(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))),
+                );
+            SparseMatrix::from_entries(chains.row_count(), count, kept)
+        };
+        let winding = if rims.iter().all(Option::is_none) {
+            WindingNumbers::of_cycles(complex, chains)?
+        } else {
+            WindingNumbers::of_cycles(complex, &with(&|input| rims[input].is_none())?)?
+        };
+        let parities = match (0..count).any(is_even) {
+            true => Some(WindingNumbers::parities(complex, &with(&is_even)?)?),
+            false => None,
+        };
+        Ok(Self { rims, winding, parities })
+    }
+
+    pub(super) fn state(&self, input: usize) -> InputState {
+        match &self.rims[input] {
+            None => InputState::Closed,
+            Some(rim) if rim.is_even() => InputState::Incoherent { edges: rim.ridges().len() },
+            Some(rim) => InputState::Open { edges: rim.ridges().len() },
+        }
+    }
+
+    /// How many cells a model winds around less than zero times, and more than once: parts that are inside out, and that overlap.
+    pub(super) fn odd_cells(&self, input: usize) -> [usize; 2] {
+        let numbers =
+            || (0..self.winding.cell_count()).map(|cell| self.winding.of_cell(CellId::new(cell))[input]);
+        [numbers().filter(|&n| n < 0).count(), numbers().filter(|&n| n.abs() > 1).count()]
+    }
+
+    pub(super) fn membership(
+        &self,
+        scene: &SpatialScene,
+        arranged: &Arranged,
+        rule: InsideRule,
+        open: OpenInputs,
+    ) -> Result<Membership, Error> {
+        let (cell_count, input_count) = (self.winding.cell_count(), self.rims.len());
+        let mut is_inside = vec![false; cell_count * input_count];
+        for cell in 0..cell_count {
+            for (input, &number) in self.winding.of_cell(CellId::new(cell)).iter().enumerate() {
+                is_inside[cell * input_count + input] = rule.is_inside(number);
+            }
+        }
+        let mut generalized = Vec::new();
+        let mut points = None;
+        for (input, rim) in self.rims.iter().enumerate() {
+            let Some(rim) = rim else { continue };
+            let by_parity = rim.is_even() && (rule == InsideRule::Odd || open == OpenInputs::Empty);
+            if let Some(parities) = self.parities.as_ref().filter(|_| by_parity) {
+                for cell in 0..cell_count {
+                    is_inside[cell * input_count + input] = parities.of_cell(CellId::new(cell))[input] != 0;
+                }
+                continue;
+            }
+            match open {
+                OpenInputs::Empty => {}
+                OpenInputs::Refuse => return Err(refusal(&scene.names()[input], rim, arranged)),
+                OpenInputs::Generalized => {
+                    let points = match &points {
+                        Some(points) => points,
+                        None => points.insert(points_inside(arranged)?),
+                    };
+                    let numbers =
+                        generalized_winding_numbers(&scene.positions()?, &scene.fans(input), points)?;
+                    for (cell, number) in numbers.into_iter().enumerate() {
+                        is_inside[cell * input_count + input] = match rule {
+                            InsideRule::Nonzero => number.abs() >= 0.5,
+                            InsideRule::Positive => number >= 0.5,
+                            InsideRule::Odd => number.round().rem_euclid(2.0) == 1.0,
+                        };
+                    }
+                    generalized.push(input);
+                }
+            }
+        }
+        Ok(Membership { input_count, is_inside, generalized })
+    }
+}
+
+/// A point inside each cell; the middle of its largest triangle where rounding finds none.
+fn points_inside(arranged: &Arranged) -> Result<Positions, Error> {
+    let complex = arranged.complex();
+    let mut flat = Vec::new();
+    let mut triangles = Vec::new();
+    for cell in 0..complex.cell_count(3) {
+        triangles.clear();
+        let column = complex.boundary_matrix(3).map(|cells| cells.column(cell));
+        for (face, entry) in column.into_iter().flat_map(|column| column.iter()) {
+            let turned = |[a, b, c]: [u32; 3]| if entry > 0 { [a, b, c] } else { [a, c, b] };
+            triangles.extend(arranged.triangles(CellId::new(face))?.into_iter().map(turned));
+        }
+        let point = point_inside(arranged.drawn_positions(), &triangles);
+        flat.extend(point.unwrap_or_else(|| {
+            let corner = triangles.first().map_or(0, |triangle| triangle[0]);
+            let point = arranged.drawn_positions().point(VertexId::from_u32(corner));
+            [point[0], point[1], point[2]]
+        }));
+    }
+    Positions::from_flat(3, flat)
+}
+
+/// Says where a model is open.
+fn refusal(name: &str, rim: &InputRim, arranged: &Arranged) -> Error {
+    let mut walk = String::new();
+    let vertices = rim.walk_vertices(arranged.complex());
+    for (i, vertex) in vertices.iter().take(MOST_NAMED).enumerate() {
+        let point = arranged.positions().point(VertexId::from_u32(vertex.to_u32()));
+        let separator = if i == 0 { "" } else { " - " };
+        // Writing to a string does not fail.
+        let _ = write!(walk, "{separator}({}, {}, {})", point[0], point[1], point[2]);
+    }
+    if vertices.len() > MOST_NAMED {
+        let _ = write!(walk, " - ... ({} points)", vertices.len());
+    }
+    let (count, edges) = match rim.ridges().len() {
+        1 => ("one edge".to_owned(), "it"),
+        count => (format!("{count} edges"), "them"),
+    };
+    let (fault, cure) = if rim.is_even() {
+        (
+            format!("polygons do not agree in direction across {count}; a walk along {edges}: {walk}"),
+            "turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)",
+        )
+    } else {
+        (
+            format!("the surface is not closed: it is open along {count}; a walk along {edges}: {walk}"),
+            "close it, or let generalized winding numbers decide what is inside (--open winding)",
+        )
+    };
+    let steps = vertices.windows(2).map(|step| [step[0].to_u32(), step[1].to_u32()]);
+    Error::new(ErrorKind::NotACycle, fault).with_cells(steps).with_cure(cure).in_file(name.to_owned())
+}

@@ -1,0 +1,245 @@
+//! Arrangements and results as models and provenance.
+
+use super::boolean::{facets_of, refuse_unbounded};
+use super::{SceneArrangement, SolidBoolean};
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, Error};
+use coface_algebra::{Sign, SparseMatrix};
+use coface_arrange::boolean::SelectionMesh;
+use coface_complexes::surface::PolygonMesh;
+use coface_io::{CellData, Group, GroupKind, Model};
+use serde_json::{Value, json};
+
+/// Where a face has the exterior, in data on polygons.
+const NO_CELL: i64 = -1;
+
+impl SceneArrangement {
+    /// All faces as a mesh: each polygon with the data `cell_back` and `cell_front`, the cells on its two sides (-1 for the exterior),
+    /// `input` and `polygon`, the first model that it is from and its number there; with `groups` in a group for each cell.
+    ///
+    /// Faces with holes or slits are cut into triangles, all faces if `triangles`.
+    ///
+    /// # Errors
+    /// Those of [`Model::check`].
+    pub fn to_mesh(&self, triangles: bool, groups: bool) -> Result<Model, Error> {
+        let faces: Vec<(CellId, Sign)> =
+            (0..self.complex().cell_count(2)).map(|face| (CellId::new(face), Sign::Plus)).collect();
+        let mesh = self.mesh_of(&faces, triangles)?;
+        let sides = self.sides_of_faces();
+        let mut model =
+            Model::from_polygons(mesh.positions(self.arranged.drawn_positions())?, mesh.polygons().clone())?;
+        for data in self.source_data(&mesh)?.into_iter().chain(cell_data(&mesh, &sides, i64::from)?) {
+            model = model.with_data(data)?;
+        }
+        if !groups {
+            return Ok(model);
+        }
+        let mut members = vec![Vec::new(); self.complex().cell_count(3)];
+        for (polygon, (face, _)) in mesh.facets().iter().enumerate() {
+            let [back, front] = sides[face.index()];
+            for cell in [back, front] {
+                if let Some(members) = members.get_mut(cell as usize) {
+                    members.push(polygon as u32);
+                }
+            }
+        }
+        for (cell, members) in members.into_iter().enumerate() {
+            model = model.with_group(Group::new(format!("cell_{cell}"), GroupKind::Polygons, members))?;
+        }
+        Ok(model)
+    }
+
+    /// Vertices, edges, faces and bounded cells with positions; faces keep their holes.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    pub fn to_chains(&self) -> Result<Model, Error> {
+        Model::from_chains(self.complex().clone(), self.positions().clone())
+    }
+
+    /// For each face of the arrangement its sources: the model, the polygon in it, and 1 or -1 where the polygon runs with the face
+    /// or against it; polygons of volumes run outward.
+    pub fn provenance(&self) -> Value {
+        let faces = (0..self.complex().cell_count(2)).map(|face| self.sources(CellId::new(face), Sign::Plus));
+        json!({"files": self.scene.names(), "faces": faces.collect::<Vec<_>>()})
+    }
+
+    /// The sources of a face that is run through in this direction, as `[model, polygon, sign]`.
+    fn sources(&self, face: CellId, direction: Sign) -> Vec<[i64; 3]> {
+        let source = |(polygon, sign): (u32, Sign)| {
+            let at = polygon as usize;
+            let sign = sign.times(direction);
+            let input = i64::from(self.scene.input_of_polygon()[at]);
+            [input, i64::from(self.scene.source_of_polygon()[at]), i64::from(sign.to_i32())]
+        };
+        self.arranged.polygons_of_face(face).into_iter().map(source).collect()
+    }
+
+    /// The first source of each polygon as data.
+    fn source_data(&self, mesh: &SelectionMesh) -> Result<[CellData; 2], Error> {
+        let first = |&(face, _): &(CellId, Sign)| {
+            self.arranged.polygons_of_face(face).first().map_or([NO_CELL; 2], |&(polygon, _)| {
+                let at = polygon as usize;
+                [self.scene.input_of_polygon()[at], self.scene.source_of_polygon()[at]].map(i64::from)
+            })
+        };
+        let data = |name: &str, which: usize| {
+            let values = mesh.facets().iter().map(|facet| first(facet)[which]).collect();
+            CellData::integers(name, GroupKind::Polygons, 1, values)
+        };
+        Ok([data("input", 0)?, data("polygon", 1)?])
+    }
+}
+
+impl SolidBoolean<'_> {
+    /// The surface of the result as a mesh, walls behind it if they are kept. Each polygon has the data `input` and `polygon`, the
+    /// first model that it is from and its number there, and is in a group named by that model; with walls also `cell_back` and
+    /// `cell_front`, the selected cells on its two sides, or -1.
+    ///
+    /// # Errors
+    /// Those of [`Model::check`].
+    pub fn to_mesh(&self) -> Result<Model, Error> {
+        let mesh = self.mesh_with_walls()?;
+        let arrangement = self.arrangement;
+        let positions = mesh.positions(arrangement.arranged.drawn_positions())?;
+        let mut model = Model::from_polygons(positions, mesh.polygons().clone())?;
+        let [inputs, polygons] = arrangement.source_data(&mesh)?;
+        let names = arrangement.scene().names();
+        for (input, name) in names.iter().enumerate() {
+            let is_own = |polygon: &usize| inputs.integer_row(*polygon) == Some(vec![input as i64]);
+            let members = (0..mesh.polygons().len()).filter(is_own).map(|polygon| polygon as u32).collect();
+            let unique = names.iter().filter(|other| *other == name).count() == 1;
+            let name = if unique { name.clone() } else { format!("{name}_{input}") };
+            model = model.with_group(Group::new(name, GroupKind::Polygons, members))?;
+        }
+        model = model.with_data(inputs)?.with_data(polygons)?;
+        if self.request.keep_walls {
+            let kept = |cell: u32| match self.selection.contains(CellId::from_u32(cell)) {
+                true => i64::from(cell),
+                false => NO_CELL,
+            };
+            for data in cell_data(&mesh, &self.sides, kept)? {
+                model = model.with_data(data)?;
+            }
+        }
+        Ok(model)
+    }
+
+    /// The result as a chain complex with positions. Its cells of degree 3 are the solids, or the selected cells if walls are kept; their
+    /// boundaries run outward.
+    ///
+    /// Faces keep their holes unless they are cut into triangles or pinches are split.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the exterior is in the result.
+    pub fn to_chains(&self) -> Result<Model, Error> {
+        refuse_unbounded(self)?;
+        if self.request.triangles || self.request.split_pinches {
+            return self.chains_of_mesh();
+        }
+        let complex = self.arrangement.complex();
+        let walls = if self.request.keep_walls { self.boundary.walls() } else { &[] };
+        let mut faces: Vec<CellId> =
+            self.boundary.facets().iter().map(|facet| facet.0).chain(walls.iter().copied()).collect();
+        faces.sort_unstable();
+        let edges = facets_of(complex, 2, &faces);
+        let vertices = facets_of(complex, 1, &edges);
+        let positions = self.arrangement.positions();
+        let flat = vertices
+            .iter()
+            .flat_map(|vertex| positions.point(coface_algebra::VertexId::from_u32(vertex.to_u32())))
+            .copied();
+        let positions = coface_geometry::Positions::from_flat(3, flat.collect())?;
+        let numbers: Vec<(CellId, Sign)> = faces.iter().map(|&face| (face, Sign::Plus)).collect();
+        let cells = self.cells_on(&numbers)?;
+        let surface = complex.subcomplex(&[vertices, edges, faces])?;
+        let mut boundaries: Vec<SparseMatrix> = surface.boundary_matrices().iter().take(2).cloned().collect();
+        boundaries.push(cells);
+        Model::from_chains(ChainComplex::new(boundaries)?, positions)
+    }
+
+    fn chains_of_mesh(&self) -> Result<Model, Error> {
+        let mesh = self.mesh_with_walls()?;
+        let polygons = PolygonMesh::new(mesh.vertex_sources().len(), mesh.polygons().clone(), &[])?;
+        let mut boundaries: Vec<SparseMatrix> =
+            polygons.chain_complex().boundary_matrices().iter().take(2).cloned().collect();
+        boundaries.push(self.cells_on(mesh.facets())?);
+        Model::from_chains(
+            ChainComplex::new(boundaries)?,
+            mesh.positions(self.arrangement.arranged.drawn_positions())?,
+        )
+    }
+
+    /// For each polygon of [`Self::to_mesh`] its sources: the model, the polygon in it, and 1 or -1 where the polygon of the result runs
+    /// as the model has it, or against it.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    pub fn provenance(&self) -> Result<Value, Error> {
+        let mesh = self.mesh_with_walls()?;
+        let sources = mesh.facets().iter().map(|&(face, sign)| self.arrangement.sources(face, sign));
+        Ok(json!({"files": self.arrangement.scene().names(), "polygons": sources.collect::<Vec<_>>()}))
+    }
+
+    fn mesh_with_walls(&self) -> Result<SelectionMesh, Error> {
+        if !self.request.keep_walls {
+            return Ok(self.surface.clone());
+        }
+        let walls = self.boundary.walls().iter().map(|&wall| (wall, Sign::Plus));
+        let faces: Vec<(CellId, Sign)> = self.boundary.facets().iter().copied().chain(walls).collect();
+        self.arrangement.mesh_of(&faces, self.request.triangles)
+    }
+
+    /// The boundary matrix of solids, or of selected cells with walls, on polygons that are part of these faces in these directions.
+    fn cells_on(&self, faces: &[(CellId, Sign)]) -> Result<SparseMatrix, Error> {
+        let mut numbers = vec![None; self.sides.len().max(self.regions.len())];
+        let mut count = 0;
+        for cell in self.selection.cells() {
+            let part =
+                if self.request.keep_walls { cell.index() } else { self.regions[cell.index()] as usize };
+            if numbers[part].is_none() {
+                numbers[part] = Some(count);
+                count += 1;
+            }
+        }
+        let column = |cell: u32| {
+            let cell = CellId::from_u32(cell);
+            let is_in = cell.to_u32() != u32::MAX && self.selection.contains(cell);
+            let part = is_in.then(|| match self.request.keep_walls {
+                true => cell.index(),
+                false => self.regions[cell.index()] as usize,
+            });
+            part.and_then(|part| numbers[part])
+        };
+        let mut entries = Vec::new();
+        for (row, &(face, direction)) in faces.iter().enumerate() {
+            let [back, front] = self.sides[face.index()];
+            for (cell, sign) in [(back, 1i64), (front, -1)] {
+                if let Some(column) = column(cell) {
+                    entries.push((row, column, sign * i64::from(direction.to_i32())));
+                }
+            }
+        }
+        SparseMatrix::from_entries(faces.len(), count, entries)
+    }
+}
+
+/// The cells on the two sides of each polygon as data, in the direction of the polygon.
+fn cell_data(
+    mesh: &SelectionMesh,
+    sides: &[[u32; 2]],
+    number: impl Fn(u32) -> i64,
+) -> Result<[CellData; 2], Error> {
+    let cell = |&(face, direction): &(CellId, Sign), which: usize| {
+        let which = if direction == Sign::Plus { which } else { 1 - which };
+        match sides[face.index()][which] {
+            u32::MAX => NO_CELL,
+            cell => number(cell),
+        }
+    };
+    let data = |name: &str, which: usize| {
+        let values = mesh.facets().iter().map(|facet| cell(facet, which)).collect();
+        CellData::integers(name, GroupKind::Polygons, 1, values)
+    };
+    Ok([data("cell_back", 0)?, data("cell_front", 1)?])
+}

@@ -1,0 +1,17 @@
+//! What is asked of an arrangement in space.
+
+use coface_arrange::spatial::NonPlanar;
+
+/// How a scene is arranged.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SpatialRequest {
+    /// What becomes of polygons that are not planar.
+    pub non_planar: NonPlanar,
+    /// Whether faces in exactly one plane that have the same inputs are merged, be they of different polygons.
+    pub merge_coplanar: bool,
+    /// Round coordinates and arrange again until rounding changes nothing: the result is a valid input.
+    pub snap: bool,
+    /// Refuse arrangements with more vertices, edges and faces together.
+    pub max_cells: Option<usize>,
+}

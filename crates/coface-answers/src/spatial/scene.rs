@@ -1,0 +1,443 @@
+//! Models as polygons in space.
+
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{RaggedArray, Sign};
+use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
+use coface_complexes::cellular::CellMesh;
+use coface_geometry::predicates::Dyadic;
+use coface_geometry::{Positions, determinant};
+use coface_io::{Model, Structure};
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+/// One or more models as polygons in space, each model a chain of its polygons.
+///
+/// A surface is the sum of its polygons. A volume mesh, or a chain complex with cells of degree 3, is the sum of the boundaries of its
+/// cells, each turned so that it runs outward: faces between two cells, the **walls**, cancel in it. Its polygons run outward, as often
+/// as they are in the sum. Lines, points, and polygons beside the cells of a volume mesh are left out, and counted in the
+/// remarks.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_answers::SpatialScene;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+/// let tetrahedron = io::read(text.as_bytes(), Format::Obj)?;
+/// let scene = SpatialScene::of([("a", &tetrahedron)], true)?;
+/// assert_eq!((scene.polygon_count(), scene.is_wall(3)), (4, false));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct SpatialScene {
+    names: Vec<String>,
+    flat: Vec<f64>,
+    /// The first point of each model.
+    point_starts: Vec<u32>,
+    walks: RaggedArray,
+    polygon_of_walk: Vec<u32>,
+    input_of_polygon: Vec<u32>,
+    source_of_polygon: Vec<u32>,
+    is_wall: Vec<bool>,
+    remarks: Vec<String>,
+}
+
+impl SpatialScene {
+    /// The polygons of these models, one after the other; `walls` says whether faces between cells of one model are among them.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming the file of a model without positions in space or without polygons, and what
+    /// [`CellMesh::new`] says of its cells; [`ErrorKind::UnsupportedFormat`] for structures without faces in space.
+    ///
+    /// # Complexity
+    /// Linear, and that of [`CellMesh::new`].
+    pub fn of<'a>(
+        models: impl IntoIterator<Item = (&'a str, &'a Model)>,
+        walls: bool,
+    ) -> Result<Self, Error> {
+        let mut scene = Self {
+            names: Vec::new(),
+            flat: Vec::new(),
+            point_starts: Vec::new(),
+            walks: RaggedArray::new(),
+            polygon_of_walk: Vec::new(),
+            input_of_polygon: Vec::new(),
+            source_of_polygon: Vec::new(),
+            is_wall: Vec::new(),
+            remarks: Vec::new(),
+        };
+        let models: Vec<(&str, &Model)> = models.into_iter().collect();
+        scene.flat.reserve(models.iter().map(|(_, model)| model.positions().as_flat().len()).sum());
+        for (name, model) in models {
+            scene.add(name, model, walls).map_err(|error| error.in_file(name))?;
+            scene.names.push(name.to_owned());
+        }
+        if u32::try_from(scene.walks.item_count()).is_err() {
+            return Err(too_large());
+        }
+        Ok(scene)
+    }
+
+    fn add(&mut self, name: &str, model: &Model, walls: bool) -> Result<(), Error> {
+        let dimension = model.positions().dimension();
+        if dimension != 3 {
+            let fault = match dimension {
+                0 => "the vertices have no positions".to_owned(),
+                _ => format!("the positions have {dimension} coordinates, not three"),
+            };
+            return Err(Error::invalid(fault).with_cure("give points in space"));
+        }
+        let corners = self.walks.item_count() + model.polygons().item_count();
+        let vertices = self.flat.len() / 3 + model.positions().len();
+        if u32::try_from(corners).is_err() || vertices >= 1 << 31 {
+            return Err(too_large());
+        }
+        let first = (self.flat.len() / 3) as u32;
+        self.point_starts.push(first);
+        let before = self.is_wall.len();
+        let (lines, points, polygons) = (model.lines().len(), model.points().len(), model.polygons().len());
+        match model.structure() {
+            Some(Structure::Chains(complex)) => self.add_complex(complex, model.positions(), first, walls)?,
+            Some(_) => {
+                return Err(Error::new(
+                    ErrorKind::UnsupportedFormat,
+                    "facet lists, halfedges, gluings and voxels have no polygons in space",
+                )
+                .with_cure("give a mesh or a chain complex with positions"));
+            }
+            None if model.cells().is_empty() => {
+                let numbers = before as u32..(before + polygons) as u32;
+                self.walks.append_moved(model.polygons(), first);
+                self.polygon_of_walk.extend(numbers);
+                self.input_of_polygon.resize(before + polygons, self.names.len() as u32);
+                self.source_of_polygon.extend(0..polygons as u32);
+                self.is_wall.resize(before + polygons, false);
+            }
+            None => {
+                let used = self.add_volume(model, first, walls)?;
+                self.remark(name, polygons - used, "polygon", "that no cell has is left out");
+            }
+        }
+        self.remark(name, lines, "line", "is left out: only polygons cut space");
+        self.remark(name, points, "point", "is left out: only polygons cut space");
+        if self.is_wall.len() == before {
+            return Err(Error::invalid("there is no polygon")
+                .with_cure("give polygons or 3-cells; lines are arranged in the plane"));
+        }
+        self.flat.extend_from_slice(model.positions().as_flat());
+        Ok(())
+    }
+
+    fn remark(&mut self, name: &str, count: usize, what: &str, fate: &str) {
+        match count {
+            0 => {}
+            1 => self.remarks.push(format!("{name}: one {what} {fate}")),
+            _ => self.remarks.push(format!("{name}: {count} {what}s: each {fate}")),
+        }
+    }
+
+    /// Adds a polygon of the model that is being read, as often as it is in the sum, or as a wall: vertex 0 of the model has the number
+    /// `first`.
+    fn push<'b>(
+        &mut self,
+        source: usize,
+        multiplicity: i32,
+        first: u32,
+        walks: &(impl IntoIterator<Item = &'b [u32]> + Clone),
+    ) {
+        let mut moved = Vec::new();
+        for _ in 0..multiplicity.unsigned_abs().max(1) {
+            let polygon = self.is_wall.len() as u32;
+            for walk in walks.clone() {
+                moved.clear();
+                moved.extend(walk.iter().map(|&vertex| first + vertex));
+                if multiplicity < 0 {
+                    moved.reverse();
+                }
+                self.walks.push(&moved);
+                self.polygon_of_walk.push(polygon);
+            }
+            self.input_of_polygon.push(self.names.len() as u32);
+            self.source_of_polygon.push(source as u32);
+            self.is_wall.push(multiplicity == 0);
+        }
+    }
+
+    /// Adds the faces of the cells of a volume mesh; the number of polygons of the file that are among all faces.
+    fn add_volume(&mut self, model: &Model, first: u32, walls: bool) -> Result<usize, Error> {
+        let (shapes, cells) = (model.shapes().to_vec(), model.cells().clone());
+        let mesh = CellMesh::new(model.vertex_count(), shapes, cells, model.polygons(), &[])?;
+        let mut multiplicities = vec![0; mesh.face_count()];
+        for cell in (0..mesh.cell_count()).map(CellId::new) {
+            let faces = || mesh.faces_of_cell(cell).map(|(face, sign)| (sign, mesh.skeleton().face(face)));
+            let outward = volume_sign(model.positions(), faces);
+            for (face, sign) in mesh.faces_of_cell(cell) {
+                multiplicities[face.index()] += outward * sign.to_i32();
+            }
+        }
+        for (face, multiplicity) in multiplicities.into_iter().enumerate() {
+            let has_cells = mesh.cells_of_face(FaceId::new(face)).len() > 0;
+            if has_cells && (walls || multiplicity != 0) {
+                self.push(face, multiplicity, first, &[mesh.skeleton().face(FaceId::new(face))]);
+            }
+        }
+        let sides =
+            (0..model.polygons().len()).filter(|&i| mesh.cells_of_face(mesh.face_of_polygon(i).0).len() > 0);
+        Ok(sides.count())
+    }
+
+    /// Adds the cells of degree 2 of a chain complex.
+    fn add_complex(
+        &mut self,
+        complex: &ChainComplex,
+        positions: &Positions,
+        first: u32,
+        walls: bool,
+    ) -> Result<(), Error> {
+        let (Some(edges), Some(faces)) = (complex.boundary_matrix(1), complex.boundary_matrix(2)) else {
+            return Ok(());
+        };
+        let mut ends = Vec::with_capacity(edges.column_count());
+        for (edge, column) in edges.columns().enumerate() {
+            ends.push(match (column.rows(), column.entries()) {
+                (&[a, b], [-1, 1]) => [a, b],
+                (&[a, b], [1, -1]) => [b, a],
+                _ => {
+                    return Err(Error::invalid(format!(
+                        "the boundary of edge e{edge} is not a vertex minus a vertex"
+                    )));
+                }
+            });
+        }
+        let mut walks = Vec::with_capacity(faces.column_count());
+        let mut sides = Vec::new();
+        for (face, column) in faces.columns().enumerate() {
+            sides.clear();
+            for (edge, entry) in column.iter() {
+                sides.push(match entry {
+                    1 => ends[edge],
+                    -1 => [ends[edge][1], ends[edge][0]],
+                    _ => {
+                        return Err(Error::invalid(format!(
+                            "face f{face} has the coefficient {entry} on edge e{edge}; only 1 and -1 are sides"
+                        )));
+                    }
+                });
+            }
+            walks.push(closed_walks(&mut sides));
+        }
+        let mut multiplicities = vec![1; walks.len()];
+        if let Some(cells) = complex.boundary_matrix(3).filter(|cells| cells.column_count() > 0) {
+            multiplicities.fill(0);
+            for column in cells.columns() {
+                let faces = || {
+                    column.iter().flat_map(|(face, entry)| {
+                        let sign = Sign::power_of_minus_one(usize::from(entry < 0));
+                        walks[face].iter().map(move |walk| (sign, walk))
+                    })
+                };
+                let outward = volume_sign(positions, faces);
+                for (face, entry) in column.iter() {
+                    multiplicities[face] += outward * entry;
+                }
+            }
+        }
+        for (face, walks) in walks.iter().enumerate() {
+            if !walks.is_empty() && (walls || multiplicities[face] != 0) {
+                self.push(face, multiplicities[face], first, &(0..walks.len()).map(|walk| walks.list(walk)));
+            }
+        }
+        Ok(())
+    }
+
+    /// The names of the models.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The number of polygons of all models.
+    pub fn polygon_count(&self) -> usize {
+        self.is_wall.len()
+    }
+
+    /// The polygons as input of an arrangement. The walls of model i are input i + n there, for n models.
+    ///
+    /// # Errors
+    /// None for models that were read.
+    pub fn polygons(&self) -> Result<SpatialPolygons, Error> {
+        let count = self.names.len() as u32;
+        let inputs = self.input_of_polygon.iter().zip(&self.is_wall);
+        let inputs = inputs.map(|(&input, &is_wall)| if is_wall { input + count } else { input });
+        let ((walks, polygon_of_walk), (positions, inputs)) = rayon::join(
+            || (self.walks.clone(), self.polygon_of_walk.clone()),
+            || (self.positions(), inputs.collect()),
+        );
+        SpatialPolygons::new(positions?, walks, polygon_of_walk)?.with_inputs(inputs)
+    }
+
+    /// Verifies that the polygons of each model are polygons, naming file and polygon.
+    ///
+    /// # Errors
+    /// Those of [`SpatialPolygons::check`].
+    pub(super) fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
+        for (input, name) in self.names.iter().enumerate() {
+            let is_own = |polygon: &u32| self.input_of_polygon[*polygon as usize] as usize == input;
+            let walks: Vec<usize> =
+                (0..self.walks.len()).filter(|&walk| is_own(&self.polygon_of_walk[walk])).collect();
+            let Some(&first) = walks.first() else { continue };
+            // Points and polygons of one model are numbered one after the other.
+            let point = self.point_starts[input];
+            let lists = walks
+                .iter()
+                .map(|&walk| self.walks.list(walk).iter().map(|v| v - point).collect::<Vec<u32>>());
+            let start = self.polygon_of_walk[first];
+            let polygons = walks.iter().map(|&walk| self.polygon_of_walk[walk] - start).collect();
+            let end = self.point_starts.get(input + 1).map_or(self.flat.len(), |&next| 3 * next as usize);
+            let positions = Positions::from_flat(3, self.flat[3 * point as usize..end].to_vec())?;
+            SpatialPolygons::new(positions, RaggedArray::from_lists(lists), polygons)?
+                .check(non_planar)
+                .map_err(|error| error.in_file(name.clone()))?;
+        }
+        Ok(())
+    }
+
+    /// The points of all models, one model after the other.
+    ///
+    /// # Errors
+    /// None for models that were read.
+    pub fn positions(&self) -> Result<Positions, Error> {
+        Positions::from_flat(3, self.flat.clone())
+    }
+
+    /// The model that each polygon is from.
+    pub fn input_of_polygon(&self) -> &[u32] {
+        &self.input_of_polygon
+    }
+
+    /// The number that each polygon has in its model: of the polygon in a surface, of the face of the cells in a volume.
+    pub fn source_of_polygon(&self) -> &[u32] {
+        &self.source_of_polygon
+    }
+
+    /// Whether a polygon is a face between two cells of its model.
+    ///
+    /// # Panics
+    /// If there is no such polygon.
+    pub fn is_wall(&self, polygon: usize) -> bool {
+        self.is_wall[polygon]
+    }
+
+    /// What was left out, one sentence each.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// Whether all polygons are triangles.
+    pub fn is_triangulated(&self) -> bool {
+        self.walks.uniform_width() == Some(3) && self.walks.len() == self.is_wall.len()
+    }
+
+    /// Triangles with the same boundary as the polygons of a model that are no walls.
+    pub(super) fn fans(&self, input: usize) -> Vec<[u32; 3]> {
+        let mut triangles = Vec::new();
+        for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
+            let polygon = polygon as usize;
+            if self.input_of_polygon[polygon] as usize == input && !self.is_wall[polygon] {
+                triangles.extend(walk[1..].windows(2).map(|pair| [walk[0], pair[0], pair[1]]));
+            }
+        }
+        triangles
+    }
+}
+
+fn too_large() -> Error {
+    Error::new(ErrorKind::TooLarge, "2^31 or more vertices, or 2^32 or more corners")
+}
+
+/// Directed edges that close up, as walks that pass no vertex twice.
+fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
+    sides.sort_unstable();
+    let mut is_used = vec![false; sides.len()];
+    let mut walks = RaggedArray::new();
+    let mut path: Vec<u32> = Vec::new();
+    let mut places: BTreeMap<u32, usize> = BTreeMap::new();
+    for first in 0..sides.len() {
+        let mut here = sides[first][0];
+        while let Some(side) = (sides.partition_point(|side| side[0] < here)..sides.len())
+            .take_while(|&i| sides[i][0] == here)
+            .find(|&i| !is_used[i])
+        {
+            is_used[side] = true;
+            places.insert(here, path.len());
+            path.push(here);
+            here = sides[side][1];
+            if let Some(&at) = places.get(&here) {
+                walks.push(&path[at..]);
+                for vertex in path.drain(at..) {
+                    places.remove(&vertex);
+                }
+            }
+        }
+        // Sides that do not close up are no part of a face of a complex.
+        path.clear();
+        places.clear();
+    }
+    walks
+}
+
+/// The sign of the volume that polygons enclose, as 1, -1, or 1 for none: 1 where they run counterclockwise seen from outside.
+fn volume_sign<'a, I: Iterator<Item = (Sign, &'a [u32])>>(
+    positions: &Positions,
+    faces: impl Fn() -> I,
+) -> i32 {
+    let point = |vertex: u32| {
+        let point = positions.point(VertexId::from_u32(vertex));
+        [point[0], point[1], point[2]]
+    };
+    let Some(apex) = faces().next().map(|(_, face)| point(face[0])) else { return 1 };
+    let relative = |vertex: u32| {
+        let point = point(vertex);
+        [0, 1, 2].map(|axis| point[axis] - apex[axis])
+    };
+    let (mut sum, mut size, mut count) = (0.0, 0.0, 0);
+    for (sign, face) in faces() {
+        for pair in face[1..].windows(2) {
+            let [a, b, c] = [face[0], pair[0], pair[1]].map(relative);
+            sum += f64::from(sign.to_i32()) * determinant(a, b, c);
+            size += (0..3)
+                .map(|i| {
+                    a[i].abs()
+                        * (b[(i + 1) % 3] * c[(i + 2) % 3]).abs().max((b[(i + 2) % 3] * c[(i + 1) % 3]).abs())
+                })
+                .sum::<f64>();
+            count += 1;
+        }
+    }
+    // Each term is off by less than 16 units of its size, the sum by one unit of that for each term.
+    let bound = size * f64::EPSILON * f64::from(count + 16) * 2.0;
+    if size.is_finite() && size > f64::MIN_POSITIVE * 1e40 && sum.abs() > bound {
+        return if sum > 0.0 { 1 } else { -1 };
+    }
+    let mut exact = Dyadic::from(0.0);
+    let apex = apex.map(Dyadic::from);
+    for (sign, face) in faces() {
+        for pair in face[1..].windows(2) {
+            let [a, b, c] = [face[0], pair[0], pair[1]].map(|vertex| {
+                let point = point(vertex).map(Dyadic::from);
+                [0, 1, 2].map(|axis| &point[axis] - &apex[axis])
+            });
+            for (i, x) in a.iter().enumerate() {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                let minor = &(&b[j] * &c[k]) - &(&b[k] * &c[j]);
+                let term = x * &minor;
+                exact = match sign {
+                    Sign::Plus => &exact + &term,
+                    Sign::Minus => &exact - &term,
+                };
+            }
+        }
+    }
+    if exact.sign() == Ordering::Less { -1 } else { 1 }
+}

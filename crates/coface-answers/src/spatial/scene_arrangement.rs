@@ -1,0 +1,213 @@
+//! A scene arranged: its cells, and what they are inside of.
+
+use super::arranged::Arranged;
+use super::inputs::Inputs;
+use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
+use coface_algebra::UnionFind;
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, Error};
+use coface_arrange::boolean::InsideRule;
+use coface_geometry::Positions;
+use coface_io::Model;
+use serde_json::{Value, json};
+
+/// So many polygons of a sort are listed.
+const MOST_LISTED: usize = 100;
+
+/// The cells that the polygons of models cut space into.
+///
+/// # Examples
+/// Two tetrahedra on a common face:
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_answers::{SceneArrangement, SpatialRequest};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let read = |top: &str| {
+///     let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv {top}\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+///     io::read(text.as_bytes(), Format::Obj)
+/// };
+/// let (up, down) = (read("0 0 6")?, read("0 0 -12")?);
+/// let scene = SceneArrangement::of([("up", &up), ("down", &down)], &SpatialRequest::default())?;
+/// assert_eq!(scene.complex().f_vector(), [5, 9, 7, 2]);
+/// let object = scene.to_json(Default::default())?;
+/// // The second is listed inside out: it winds -1 times around what it encloses.
+/// assert_eq!(object["files"][1]["reversed_cells"], 1);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneArrangement {
+    pub(super) scene: SpatialScene,
+    pub(super) arranged: Arranged,
+    pub(super) inputs: Inputs,
+}
+
+impl SceneArrangement {
+    /// Arranges all polygons of these models, faces between cells of a volume mesh included.
+    ///
+    /// # Errors
+    /// Those of [`SpatialScene::of`]; naming polygons that are not flat or cross themselves, and what the request refuses.
+    pub fn of<'a>(
+        models: impl IntoIterator<Item = (&'a str, &'a Model)>,
+        request: &SpatialRequest,
+    ) -> Result<Self, Error> {
+        Self::of_scene(SpatialScene::of(models, true)?, request)
+    }
+
+    /// Arranges the polygons of a scene.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn of_scene(scene: SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
+        let arranged = Arranged::new(&scene, request)?;
+        let inputs = Inputs::new(&scene, &arranged)?;
+        Ok(Self { scene, arranged, inputs })
+    }
+
+    /// The polygons and where they are from.
+    pub fn scene(&self) -> &SpatialScene {
+        &self.scene
+    }
+
+    /// The vertices, edges, faces and bounded cells; boundaries of cells run outward.
+    pub fn complex(&self) -> &ChainComplex {
+        self.arranged.complex()
+    }
+
+    /// Where the vertices are, correctly rounded.
+    pub fn positions(&self) -> &Positions {
+        self.arranged.positions()
+    }
+
+    /// The volumes of the cells without their voids, rounded, in the cube of the unit of the models.
+    pub fn volumes(&self) -> &[f64] {
+        self.arranged.volumes()
+    }
+
+    /// Whether a model has an inside.
+    ///
+    /// # Panics
+    /// If there is no such model.
+    pub fn input_state(&self, input: usize) -> InputState {
+        self.inputs.state(input)
+    }
+
+    /// Whether the products of neighboring boundary matrices are zero, found by multiplying.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::TooLarge`] when the products do not fit.
+    pub fn products_are_zero(&self) -> Result<bool, Error> {
+        for pair in self.complex().boundary_matrices().windows(2) {
+            if pair[0].first_nonzero_product_column(&pair[1])?.is_some() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The number of connected components of all faces.
+    pub fn component_count(&self) -> usize {
+        let complex = self.complex();
+        let mut vertices = UnionFind::new(complex.cell_count(0));
+        let ends = |edge: u32| complex.boundary_matrix(1).map_or(&[][..], |m| m.column(edge as usize).rows());
+        for edge in 0..complex.cell_count(1) as u32 {
+            if let &[a, b] = ends(edge) {
+                vertices.unite(a, b);
+            }
+        }
+        // Walks around one face are connected by the face.
+        for face in (0..complex.cell_count(2)).map(CellId::new) {
+            let mut first = None;
+            let edges = complex.boundary_matrix(2).map_or(&[][..], |m| m.column(face.index()).rows());
+            for &edge in edges {
+                if let Some(&vertex) = ends(edge).first() {
+                    vertices.unite(*first.get_or_insert(vertex), vertex);
+                }
+            }
+        }
+        vertices.class_count()
+    }
+
+    /// The arrangement as one JSON object with the keys that programs rely on: `dimension`, `f_vector`, `measures`, `inside`,
+    /// `products_zero`, `holes`.
+    ///
+    /// `inside` is by the rule; models that are open contain nothing. `files` says for each model how many edges its rim has, how many
+    /// cells it winds around less than zero times, and more than once.
+    ///
+    /// # Errors
+    /// Those of [`Self::products_are_zero`].
+    pub fn to_json(&self, rule: InsideRule) -> Result<Value, Error> {
+        let complex = self.complex();
+        let membership = self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty)?;
+        let cells = complex.cell_count(3);
+        let inside: Vec<Vec<usize>> =
+            (0..cells).map(|cell| membership.inputs_around(CellId::new(cell))).collect();
+        let dangling = self.dangling_faces();
+        let place = |polygon: &u32| {
+            let input = self.scene.input_of_polygon()[*polygon as usize];
+            json!([input, self.scene.source_of_polygon()[*polygon as usize]])
+        };
+        let dropped = self.arranged.degenerate_polygons();
+        let (split, deviation) = self.arranged.split_polygons();
+        let mut f_vector = complex.f_vector().to_vec();
+        f_vector.resize(4, 0);
+        Ok(json!({
+            "dimension": 3,
+            "f_vector": f_vector,
+            "measures": self.volumes(),
+            "inside": inside,
+            "products_zero": self.products_are_zero()?,
+            "holes": self.arranged.hole_count(),
+            "voids": self.arranged.void_count(),
+            "components": self.component_count(),
+            "euler_characteristic": complex.euler_characteristic(),
+            "dangling_faces": dangling,
+            "files": self.files_to_json(),
+            "degenerate_polygons": {
+                "count": dropped.len(),
+                "listed": dropped.iter().take(MOST_LISTED).map(place).collect::<Vec<_>>(),
+            },
+            "split_polygons": {"count": split, "largest_deviation": deviation},
+            "rounding": self.rounding_to_json((0..complex.cell_count(0)).map(CellId::new)),
+            "remarks": self.scene.remarks(),
+        }))
+    }
+
+    /// The number of faces with one cell, or the exterior, on both sides.
+    pub fn dangling_faces(&self) -> usize {
+        let mut is_side = vec![false; self.complex().cell_count(2)];
+        if let Some(cells) = self.complex().boundary_matrix(3) {
+            cells.rows().iter().for_each(|&face| is_side[face as usize] = true);
+        }
+        is_side.iter().filter(|is_side| !**is_side).count()
+    }
+
+    pub(super) fn files_to_json(&self) -> Vec<Value> {
+        let mut polygons = vec![0usize; self.scene.names().len()];
+        self.scene.input_of_polygon().iter().for_each(|&input| polygons[input as usize] += 1);
+        let file = |(input, name): (usize, &String)| {
+            let (closed, coherent, edges) = match self.inputs.state(input) {
+                InputState::Closed => (true, true, 0),
+                InputState::Incoherent { edges } => (true, false, edges),
+                InputState::Open { edges } => (false, false, edges),
+            };
+            let [reversed, overlapping] = self.inputs.odd_cells(input);
+            json!({
+                "file": name,
+                "polygons": polygons[input],
+                "closed": closed,
+                "coherent": coherent,
+                "rim_edges": edges,
+                "reversed_cells": reversed,
+                "overlapping_cells": overlapping,
+            })
+        };
+        self.scene.names().iter().enumerate().map(file).collect()
+    }
+
+    /// How many of these vertices have rounded coordinates.
+    pub(super) fn rounding_to_json(&self, vertices: impl Iterator<Item = CellId>) -> Value {
+        let rounded = vertices.filter(|&vertex| self.arranged.is_rounded(vertex)).count();
+        json!({"exact": rounded == 0, "rounded_vertices": rounded, "rounds": self.arranged.round_count()})
+    }
+}

@@ -1,0 +1,190 @@
+//! Surfaces that cover others.
+
+use super::SurfaceModel;
+use super::cutting::polygons_of_map;
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, FaceId, VertexId};
+use coface_complexes::surface::GeneralizedMap;
+use coface_geometry::Positions;
+use coface_io::{CellData, GroupKind, Model};
+use coface_topology::{CoverExtent, CoverPlane, CutSurface, TreeCotree, UniversalCover};
+use serde_json::{Value, json};
+
+/// Where the copies of a universal cover are to lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LayoutChoice {
+    /// In the plane or in the disk, whichever there is.
+    Any,
+    /// In the plane, by translations and glide reflections.
+    Flat,
+    /// In the hyperbolic disk.
+    Disk,
+}
+
+/// A part of the universal cover of a component of a surface.
+///
+/// Made by [`SurfaceModel::cover`].
+#[derive(Clone, Debug)]
+pub struct SurfaceCover<'s> {
+    surface: &'s SurfaceModel,
+    cover: UniversalCover,
+    /// The name of what is covered, the number of the component and how many there are.
+    below: String,
+    component: usize,
+    component_count: usize,
+}
+
+/// The positions of a cover.
+#[derive(Clone, Debug)]
+pub struct PlacedCover {
+    plane: CoverPlane,
+    positions: Positions,
+}
+
+impl PlacedCover {
+    /// `flat` or `disk`.
+    pub fn word(&self) -> &'static str {
+        if self.plane == CoverPlane::Flat { "flat" } else { "disk" }
+    }
+}
+
+impl SurfaceModel {
+    /// The universal cover of a component, as far as it is asked for.
+    ///
+    /// # Errors
+    /// Those of [`UniversalCover::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_io::{Model, Structure};
+    /// use coface_answers::SurfaceModel;
+    /// use coface_topology::CoverExtent;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let torus = Model::from_structure(Structure::Facets(RaggedArray::from_lists(triangles)));
+    /// let surface = SurfaceModel::of(torus)?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(2), 1_000_000)?;
+    /// assert_eq!(cover.cover().sphere_sizes(), [1, 4, 8]);
+    /// # Ok(()) }
+    /// ```
+    pub fn cover(
+        &self,
+        component: usize,
+        extent: CoverExtent,
+        most_cells: usize,
+    ) -> Result<SurfaceCover<'_>, Error> {
+        let map = self.map();
+        let cutting = stage("cutting", 0);
+        let trees = TreeCotree::new(map);
+        let cut = CutSurface::new(map, &trees);
+        drop(cutting);
+        let _gluing = stage("gluing copies", 0);
+        let cover = UniversalCover::new(map, &cut, component, extent, most_cells)?;
+        let root = trees.components()[component].root();
+        let below = map.surfaces()[map.orientation().component(root)].to_string();
+        Ok(SurfaceCover { surface: self, cover, below, component, component_count: trees.components().len() })
+    }
+
+    /// The cover that has each face twice, once for each of its sides, as a model: data are `source` and `copy` on vertices, `face` and `copy`
+    /// on polygons. With it the covering surface.
+    ///
+    /// # Errors
+    /// Those of [`Self::model_over`].
+    pub fn orientation_double_cover(&self) -> Result<(GeneralizedMap, Model), Error> {
+        let _covering = stage("covering", 0);
+        let cover = self.map().orientation_double_cover();
+        let map = cover.map();
+        let [v, _, f] = map.f_vector();
+        let vertices: Vec<VertexId> =
+            (0..v).map(|vertex| cover.vertex_below(VertexId::new(vertex))).collect();
+        let below: Vec<FaceId> = (0..f).map(|face| cover.face_below(FaceId::new(face)).0).collect();
+        let sheet = |count: usize| (0..count as i64).map(|cell| cell % 2).collect();
+        let model = self
+            .model_over(polygons_of_map(map), &vertices, &below, None)?
+            .with_data(CellData::integers("copy", GroupKind::Vertices, 1, sheet(v))?)?
+            .with_data(CellData::integers("copy", GroupKind::Polygons, 1, sheet(f))?)?;
+        Ok((map.clone(), model))
+    }
+}
+
+impl SurfaceCover<'_> {
+    /// The cover.
+    pub fn cover(&self) -> &UniversalCover {
+        &self.cover
+    }
+
+    /// The number of components of the surface.
+    pub fn component_count(&self) -> usize {
+        self.component_count
+    }
+
+    /// Positions in a plane.
+    ///
+    /// # Errors
+    /// Those of [`UniversalCover::layout`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) where the layout is the other one.
+    pub fn placed(&self, layout: LayoutChoice) -> Result<PlacedCover, Error> {
+        let _laying = stage("laying out", 0);
+        let found = self.cover.layout(self.surface.map(), None)?;
+        let other = match (layout, found.plane()) {
+            (LayoutChoice::Flat, CoverPlane::Hyperbolic) => Some("disk"),
+            (LayoutChoice::Disk, CoverPlane::Flat) => Some("flat"),
+            _ => None,
+        };
+        if let Some(other) = other {
+            let message = "the cover has no such layout, because of its Euler characteristic";
+            return Err(Error::invalid(message).with_cure(format!("take the layout {other}")));
+        }
+        let coordinates = found.points().iter().flat_map(|&[x, y]| [x, y, 0.0]).collect();
+        Ok(PlacedCover { plane: found.plane(), positions: Positions::from_flat(3, coordinates)? })
+    }
+
+    /// The cover as a model: data are `source` and `copy` on vertices, `face`, `copy` and `length`, the distance of the copy, on polygons.
+    ///
+    /// # Errors
+    /// Those of [`SurfaceModel::model_over`].
+    pub fn model(&self, placed: Option<&PlacedCover>) -> Result<Model, Error> {
+        let cover = &self.cover;
+        let [vertex_count, _, face_count] = cover.f_vector();
+        let vertices = || (0..vertex_count).map(VertexId::new);
+        let faces = || (0..face_count).map(FaceId::new);
+        let vertex_sources: Vec<VertexId> = vertices().map(|vertex| cover.vertex_below(vertex)).collect();
+        let face_sources: Vec<FaceId> = faces().map(|face| cover.face_below(face)).collect();
+        let data = |name: &str, kind, values: Vec<i64>| CellData::integers(name, kind, 1, values);
+        let copy_lengths: Vec<i64> =
+            (0..cover.copy_count()).map(|copy| cover.copies().length(copy) as i64).collect();
+        let lengths = faces().map(|face| copy_lengths[cover.face_copy(face)]).collect();
+        let copies_of_vertices = vertices().map(|vertex| cover.vertex_copy(vertex) as i64).collect();
+        let copies_of_faces = faces().map(|face| cover.face_copy(face) as i64).collect();
+        let positions = placed.map(|placed| placed.positions.clone());
+        self.surface
+            .model_over(cover.polygons(), &vertex_sources, &face_sources, positions)?
+            .with_data(data("copy", GroupKind::Vertices, copies_of_vertices)?)?
+            .with_data(data("copy", GroupKind::Polygons, copies_of_faces)?)?
+            .with_data(data("length", GroupKind::Polygons, lengths)?)
+    }
+
+    /// Everything as JSON: what is covered, its group, the copies by word length (`spheres`), the edges that letters cross, by their vertices in
+    /// the file, the word of each copy, and the layout: `flat`, `disk` or null.
+    pub fn to_json(&self, placed: Option<&PlacedCover>) -> Value {
+        let cover = &self.cover;
+        let letters: Vec<[u32; 2]> =
+            cover.letters().into_iter().map(|edge| self.surface.edge_numbers(edge)).collect();
+        let words: Vec<Vec<i32>> =
+            (0..cover.copy_count()).map(|copy| cover.copy_word(copy).letters().to_vec()).collect();
+        json!({
+            "component": self.component,
+            "components": self.component_count,
+            "surface": self.below,
+            "group": cover.group().name().to_string(),
+            "copies": cover.copy_count(),
+            "complete": cover.is_complete(),
+            "spheres": cover.sphere_sizes(),
+            "f_vector": cover.f_vector(),
+            "euler_characteristic": cover.euler_characteristic(),
+            "letters": letters,
+            "words": words,
+            "layout": placed.map(PlacedCover::word),
+        })
+    }
+}

@@ -1,0 +1,411 @@
+//! Surfaces cut open.
+
+use super::SurfaceModel;
+use coface_algebra::progress::stage;
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{RaggedArray, Sign, Word};
+use coface_complexes::surface::{GeneralizedMap, PathKind, Slice};
+use coface_io::{CellData, GroupKind, Model};
+use coface_topology::{CutGraph, CutSurface, TreeCotree};
+use serde_json::{Value, json};
+
+/// How a surface is to be cut open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CutRequest {
+    /// Whether loose ends are left out and seams made short.
+    pub simplify: bool,
+    /// How often to go through all seams to make them shorter; without a number 4 times, and not at all on large models.
+    pub rounds: Option<usize>,
+    /// The vertex where loops start and end, in its component.
+    pub base: Option<VertexId>,
+}
+
+/// A surface cut open along edges: what came of each component, and the seams.
+///
+/// Made by [`SurfaceModel::cut_open`] and [`SurfaceModel::cut_along`].
+#[derive(Clone, Debug)]
+pub struct SurfaceCut<'s> {
+    surface: &'s SurfaceModel,
+    slice: Slice<GeneralizedMap>,
+    edges: Vec<EdgeId>,
+    seams: Vec<CutSeam>,
+    components: Vec<CutComponent>,
+    is_simplified: bool,
+    is_long: bool,
+}
+
+/// A path of edges along which a surface is cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutSeam {
+    kind: String,
+    steps: Vec<u32>,
+    length: Option<f64>,
+    component: usize,
+}
+
+impl CutSeam {
+    /// What it is for: `handle`, `crosscap`, `join`, `slit`; of a path that was given `two-sided`, `one-sided` or `open`.
+    pub fn kind(&self) -> &str {
+        &self.kind
+    }
+
+    /// Its steps: 2e along edge e, 2e + 1 against it.
+    pub fn steps(&self) -> &[u32] {
+        &self.steps
+    }
+}
+
+/// What one component of a surface became.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CutComponent {
+    /// What it is: before it was cut to a disk, or after it was cut along a path.
+    pub surface: String,
+    /// The number of edges along which it was cut.
+    pub cut_edges: usize,
+    /// The number of edges around it now.
+    pub boundary_edges: usize,
+    /// Its numbers of vertices, edges and faces now.
+    pub f_vector: [usize; 3],
+    /// The number in the file of the vertex where loops start; none of a path.
+    pub base: Option<u32>,
+    /// The number of generators of its fundamental group.
+    pub generators: usize,
+    /// The word of generators around the disk, where there is one and seams are those of the generators.
+    pub relator: Option<Word>,
+    /// The seams around the disk: i for seam i, counted from 1 among `seams`, -i backwards.
+    pub word: Vec<i32>,
+    /// Which of all seams are its own.
+    pub seams: Vec<usize>,
+}
+
+impl CutComponent {
+    /// Vertices - edges + faces: 1 of a disk.
+    pub fn euler_characteristic(&self) -> i64 {
+        let [v, e, f] = self.f_vector;
+        v as i64 - e as i64 + f as i64
+    }
+}
+
+/// Seams are made shorter without being told to if that takes at most about so many steps.
+const PATIENCE: usize = 40_000_000;
+
+impl SurfaceModel {
+    /// Cuts each component to a disk.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] for a base that is no vertex of a component with faces.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$; each round of shortening takes as many steps for each seam.
+    ///
+    /// # Examples
+    /// The way around the disk that a torus is cut to passes each seam twice.
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_io::{Model, Structure};
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let torus = Model::from_structure(Structure::Facets(RaggedArray::from_lists(triangles)));
+    /// let surface = SurfaceModel::of(torus)?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.components()[0].euler_characteristic(), 1);
+    /// assert_eq!(cut.components()[0].word.len(), 2 * cut.seams().len());
+    /// # Ok(()) }
+    /// ```
+    pub fn cut_open(&self, request: &CutRequest) -> Result<SurfaceCut<'_>, Error> {
+        let map = self.map();
+        let trees_stage = stage("finding spanning trees", 0);
+        let lengths = self.edge_lengths();
+        let trees = if request.simplify || request.base.is_some() {
+            TreeCotree::greedy(map, request.base, lengths.as_deref())?
+        } else {
+            TreeCotree::new(map)
+        };
+        drop(trees_stage);
+        let walking = stage("walking around domains", 0);
+        let cut = CutSurface::new(map, &trees);
+        let mut graph = CutGraph::new(map, &trees, lengths.as_deref())?;
+        drop(walking);
+        let (mut is_shortened, mut is_long) = (false, false);
+        if request.simplify {
+            let work = graph.seams().len().saturating_mul(map.side_count());
+            let rounds = request.rounds.unwrap_or(if work <= PATIENCE { 4 } else { 0 });
+            if rounds > 0 {
+                let _shortening = stage("shortening seams", 0);
+                graph = graph.shortened(map, lengths.as_deref(), rounds)?;
+                is_shortened = true;
+            }
+            is_long = rounds == 0 && request.rounds.is_none();
+        }
+        let _cutting = stage("cutting", 0);
+        let is_inner = |edge: &EdgeId| map.mate(map.first_side(*edge)).is_some();
+        let edges: Vec<EdgeId> = if request.simplify {
+            graph.edges()
+        } else {
+            cut.cut_graph(map).into_iter().filter(is_inner).collect()
+        };
+        let seam = |seam: &coface_topology::Seam| CutSeam {
+            kind: seam.kind().to_string(),
+            steps: seam.steps().to_vec(),
+            length: lengths.as_ref().map(|_| seam.length()),
+            component: trees.component_of_vertex(seam.ends()[0]).unwrap_or_default(),
+        };
+        let seams: Vec<CutSeam> = graph.seams().iter().map(seam).collect();
+        let slice = map.slice_edges(&edges)?;
+        let mut components =
+            counted(map, &slice, &edges, trees.components().len(), |face| trees.component_of_face(face));
+        let (surfaces, orientation) = (map.surfaces(), map.orientation());
+        for (i, component) in components.iter_mut().enumerate() {
+            let found = &trees.components()[i];
+            component.surface = surfaces[orientation.component(found.root())].to_string();
+            component.base = Some(self.number(found.base()));
+            component.generators = found.generators().len();
+            component.relator = cut.domains()[i].relator().filter(|_| !is_shortened);
+            component.seams = (0..seams.len()).filter(|&seam| seams[seam].component == i).collect();
+        }
+        find_words(map, &slice, &seams, &mut components);
+        let is_simplified = request.simplify;
+        Ok(SurfaceCut { surface: self, slice, edges, seams, components, is_simplified, is_long })
+    }
+
+    /// Cuts along the path through these vertices, given by their numbers in the file; it is closed if the first is there again at the end.
+    ///
+    /// # Errors
+    /// Those of [`Self::steps_along`], [`GeneralizedMap::slice_path`] and [`GeneralizedMap::slice_cycle`].
+    pub fn cut_along(&self, path: &[u32]) -> Result<SurfaceCut<'_>, Error> {
+        let map = self.map();
+        let steps = self.steps_along(path)?;
+        let _cutting = stage("cutting", 0);
+        let is_closed = path.first() == path.last();
+        let slice = if is_closed { map.slice_cycle(&steps) } else { map.slice_path(&steps) }?;
+        let edges: Vec<EdgeId> = steps.iter().map(|&step| EdgeId::from_u32(step >> 1)).collect();
+        let orientation = slice.surface().orientation();
+        let surfaces = slice.surface().surfaces();
+        let mut components = counted(map, &slice, &edges, surfaces.len(), |face| orientation.component(face));
+        for (component, surface) in components.iter_mut().zip(&surfaces) {
+            component.surface = surface.to_string();
+        }
+        let kind = match slice.path_kind() {
+            Some(PathKind::TwoSided) => "two-sided",
+            Some(PathKind::OneSided) => "one-sided",
+            _ => "open",
+        };
+        let seams = vec![CutSeam { kind: kind.to_owned(), steps, length: None, component: 0 }];
+        Ok(SurfaceCut {
+            surface: self,
+            slice,
+            edges,
+            seams,
+            components,
+            is_simplified: false,
+            is_long: false,
+        })
+    }
+
+    /// The steps along a path of vertices, given by their numbers in the file: 2e along edge e, 2e + 1 against it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] for fewer than two vertices; [`ErrorKind::NotInComplex`] naming the first vertex that is not there, or the
+    /// first two that no edge joins.
+    ///
+    /// # Complexity
+    /// Linear in the edges.
+    pub fn steps_along(&self, path: &[u32]) -> Result<Vec<u32>, Error> {
+        if path.len() < 2 {
+            return Err(
+                Error::invalid("a path has two vertices at least").with_cure("give its vertices in order")
+            );
+        }
+        let vertices: Vec<VertexId> =
+            path.iter().map(|&number| self.vertex_numbered(number)).collect::<Result<_, _>>()?;
+        let skeleton = self.map().skeleton();
+        let ends = skeleton.edge_ends();
+        let steps_at = RaggedArray::grouped(skeleton.vertex_count(), ends.iter().copied());
+        let step = |(i, pair): (usize, &[VertexId])| {
+            let mut steps = steps_at.list(pair[0].index()).iter().copied();
+            steps.find(|&step| ends[(step ^ 1) as usize] == pair[1].to_u32()).ok_or_else(|| {
+                let [a, b] = [path[i], path[i + 1]];
+                Error::new(
+                    ErrorKind::NotInComplex,
+                    format!("step {i} goes from vertex {a} to vertex {b}, but no edge joins them"),
+                )
+                .with_cells([[a, b]])
+                .with_cure("go along edges only")
+            })
+        };
+        vertices.windows(2).enumerate().map(step).collect()
+    }
+}
+
+impl SurfaceCut<'_> {
+    /// What became of each component.
+    pub fn components(&self) -> &[CutComponent] {
+        &self.components
+    }
+
+    /// The seams. Their numbers in pictures and files are counted from 1.
+    pub fn seams(&self) -> &[CutSeam] {
+        &self.seams
+    }
+
+    /// The edges along which the surface was cut.
+    pub fn edges(&self) -> &[EdgeId] {
+        &self.edges
+    }
+
+    /// The surface as it is now, and what it was.
+    pub fn slice(&self) -> &Slice<GeneralizedMap> {
+        &self.slice
+    }
+
+    /// Whether seams were left longer than they could be because the surface is large.
+    pub fn is_long(&self) -> bool {
+        self.is_long
+    }
+
+    /// The vertices along a seam by their numbers in the file.
+    ///
+    /// # Panics
+    /// If there is no such seam.
+    pub fn seam_vertices(&self, seam: usize) -> Vec<u32> {
+        self.surface.numbers_along(&self.seams[seam].steps)
+    }
+
+    /// The surface as it is now as a model, with edges of the cut as lines. Their data are `seam`, counted from 1 (0 for loose ends), and
+    /// `source`, the numbers in the file of the ends; vertices have `source`, polygons `face`.
+    ///
+    /// # Errors
+    /// Those of [`SurfaceModel::model_over`].
+    pub fn model(&self) -> Result<Model, Error> {
+        let open = self.slice.surface();
+        let faces: Vec<FaceId> = (0..open.skeleton().face_count()).map(FaceId::new).collect();
+        let mut seam_of = vec![-1_i64; self.surface.map().skeleton().edge_count()];
+        self.edges.iter().for_each(|edge| seam_of[edge.index()] = 0);
+        for (seam, number) in self.seams.iter().zip(1..) {
+            seam.steps.iter().for_each(|&step| seam_of[(step >> 1) as usize] = number);
+        }
+        let (mut lines, mut numbers, mut sources) = (RaggedArray::new(), Vec::new(), Vec::new());
+        for edge in (0..open.skeleton().edge_count()).map(EdgeId::new) {
+            let source = self.slice.edge_sources()[edge];
+            let number = seam_of[source.index()];
+            let ends = open.skeleton().edge(edge);
+            // A loop is no line.
+            if number >= 0 && ends[0] != ends[1] {
+                lines.push(&ends.map(VertexId::to_u32));
+                numbers.push(number);
+                sources.extend(self.surface.edge_numbers(source).map(i64::from));
+            }
+        }
+        self.surface
+            .model_over(polygons_of_map(open), self.slice.vertex_sources().as_slice(), &faces, None)?
+            .with_lines(lines)?
+            .with_data(CellData::integers("seam", GroupKind::Lines, 1, numbers)?)?
+            .with_data(CellData::integers("source", GroupKind::Lines, 2, sources)?)
+    }
+
+    /// Everything as JSON: `components`, each with its counts and, of a surface cut to disks, seams and words; `f_vector`; `simplified`; of a
+    /// path its kind and number of edges, else null.
+    pub fn to_json(&self) -> Value {
+        let path =
+            self.slice.path_kind().map(|_| json!({"kind": self.seams[0].kind, "edges": self.edges.len()}));
+        let component = |component: &CutComponent| {
+            let mut object = json!({
+                "surface": component.surface,
+                "cut_edges": component.cut_edges,
+                "boundary_edges": component.boundary_edges,
+                "euler_characteristic": component.euler_characteristic(),
+                "f_vector": component.f_vector,
+            });
+            if let Some(base) = component.base {
+                object["base"] = base.into();
+                object["generators"] = component.generators.into();
+                object["relator"] =
+                    component.relator.as_ref().map(|relator| relator.letters().to_vec()).into();
+                object["seams"] = component.seams.iter().map(|&seam| self.seam_to_json(seam)).collect();
+                object["word"] = component.word.clone().into();
+            }
+            object
+        };
+        json!({
+            "simplified": self.is_simplified,
+            "path": path,
+            "components": self.components.iter().map(component).collect::<Vec<_>>(),
+            "f_vector": self.slice.surface().f_vector(),
+        })
+    }
+
+    fn seam_to_json(&self, number: usize) -> Value {
+        let seam = &self.seams[number];
+        json!({
+            "number": number + 1,
+            "kind": seam.kind,
+            "edges": seam.steps.len(),
+            "length": seam.length,
+            "vertices": self.seam_vertices(number),
+        })
+    }
+}
+
+/// The faces of a surface by their vertices.
+pub(super) fn polygons_of_map(map: &GeneralizedMap) -> RaggedArray {
+    let faces = (0..map.skeleton().face_count()).map(FaceId::new);
+    RaggedArray::from_lists(
+        faces.map(|face| map.sides_of(face).map(|side| map.source(side).to_u32()).collect::<Vec<_>>()),
+    )
+}
+
+/// The counts of each component of the surface that was cut open.
+fn counted(
+    map: &GeneralizedMap,
+    slice: &Slice<GeneralizedMap>,
+    edges: &[EdgeId],
+    count: usize,
+    component_of: impl Fn(FaceId) -> usize,
+) -> Vec<CutComponent> {
+    let open = slice.surface();
+    let mut components = vec![CutComponent::default(); count];
+    let mut seen = vec![false; open.skeleton().vertex_count()];
+    for side in open.sides() {
+        let component = &mut components[component_of(open.face(side))];
+        component.boundary_edges += usize::from(open.mate(side).is_none());
+        component.f_vector[1] += usize::from(open.first_side(open.edge(side)) == side);
+        component.f_vector[0] += usize::from(!std::mem::replace(&mut seen[open.source(side).index()], true));
+    }
+    for face in (0..open.skeleton().face_count()).map(FaceId::new) {
+        components[component_of(face)].f_vector[2] += 1;
+    }
+    for &edge in edges {
+        // The faces of the slice are those of the surface.
+        components[component_of(map.face(map.first_side(edge)))].cut_edges += 1;
+    }
+    components
+}
+
+/// The seams around the boundary of each disk.
+fn find_words(
+    map: &GeneralizedMap,
+    slice: &Slice<GeneralizedMap>,
+    seams: &[CutSeam],
+    components: &mut [CutComponent],
+) {
+    // The first step of each seam with its letter.
+    let mut letters: Vec<(u32, i32, usize)> = Vec::with_capacity(seams.len());
+    for (i, component) in components.iter().enumerate() {
+        for (&seam, letter) in component.seams.iter().zip(1..) {
+            letters.push((seams[seam].steps[0], letter, i));
+        }
+    }
+    letters.sort_unstable();
+    for walk in slice.surface().boundary_loops() {
+        for (side, sign) in walk {
+            let step = map.step(side) ^ u32::from(sign == Sign::Minus);
+            let found = |step: u32| letters.binary_search_by_key(&step, |&(first, ..)| first);
+            if let Ok(at) = found(step) {
+                components[letters[at].2].word.push(letters[at].1);
+            } else if let Ok(at) = found(step ^ 1) {
+                components[letters[at].2].word.push(-letters[at].1);
+            }
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! Yin sets from files: made, told about, written and drawn.
+//!
+//! # Words
+//! * A [`PlanarSet`] is a Yin set with the names of its curves and what had to be said about the file it is from.
+//! * A [`SetRequest`] says how a file becomes a set: its order, the rule that repairs what crosses itself, its kinks.
+
+mod facts;
+mod making;
+mod svg;
+mod writing;
+
+pub use making::{KinkRequest, PlanarSet, SetRequest};
+#[doc(hidden)]
+pub use svg::{Piece as SetPiece, pieces_of as set_pieces};

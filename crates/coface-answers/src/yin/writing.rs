@@ -1,0 +1,109 @@
+//! Sets as files of any format of the plane.
+
+use super::PlanarSet;
+use coface_algebra::RaggedArray;
+use coface_algebra::{Error, ErrorKind};
+use coface_geometry::Positions;
+use coface_io as io;
+use coface_io::{CellData, Format, GroupKind, Model, yin};
+use coface_yin::Order;
+use serde_json::{Map, json};
+use std::io::Write;
+
+impl PlanarSet {
+    /// Writes the set in a format.
+    ///
+    /// * JSON and `.dat`: as [`yin`] says; JSON keeps everything.
+    /// * SVG: a path with curves, filled; what is unbounded within a frame.
+    /// * GeoJSON, WKT: a polygon with holes for each component; a polygon of GeoJSON has the properties `polygon` and `area`.
+    /// * Others: the curves as closed lines.
+    ///
+    /// But for JSON and `.dat`, curves of order 6 and more, and for all but SVG also cubics, become chords within `flatten`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] for curves without `flatten`, for unbounded sets in formats that do not hold them, and if the format
+    /// cannot hold lines; [`ErrorKind::Io`] from the output.
+    pub fn write(&self, out: &mut dyn Write, format: Format, flatten: Option<f64>) -> Result<(), Error> {
+        match format {
+            Format::Json => return yin::write_json(&self.set, &self.names, out),
+            Format::Dat => return yin::write_dat(&self.set, out),
+            Format::Svg if self.set.order() > Order::CUBIC => {
+                return self.flattened(flatten)?.write(out, format, None);
+            }
+            Format::Svg => {
+                out.write_all(self.svg()?.as_bytes())?;
+                return Ok(out.flush()?);
+            }
+            _ => {}
+        }
+        if !self.set.is_bounded() {
+            let message = format!("{} cannot hold an unbounded set", format.title());
+            return Err(Error::new(ErrorKind::UnsupportedFormat, message)
+                .with_cure("write .json, or the meet with a set that is bounded"));
+        }
+        if self.set.order() > Order::LINEAR {
+            return self.flattened(flatten)?.write(out, format, None);
+        }
+        let (mut flat, mut lines) = (Vec::new(), RaggedArray::new());
+        let (mut polygons, mut rings, mut areas) = (Vec::new(), Vec::new(), Vec::new());
+        for (polygon, atom) in self.set.atoms().iter().enumerate() {
+            let mut area = 0.0;
+            for (ring, curve) in atom.curves().enumerate() {
+                let curve = self.set.curve(curve);
+                let start = (flat.len() / 2) as u32;
+                let count = curve.piece_count();
+                flat.extend(curve.controls()[..count].as_flattened());
+                let line: Vec<u32> = (start..start + count as u32).chain([start]).collect();
+                lines.push(&line);
+                polygons.push(polygon as i64);
+                rings.push(ring as i64);
+                area += curve.signed_area();
+            }
+            areas.push(area);
+        }
+        let model = Model::from_lines(Positions::from_flat(2, flat)?, lines)?;
+        if !matches!(format, Format::GeoJson | Format::Wkt) {
+            return io::write(&model, out, format);
+        }
+        let model = model
+            .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
+            .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
+        if format == Format::GeoJson {
+            return io::geojson::write_with(&model, out, &|polygon| {
+                let mut properties = Map::new();
+                properties.insert("polygon".to_owned(), json!(polygon));
+                properties.insert("area".to_owned(), json!(areas.get(polygon)));
+                properties
+            });
+        }
+        io::write(&model, out, format)
+    }
+
+    /// The same with chords for curves.
+    fn flattened(&self, tolerance: Option<f64>) -> Result<Self, Error> {
+        let order = self.set.order();
+        let Some(tolerance) = tolerance else {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                format!("the format cannot hold curves of order {order}"),
+            )
+            .with_cure("say how far chords may be from them: --flatten LENGTH; or write .json"));
+        };
+        let mut drawing = yin::BoundaryDrawing::new(Order::LINEAR);
+        let mut curves = Vec::with_capacity(self.set.curve_count());
+        for curve in 0..self.set.curve_count() {
+            let corners = yin::flattened(&self.set.curve(curve), tolerance)
+                .map_err(|error| super::making::named(curve, &error))?;
+            curves.push(yin::BoundaryCurve::new(corners));
+        }
+        if curves.is_empty() {
+            return Ok(self.clone());
+        }
+        drawing.push(yin::Filling::Left, curves);
+        let flat = Self::of(&drawing, &super::SetRequest::default()).map_err(|fault| {
+            let message = format!("within {tolerance:e}, chords bound no set: {}", fault.message());
+            Error::new(fault.kind(), message).with_cure("allow less: chords that are nearer to the curves")
+        })?;
+        Ok(Self { names: self.names.clone(), ..flat })
+    }
+}

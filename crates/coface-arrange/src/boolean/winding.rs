@@ -1,0 +1,288 @@
+//! Winding numbers of inputs around cells.
+
+use super::InputRim;
+use coface_algebra::SparseMatrix;
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::progress::stage;
+use coface_algebra::{CellId, Error, ErrorKind};
+
+/// Where a facet has the exterior, or one cell on both sides.
+const EXTERIOR: u32 = u32::MAX;
+
+/// Which winding numbers mean inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum InsideRule {
+    /// All but zero.
+    #[default]
+    Nonzero,
+    /// Those above zero: what an input that is turned inside out encloses is outside.
+    Positive,
+    /// The odd ones: what is enclosed twice is outside.
+    Odd,
+}
+
+/// What is counted.
+#[derive(Clone, Copy, PartialEq)]
+enum Count {
+    Whole,
+    Parity,
+}
+
+impl Count {
+    fn of(self, number: i64) -> i64 {
+        match self {
+            Self::Whole => number,
+            Self::Parity => number.rem_euclid(2),
+        }
+    }
+}
+
+impl InsideRule {
+    /// Whether this winding number means inside.
+    pub fn is_inside(self, number: i32) -> bool {
+        match self {
+            Self::Nonzero => number != 0,
+            Self::Positive => number > 0,
+            Self::Odd => number % 2 != 0,
+        }
+    }
+}
+
+/// How often each of several inputs winds around each cell of an arrangement.
+///
+/// # Examples
+/// Two triangles on a common edge; the first input is the rim of the first, the second input the rim of both:
+/// ```
+/// use coface_algebra::SparseMatrix;
+/// use coface_arrange::boolean::WindingNumbers;
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_algebra::CellId;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let ends = [[0, 1], [1, 2], [2, 0], [1, 3], [3, 2]];
+/// let edges = ends.iter().enumerate().flat_map(|(e, &[a, b])| [(a, e, -1), (b, e, 1)]);
+/// let edges = SparseMatrix::from_entries(4, 5, edges)?;
+/// let faces = [(0, 0, 1), (1, 0, 1), (2, 0, 1), (1, 1, -1), (3, 1, 1), (4, 1, 1)];
+/// let faces = SparseMatrix::from_entries(5, 2, faces)?;
+/// let rims = [(0, 0, 1), (1, 0, 1), (2, 0, 1), (0, 1, 1), (2, 1, 1), (3, 1, 1), (4, 1, 1)];
+/// let inputs = SparseMatrix::from_entries(5, 2, rims)?;
+/// let complex = ChainComplex::new(vec![edges, faces])?;
+/// let winding = WindingNumbers::new(&complex, &inputs)?;
+/// assert_eq!(winding.of_cell(CellId::new(0)), [1, 1]);
+/// assert_eq!(winding.of_cell(CellId::new(1)), [0, 1]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WindingNumbers {
+    input_count: usize,
+    cell_count: usize,
+    /// Those of one cell after those of another.
+    numbers: Vec<i32>,
+}
+
+impl WindingNumbers {
+    /// The winding numbers around the cells of highest degree of an arrangement, the exterior not among them. Column i of `inputs`
+    /// is input i as a chain of facets.
+    ///
+    /// From a facet's front to its back the winding number of an input rises by the multiplicity of the facet; the numbers are
+    /// carried from the exterior, where they are zero, across the facets.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotACycle`] naming the first input with a boundary, and a part of that boundary; [`ErrorKind::Shape`] when there
+    /// is not a row for each facet, when a facet is more than once in front of cells or behind them, or when cells cannot be reached
+    /// from the exterior; [`ErrorKind::TooLarge`] for numbers beyond 32 bits.
+    ///
+    /// # Complexity
+    /// Linear in the cells times inputs, and in the matrices.
+    pub fn new(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        Self::counted(complex, inputs, Count::Whole)
+    }
+
+    /// The same for inputs that are known to have no rims.
+    #[doc(hidden)]
+    pub fn of_cycles(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        Self::carried(complex, inputs, Count::Whole)
+    }
+
+    /// The winding numbers modulo 2, as 0 and 1. They need no directions: inputs whose facets do not run coherently have them,
+    /// as long as an even number of facets meets in each ridge.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; [`ErrorKind::NotACycle`] only for ridges with odd coefficients.
+    ///
+    /// # Examples
+    /// A triangle with one of its edges turned:
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// use coface_algebra::chains::ChainComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = [(0, 0, 1), (1, 0, 1), (2, 0, -1)];
+    /// let triangle = vec![SparseMatrix::from_entries(3, 3, edges)?, SparseMatrix::from_entries(3, 1, face)?];
+    /// let complex = ChainComplex::new(triangle)?;
+    /// let turned = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, 1)])?;
+    /// assert!(WindingNumbers::new(&complex, &turned).is_err());
+    /// assert_eq!(WindingNumbers::parities(&complex, &turned)?.of_cell(CellId::new(0)), [1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn parities(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
+        Self::counted(complex, inputs, Count::Parity)
+    }
+
+    fn counted(complex: &ChainComplex, inputs: &SparseMatrix, count: Count) -> Result<Self, Error> {
+        if complex.degree_count() < 2 {
+            return Err(Error::new(ErrorKind::Shape, "a complex of points has no facets"));
+        }
+        let rims = InputRim::of_inputs(complex, inputs)?;
+        if let Some(rim) = rims.iter().find(|rim| count == Count::Whole || !rim.is_even()) {
+            return Err(rim.error(complex));
+        }
+        Self::carried(complex, inputs, count)
+    }
+
+    /// Carries the numbers of inputs that are closed from the exterior across the facets.
+    fn carried(complex: &ChainComplex, inputs: &SparseMatrix, count: Count) -> Result<Self, Error> {
+        let degree = complex.degree_count().saturating_sub(1);
+        let Some(boundaries) = complex.boundary_matrix(degree) else {
+            return Err(Error::new(ErrorKind::Shape, "a complex of points has no facets"));
+        };
+        let sides = sides_of_facets(boundaries)?;
+        let (cell_count, input_count) = (boundaries.column_count(), inputs.column_count());
+        let jumps = inputs.transpose();
+        let mut numbers = vec![0i32; cell_count * input_count];
+        let mut is_known = vec![false; cell_count];
+        let mut queue: Vec<u32> = Vec::new();
+        let outer = (0..sides.len() as u32).filter(|&facet| {
+            let [back, front] = sides[facet as usize];
+            (back == EXTERIOR) != (front == EXTERIOR)
+        });
+        let mut frontier: Vec<u32> = outer.collect();
+        let steps = stage("counting windings", cell_count);
+        while !frontier.is_empty() {
+            steps.advance(0);
+            for facet in frontier.drain(..) {
+                let [back, front] = sides[facet as usize];
+                let knows = |cell: u32| cell == EXTERIOR || is_known[cell as usize];
+                let (from, to, sign) = match (knows(back), knows(front)) {
+                    (false, true) => (front, back, 1i64),
+                    (true, false) => (back, front, -1),
+                    _ => continue,
+                };
+                let start = to as usize * input_count;
+                if from != EXTERIOR {
+                    let source = from as usize * input_count;
+                    numbers.copy_within(source..source + input_count, start);
+                }
+                for (input, multiplicity) in jumps.column(facet as usize).iter() {
+                    let number = &mut numbers[start + input];
+                    let sum = count.of(i64::from(*number) + sign * i64::from(multiplicity));
+                    *number = i32::try_from(sum).map_err(|_| {
+                        Error::new(
+                            ErrorKind::TooLarge,
+                            format!("input {input} winds {sum} times around a cell"),
+                        )
+                    })?;
+                }
+                is_known[to as usize] = true;
+                queue.push(to);
+            }
+            steps.advance(queue.len());
+            for cell in queue.drain(..) {
+                frontier.extend_from_slice(boundaries.column(cell as usize).rows());
+            }
+        }
+        if let Some(cell) = is_known.iter().position(|&known| !known) {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("cell c{cell} cannot be reached from the exterior across facets"),
+            ));
+        }
+        let found = Self { input_count, cell_count, numbers };
+        found.check(&sides, &jumps, count)?;
+        Ok(found)
+    }
+
+    /// `Shape` naming a facet across which the numbers do not rise by its multiplicity: then the cells are not all there.
+    fn check(&self, sides: &[[u32; 2]], jumps: &SparseMatrix, count: Count) -> Result<(), Error> {
+        let number = |cell: u32, input: usize| {
+            if cell == EXTERIOR {
+                0
+            } else {
+                i64::from(self.numbers[cell as usize * self.input_count + input])
+            }
+        };
+        for (facet, &[back, front]) in sides.iter().enumerate() {
+            let column = jumps.column(facet);
+            let fault = (0..self.input_count).find(|&input| {
+                let jump = i64::from(column.entry(input));
+                count.of(number(back, input) - number(front, input) - jump) != 0
+            });
+            if let Some(input) = fault {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!("input {input} is closed, but does not bound cells: see facet {facet}"),
+                )
+                .with_cure("give all bounded cells of the arrangement"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of inputs.
+    pub fn input_count(&self) -> usize {
+        self.input_count
+    }
+
+    /// The number of cells.
+    pub fn cell_count(&self) -> usize {
+        self.cell_count
+    }
+
+    /// The winding number of each input around a cell.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn of_cell(&self, cell: CellId) -> &[i32] {
+        assert!(cell.index() < self.cell_count, "there is no cell {cell}");
+        &self.numbers[cell.index() * self.input_count..(cell.index() + 1) * self.input_count]
+    }
+
+    /// The inputs that a cell is inside of, rising.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    pub fn inputs_around(&self, cell: CellId, rule: InsideRule) -> impl Iterator<Item = usize> + '_ {
+        let numbers = self.of_cell(cell).iter().enumerate();
+        numbers.filter(move |&(_, &number)| rule.is_inside(number)).map(|(input, _)| input)
+    }
+}
+
+/// The cells behind and in front of each facet.
+pub(super) fn sides_of_facets(boundaries: &SparseMatrix) -> Result<Vec<[u32; 2]>, Error> {
+    let mut sides = vec![[EXTERIOR; 2]; boundaries.row_count()];
+    for (cell, column) in boundaries.columns().enumerate() {
+        for (facet, entry) in column.iter() {
+            let side = match entry {
+                1 => &mut sides[facet][0],
+                -1 => &mut sides[facet][1],
+                _ => {
+                    return Err(Error::new(
+                        ErrorKind::Shape,
+                        format!(
+                            "cell c{cell} has the coefficient {entry} on facet {facet}; only 1 and -1 are sides"
+                        ),
+                    ));
+                }
+            };
+            if *side != EXTERIOR {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!("cells c{side} and c{cell} are on one side of facet {facet}"),
+                ));
+            }
+            *side = cell as u32;
+        }
+    }
+    Ok(sides)
+}

@@ -1,0 +1,49 @@
+//! Arrangements in the plane: the cells that segments cut it into, exactly.
+//!
+//! # Words and conventions
+//! * The **arrangement** of segments has as vertices all given points and all points where segments meet, as edges the pieces
+//!   between them, as faces the connected parts of the rest of the plane.
+//! * Coordinates are exact; a crossing is known by its two segments, and coordinates are rounded for output only.
+//! * A **halfedge** has its face on its left; following next around a face gives an **orbit**, a closed walk. Each
+//!   component of vertices and edges has one orbit on its outside, and lies in a face of the others: the face has a **hole**.
+//! * A **bridge** has one face on both sides. It stays: the walk around that face runs over it in both directions.
+
+mod areas;
+mod arrangement;
+mod crossings;
+mod edges;
+mod face_polygons;
+mod faces;
+mod gift_wrapping;
+mod hilbert_order;
+mod nesting;
+mod options;
+mod oriented_box;
+mod overlay;
+mod pruning;
+mod regions;
+mod rounding;
+mod segment_tree;
+mod simple_rings;
+mod tour;
+mod vertices;
+mod windings;
+
+#[doc(hidden)]
+pub use areas::walks_area;
+pub use arrangement::{PlanarArrangement, VertexSource};
+pub use faces::Faces;
+#[doc(hidden)]
+pub use faces::Orbits;
+pub use gift_wrapping::gift_wrap;
+pub use options::PlanarOptions;
+pub use overlay::{ChainEdges, JordanFault, JordanRings, RingFault};
+#[doc(hidden)]
+pub use overlay::RingCells;
+pub use overlay::{PlanarOverlay, PlanarPolygons};
+pub use regions::PlanarRegions;
+pub use rounding::{RoundingCertificate, SnappedArrangement};
+#[doc(hidden)]
+pub use tour::Step;
+#[doc(hidden)]
+pub use windings::Windings;

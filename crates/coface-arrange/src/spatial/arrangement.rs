@@ -1,0 +1,435 @@
+//! The arrangement of polygons in space.
+
+use super::PolygonalComplex;
+use super::axis_view::AxisView;
+use super::cells::{CellParts, SpatialCells};
+use super::cutting::{CutOptions, CutTriangles};
+use super::flat_polygons::{NonPlanar, PolygonTriangles, SplitPolygon};
+use super::merging::{Merged, merge};
+use super::patches::{Patches, SameOrigin};
+use super::polygons::SpatialPolygons;
+use super::predicates::SpatialPredicates;
+use coface_algebra::chains::{ChainComplex, ChainMap};
+use coface_algebra::progress::stage;
+use coface_algebra::{CellId, EdgeId, Error, FaceId, VertexId};
+use coface_algebra::{RaggedArray, Sign, SparseMatrix};
+use coface_geometry::Positions;
+use coface_geometry::predicates::{SpatialPoint, plane_axis};
+use std::cmp::Ordering;
+
+/// How an arrangement in space is made.
+///
+/// # Examples
+/// ```
+/// use coface_arrange::spatial::{NonPlanar, SpatialOptions};
+/// let options = SpatialOptions { non_planar: NonPlanar::Split, ..Default::default() };
+/// assert!(!options.merge_coplanar && options.max_cells.is_none());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct SpatialOptions {
+    /// What becomes of polygons whose points are not exactly in one plane.
+    pub non_planar: NonPlanar,
+    /// Whether faces that are exactly in one plane and belong to the same inputs become one where nothing else meets them, whatever
+    /// polygons they come from, and vertices on straight edges that are left go.
+    pub merge_coplanar: bool,
+    /// The largest number of vertices, edges and faces together, pieces of polygons counted one by one.
+    pub max_cells: Option<usize>,
+}
+
+/// The vertices, edges, faces and cells that polygons cut space into, exactly.
+///
+/// Polygons may cross, touch, overlap in a plane and be there twice. A face is a part of a plane that no polygon crosses, with holes and
+/// slits where need be, and knows the polygons that it is part of. A cell is a bounded connected part of space without the faces; it
+/// can have voids. No tolerance is in any decision; coordinates of new vertices are rounded once, for output.
+///
+/// # Conventions
+/// Vertices are the points of the input that polygons run through, by their first occurrences, then new ones. Edges point from their
+/// lower to their higher vertex and rise by them. Faces are in the order of the first polygons, and run as these do: the front of a face is
+/// where the outer walk runs counterclockwise. A face has coefficient 1 in the boundary of the cell behind it.
+///
+/// The **fine** cells are those before pieces of one polygon are put together: polygons are triangulated first. Each
+/// vertex is a fine vertex, each edge a path of fine edges, each face a sum of fine faces. Cells are the same in both.
+///
+/// # Examples
+/// A cube, and the same moved by one half along all axes:
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+/// use coface_geometry::Positions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let cube = |low: f64| {
+///     let corner = |i: usize| (0..3).map(move |axis| low + f64::from(i as u32 >> axis & 1));
+///     let positions = Positions::from_flat(3, (0..8).flat_map(corner).collect())?;
+///     let squares =
+///         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+///     SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(squares))
+/// };
+/// let polygons = SpatialPolygons::joined(&[cube(0.0)?, cube(0.5)?])?;
+/// let arrangement = SpatialArrangement::new(&polygons, &SpatialOptions::default())?;
+/// assert_eq!(arrangement.f_vector(), [22, 36, 18, 3]);
+/// assert_eq!(arrangement.volumes()?, [0.875, 0.125, 0.875]);
+/// assert_eq!(arrangement.inside(Default::default())?, [vec![0], vec![0, 1], vec![1]]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct SpatialArrangement {
+    pub(super) cut: CutTriangles,
+    pub(super) cells: SpatialCells,
+    /// `None` when the fine cells are the cells.
+    pub(super) merged: Option<Merged>,
+    pub(super) patches: Patches,
+    pub(super) patches_of_face: RaggedArray,
+    /// Fine vertices on straight edges, where they are not needed to draw anything.
+    pub(super) is_omitted: Vec<bool>,
+    positions: Option<Positions>,
+    without_area: Vec<u32>,
+    split: Vec<SplitPolygon>,
+    pub(super) round_count: usize,
+}
+
+impl SpatialArrangement {
+    /// The arrangement of polygons.
+    ///
+    /// # Errors
+    /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the first polygon whose sides cross or touch elsewhere than in vertices, with the place, or
+    /// which is not planar when that is refused, with the distance; [`TooLarge`](coface_algebra::ErrorKind::TooLarge) when there would be more cells than the
+    /// options allow, with the count so far.
+    ///
+    /// # Complexity
+    /// $O((n + k) \log (n + k))$ for n sides and k fine cells where boxes that meet are not many more than polygons that do.
+    pub fn new(polygons: &SpatialPolygons, options: &SpatialOptions) -> Result<Self, Error> {
+        let triangles = PolygonTriangles::new(polygons, options.non_planar)?;
+        let PolygonTriangles { triangles, polygon_of_triangle, without_area, split } = triangles;
+        let patches = Patches {
+            patch_of_triangle: polygon_of_triangle,
+            folded: split.iter().map(|&(split, view)| (split.polygon, view)).collect(),
+            polygons_of_patch: None,
+            input_of_polygon: polygons.input_of_polygon().to_vec(),
+            input_count: polygons.input_count(),
+        };
+        let mut made = Self::of_triangles(polygons.positions(), &triangles, patches, options)?;
+        made.without_area = without_area;
+        made.split = split.into_iter().map(|split| split.0).collect();
+        Ok(made)
+    }
+
+    pub(super) fn of_triangles(
+        positions: &Positions,
+        triangles: &[[u32; 3]],
+        patches: Patches,
+        options: &SpatialOptions,
+    ) -> Result<Self, Error> {
+        let cut = CutTriangles::new(positions, triangles, &CutOptions { max_cells: options.max_cells })?;
+        let predicates = cut.predicates();
+        let steps = stage("sorting faces around edges", cut.complex().edge_count());
+        let (ordered, patches_of_face) =
+            rayon::join(|| cut.ordered_faces(&predicates, &steps), || patches.of_faces(&cut));
+        drop(steps);
+        let ordered = ordered?;
+        let around = ordered.around();
+        let steps = stage("finding and merging cells", cut.complex().edge_count());
+        let (parts, merged) = rayon::join(
+            || CellParts::new(&ordered, &predicates, &steps),
+            || {
+                let of_face = &patches_of_face;
+                let rules =
+                    SameOrigin::new(&cut, &predicates, &patches, of_face, around, options.merge_coplanar);
+                merge(cut.complex(), around, &rules, &steps)
+            },
+        );
+        drop(steps);
+        let parts = parts?;
+        let mut is_omitted = Vec::new();
+        let mut coarse_positions = None;
+        if let Some(merged) = &merged {
+            is_omitted =
+                omitted_vertices(merged, cut.complex(), &patches, &patches_of_face, around, &predicates);
+            let point = |&vertex: &u32| cut.positions().point(VertexId::from_u32(vertex)).iter().copied();
+            coarse_positions =
+                Some(Positions::from_flat(3, merged.vertices.iter().flat_map(point).collect())?);
+        }
+        drop(predicates);
+        let cells = SpatialCells::from_parts(ordered, parts);
+        Ok(Self {
+            cut,
+            cells,
+            merged,
+            patches,
+            patches_of_face,
+            is_omitted,
+            positions: coarse_positions,
+            without_area: Vec::new(),
+            split: Vec::new(),
+            round_count: 0,
+        })
+    }
+
+    /// The numbers of vertices, edges, faces and bounded cells.
+    pub fn f_vector(&self) -> [usize; 4] {
+        let [vertices, edges, faces] = self.complex().f_vector();
+        [vertices, edges, faces, self.cells.cell_count()]
+    }
+
+    /// The vertices, edges and faces.
+    pub fn complex(&self) -> &PolygonalComplex {
+        self.merged.as_ref().map_or(self.cut.complex(), |merged| &merged.complex)
+    }
+
+    /// The positions of the vertices: each coordinate is the floating-point number nearest to the exact one.
+    pub fn positions(&self) -> &Positions {
+        self.positions.as_ref().unwrap_or_else(|| self.cut.positions())
+    }
+
+    /// The exact position of a vertex.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn point(&self, vertex: VertexId) -> SpatialPoint {
+        self.cut.point(self.fine_vertex(vertex))
+    }
+
+    /// The cells before pieces of polygons are put together.
+    pub fn fine(&self) -> &SpatialCells {
+        &self.cells
+    }
+
+    /// The triangles that polygons were cut into, cut against each other: the fine vertices, edges and faces with what they come from.
+    /// Its triangles are those of the polygons in order, without those that have no area.
+    pub fn fine_triangles(&self) -> &CutTriangles {
+        &self.cut
+    }
+
+    /// The fine vertex that a vertex is.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn fine_vertex(&self, vertex: VertexId) -> VertexId {
+        match &self.merged {
+            None => vertex,
+            Some(merged) => VertexId::from_u32(merged.vertices[vertex.index()]),
+        }
+    }
+
+    /// The fine faces that a face is the sum of, rising; minus for those whose fronts are its back.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    pub fn fine_faces(&self, face: FaceId) -> impl Iterator<Item = (FaceId, Sign)> + '_ {
+        let single = self.merged.is_none().then_some(2 * face.to_u32());
+        let list = self.merged.as_ref().map_or(&[][..], |merged| merged.faces.list(face.index()));
+        list.iter().copied().chain(single).map(unpacked)
+    }
+
+    /// The fine edges along an edge, from its first to its last; minus for those that run against it.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    pub fn fine_edges(&self, edge: EdgeId) -> impl Iterator<Item = (EdgeId, Sign)> + '_ {
+        let single = self.merged.is_none().then_some(2 * edge.to_u32());
+        let list = self.merged.as_ref().map_or(&[][..], |merged| merged.edges.list(edge.index()));
+        list.iter().copied().chain(single).map(|packed| (EdgeId::from_u32(packed >> 1), sign_of_bit(packed)))
+    }
+
+    /// The chain map that sends each cell to the sum of the fine cells that it is made of.
+    ///
+    /// # Errors
+    /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// A square, of two triangles:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.])?;
+    /// let square = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
+    /// let arrangement = SpatialArrangement::new(&square, &SpatialOptions::default())?;
+    /// assert_eq!((arrangement.f_vector(), arrangement.fine().complex().f_vector()), ([4, 4, 1, 0], [4, 5, 2]));
+    /// assert_eq!(arrangement.chain_map_to_fine()?.matrix(2).map(|m| m.entries().to_vec()), Some(vec![1, 1]));
+    /// # Ok(()) }
+    /// ```
+    pub fn chain_map_to_fine(&self) -> Result<ChainMap, Error> {
+        let [vertices, edges, faces, cells] = self.f_vector();
+        let fine = self.cells.chain_complex()?;
+        let unit = |row: usize, column: usize, sign: Sign| (row, column, i64::from(sign.to_i32()));
+        let vertex = |i: usize| unit(self.fine_vertex(VertexId::new(i)).index(), i, Sign::Plus);
+        let edge =
+            |i: usize| self.fine_edges(EdgeId::new(i)).map(move |(fine, sign)| unit(fine.index(), i, sign));
+        let face =
+            |i: usize| self.fine_faces(FaceId::new(i)).map(move |(fine, sign)| unit(fine.index(), i, sign));
+        let matrices = vec![
+            SparseMatrix::from_entries(fine.cell_count(0), vertices, (0..vertices).map(vertex))?,
+            SparseMatrix::from_entries(fine.cell_count(1), edges, (0..edges).flat_map(edge))?,
+            SparseMatrix::from_entries(fine.cell_count(2), faces, (0..faces).flat_map(face))?,
+            SparseMatrix::from_entries(cells, cells, (0..cells).map(|i| unit(i, i, Sign::Plus)))?,
+        ];
+        ChainMap::new(&self.chain_complex()?, &fine, matrices)
+    }
+
+    /// The first fine face of a face; it has the same front.
+    pub(super) fn first_fine_face(&self, face: FaceId) -> FaceId {
+        self.merged.as_ref().map_or(face, |merged| FaceId::from_u32(merged.faces.list(face.index())[0] >> 1))
+    }
+
+    /// The polygons that a face is part of, rising; minus for those whose fronts are its back. Polygons that overlap share faces; a face
+    /// that coplanar ones were merged to has the polygons of all of them.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    pub fn polygons_of_face(&self, face: FaceId) -> Vec<(u32, Sign)> {
+        let mut packed = Vec::new();
+        for (fine, sign) in self.fine_faces(face) {
+            let turned = u32::from(sign == Sign::Minus);
+            self.patches.for_each_polygon(self.patches_of_face.list(fine.index()), |polygon| {
+                packed.push(polygon ^ turned);
+            });
+        }
+        packed.sort_unstable();
+        packed.dedup();
+        packed.into_iter().map(|polygon| (polygon >> 1, sign_of_bit(polygon))).collect()
+    }
+
+    /// The cell at the back of a face (plus) or at its front (minus); `None` for the exterior.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    pub fn cell_at(&self, face: FaceId, side: Sign) -> Option<CellId> {
+        self.cells.cell_at(self.first_fine_face(face), side)
+    }
+
+    /// The faces with the same cell, or the exterior, on both sides, rising.
+    pub fn dangling_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        (0..self.complex().face_count())
+            .map(FaceId::new)
+            .filter(|&face| self.cell_at(face, Sign::Plus) == self.cell_at(face, Sign::Minus))
+    }
+
+    /// The boundary matrix of the cells: rows are faces, columns cells.
+    ///
+    /// # Errors
+    /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 1 entries.
+    pub fn cell_boundaries(&self) -> Result<SparseMatrix, Error> {
+        let Some(merged) = &self.merged else { return self.cells.cell_boundaries() };
+        let faces = (0..merged.faces.len()).map(FaceId::new);
+        let entries = faces.flat_map(|face| {
+            let [back, front] = [Sign::Plus, Sign::Minus].map(|side| self.cell_at(face, side));
+            let entry = move |cell: Option<CellId>, sign: i64| {
+                cell.filter(|_| back != front).map(|cell| (face.index(), cell.index(), sign))
+            };
+            [entry(back, 1), entry(front, -1)].into_iter().flatten()
+        });
+        SparseMatrix::from_entries(merged.faces.len(), self.cells.cell_count(), entries)
+    }
+
+    /// The chain complex of vertices, edges, faces and cells, without the exterior: its boundary matrices are the transposes of EV, FE and
+    /// CF. The product of two of them one after the other is zero.
+    ///
+    /// # Errors
+    /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 1 entries in a matrix.
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        let complex = self.complex();
+        let (faces, (edges, cells)) =
+            rayon::join(|| complex.face_boundaries(), || (complex.edge_boundaries(), self.cell_boundaries()));
+        Ok(ChainComplex::from_trusted_boundaries(vec![edges?, faces?, cells?]))
+    }
+
+    /// The volume of each cell, without its voids, in the cube of the unit of the positions, rounded.
+    ///
+    /// # Errors
+    /// As [`SpatialCells::volumes`].
+    pub fn volumes(&self) -> Result<Vec<f64>, Error> {
+        self.cells.volumes(self.cut.positions())
+    }
+
+    /// The number of voids of all cells: components of faces within them.
+    pub fn void_count(&self) -> usize {
+        let cells = (0..self.cells.cell_count()).map(CellId::new);
+        cells.map(|cell| self.cells.shells(Some(cell)).len() - 1).sum()
+    }
+
+    /// The number of polygons of the input.
+    pub fn polygon_count(&self) -> usize {
+        self.patches.input_of_polygon.len()
+    }
+
+    /// The number of inputs.
+    pub fn input_count(&self) -> usize {
+        self.patches.input_count
+    }
+
+    /// The input of each polygon.
+    pub fn input_of_polygon(&self) -> &[u32] {
+        &self.patches.input_of_polygon
+    }
+
+    /// The polygons without area, rising. They are part of no face.
+    pub fn polygons_without_area(&self) -> &[u32] {
+        &self.without_area
+    }
+
+    /// The polygons that were split because they are not planar, rising.
+    pub fn split_polygons(&self) -> &[SplitPolygon] {
+        &self.split
+    }
+
+    /// The picture of a face with its front towards the eye.
+    pub(super) fn view(&self, face: FaceId) -> AxisView {
+        let fine = self.first_fine_face(face);
+        let fold = self.patches.fold(self.patches_of_face.list(fine.index()));
+        fold.unwrap_or_else(|| self.plane_view(fine))
+    }
+
+    /// The picture of a fine face with its front towards the eye.
+    pub(super) fn plane_view(&self, fine: FaceId) -> AxisView {
+        let (axis, sign) = plane_axis(self.cut.plane(fine));
+        AxisView { axis: axis as u8, from: if sign == Ordering::Less { Sign::Minus } else { Sign::Plus } }
+    }
+
+    /// Takes over what only the polygons that were given first could say.
+    pub(super) fn with_notes_of(mut self, first: &Self, round_count: usize) -> Self {
+        self.without_area.clone_from(&first.without_area);
+        self.split.clone_from(&first.split);
+        self.round_count = round_count;
+        self
+    }
+}
+
+fn sign_of_bit(packed: u32) -> Sign {
+    Sign::power_of_minus_one((packed & 1) as usize)
+}
+
+fn unpacked(packed: u32) -> (FaceId, Sign) {
+    (FaceId::from_u32(packed >> 1), sign_of_bit(packed))
+}
+
+/// The fine vertices inside edges and faces that nothing needs: those on straight edges and in flat faces.
+fn omitted_vertices(
+    merged: &Merged,
+    fine: &PolygonalComplex,
+    patches: &Patches,
+    patches_of_face: &RaggedArray,
+    around: &RaggedArray,
+    predicates: &impl SpatialPredicates,
+) -> Vec<bool> {
+    let mut is_omitted = vec![true; fine.vertex_count()];
+    merged.vertices.iter().for_each(|&vertex| is_omitted[vertex as usize] = false);
+    let is_straight = |a: u32, b: u32, c: u32| {
+        patches.folded.is_empty() || (0..3).all(|axis| predicates.normal_sign(axis, [a, b, c]).is_eq())
+    };
+    for own in merged.edges.iter() {
+        for pair in own.windows(2) {
+            let ([a, b], [_, c]) = (fine.side_ends(pair[0]), fine.side_ends(pair[1]));
+            is_omitted[b as usize] = is_straight(a, b, c);
+        }
+    }
+    if !patches.folded.is_empty() {
+        for (edge, ends) in fine.edges().iter().enumerate().filter(|&(edge, _)| merged.is_inside_face[edge]) {
+            let is_fold = |&side: &u32| patches.fold(patches_of_face.list((side >> 1) as usize)).is_some();
+            if around.list(edge).iter().any(is_fold) {
+                ends.iter().for_each(|&vertex| is_omitted[vertex as usize] = false);
+            }
+        }
+    }
+    is_omitted
+}

@@ -1,0 +1,35 @@
+//! Faces seen along an axis.
+
+use super::predicates::SpatialPredicates;
+use coface_algebra::Sign;
+use std::cmp::Ordering;
+
+/// The picture of space seen along an axis: from its far end with plus, from its near end with minus.
+///
+/// No coordinate is computed for it: the two others are those of the picture, in one order or the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct AxisView {
+    pub(super) axis: u8,
+    pub(super) from: Sign,
+}
+
+impl AxisView {
+    /// The lexicographic order of vertices in the picture.
+    pub(super) fn compare(self, predicates: &impl SpatialPredicates, a: u32, b: u32) -> Ordering {
+        let axis = usize::from(self.axis);
+        let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
+        let (first, second) = if self.from == Sign::Plus { (first, second) } else { (second, first) };
+        predicates.compare(first, a, b).then_with(|| predicates.compare(second, a, b))
+    }
+
+    /// Which way three vertices turn in the picture.
+    pub(super) fn turn(self, predicates: &impl SpatialPredicates, triangle: [u32; 3]) -> Ordering {
+        let turn = predicates.normal_sign(usize::from(self.axis), triangle);
+        if self.from == Sign::Plus { turn } else { turn.reverse() }
+    }
+
+    /// The same seen from the other end.
+    pub(super) fn behind(self) -> Self {
+        Self { axis: self.axis, from: self.from.opposite() }
+    }
+}

@@ -1,0 +1,444 @@
+//! Polygons cut into triangles, and those that are none told.
+
+use super::axis_view::AxisView;
+use super::polygons::SpatialPolygons;
+use super::predicates::{GivenPoints, SpatialPredicates};
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, VertexId};
+use coface_algebra::{RaggedArray, Sign};
+use coface_geometry::triangulation::{TriangulationFault, triangulate, triangulate_sides};
+use coface_geometry::{Positions, Scaled, cross, dot};
+use rayon::prelude::*;
+
+/// What becomes of polygons whose points are not exactly in one plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum NonPlanar {
+    /// An error that says how far a point is from the plane.
+    #[default]
+    Refuse,
+    /// They are split into triangles, as seen along the axis that is nearest to their normal.
+    Split,
+}
+
+/// A polygon that was split because its points are not in one plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SplitPolygon {
+    /// The number of the polygon.
+    pub polygon: u32,
+    /// The largest distance of a point from the plane through the middle of all points, in the unit of the positions, rounded.
+    pub deviation: f64,
+}
+
+/// The triangles that polygons are made of.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PolygonTriangles {
+    /// Counterclockwise seen from the fronts of their polygons.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The polygon of each triangle, rising.
+    pub(super) polygon_of_triangle: Vec<u32>,
+    /// The polygons without area.
+    pub(super) without_area: Vec<u32>,
+    /// The polygons that are not planar, rising, each with a picture in which it is seen from its front.
+    pub(super) split: Vec<(SplitPolygon, AxisView)>,
+}
+
+/// What is found in a picture, and the picture.
+type Seen<T> = (T, AxisView);
+
+enum Outcome {
+    WithoutArea,
+    Triangles(Vec<[u32; 3]>),
+    Split(Vec<[u32; 3]>, f64, AxisView),
+}
+
+impl PolygonTriangles {
+    /// Cuts all polygons into triangles on their own points.
+    ///
+    /// # Errors
+    /// `InvalidInput` naming the first polygon that is not planar, if those are refused, or whose sides cross or touch.
+    pub(super) fn new(polygons: &SpatialPolygons, non_planar: NonPlanar) -> Result<Self, Error> {
+        let points = GivenPoints::new(polygons.positions())?;
+        let is_mesh = polygons.walks().uniform_width() == Some(3)
+            && (0..).zip(polygons.polygon_of_walk()).all(|(walk, &polygon): (u32, _)| walk == polygon);
+        if is_mesh {
+            return Ok(Self::of_triangles(&points, polygons.walks()));
+        }
+        let first_equal = first_equal_points(polygons.positions());
+        let walks_of_polygon =
+            RaggedArray::grouped(polygons.polygon_count(), polygons.polygon_of_walk().iter().copied());
+        let scaled = Scaled::new(polygons.positions());
+        let cutter = Cutter { points: &points, positions: polygons.positions(), scaled, non_planar };
+        let steps = stage("triangulating polygons", polygons.polygon_count());
+        let found: Vec<Result<Outcome, Error>> = (0..polygons.polygon_count())
+            .into_par_iter()
+            .map_init(Vec::new, |sides, polygon| {
+                steps.advance(1);
+                sides.clear();
+                for &walk in walks_of_polygon.list(polygon) {
+                    let walk = polygons.walks().list(walk as usize);
+                    let next = walk.iter().cycle().skip(1);
+                    let ends = walk.iter().zip(next).map(|(&a, &b)| [a, b].map(|v| first_equal[v as usize]));
+                    sides.extend(ends.filter(|[a, b]| a != b));
+                }
+                cutter.cut(polygon, sides)
+            })
+            .collect();
+        let mut all = Self::default();
+        for (polygon, outcome) in (0..).zip(found) {
+            let own = match outcome? {
+                Outcome::WithoutArea => {
+                    all.without_area.push(polygon);
+                    continue;
+                }
+                Outcome::Triangles(own) => own,
+                Outcome::Split(own, deviation, view) => {
+                    all.split.push((SplitPolygon { polygon, deviation }, view));
+                    own
+                }
+            };
+            all.polygon_of_triangle.extend(own.iter().map(|_| polygon));
+            all.triangles.extend(own);
+        }
+        Ok(all)
+    }
+
+    fn of_triangles(points: &GivenPoints<'_>, walks: &RaggedArray) -> Self {
+        let lists = walks.items().as_chunks::<3>().0;
+        let has_area: Vec<bool> =
+            lists.par_iter().map(|&own| (0..3).any(|axis| points.normal_sign(axis, own).is_ne())).collect();
+        if !has_area.contains(&false) {
+            let polygon_of_triangle = (0..lists.len() as u32).collect();
+            return Self { triangles: lists.to_vec(), polygon_of_triangle, ..Self::default() };
+        }
+        let mut all = Self::default();
+        for ((polygon, &own), has_area) in (0..).zip(lists).zip(has_area) {
+            if has_area {
+                all.triangles.push(own);
+                all.polygon_of_triangle.push(polygon);
+            } else {
+                all.without_area.push(polygon);
+            }
+        }
+        all
+    }
+}
+
+/// For each point the first one at the same place.
+pub(super) fn first_equal_points(positions: &Positions) -> Vec<u32> {
+    // Both zeros are one.
+    let bits: Vec<[u64; 3]> = positions
+        .as_flat()
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(|point| point.map(|x| (x + 0.0).to_bits()))
+        .collect();
+    let mut order: Vec<u32> = (0..bits.len() as u32).collect();
+    order.par_sort_unstable_by_key(|&point| (bits[point as usize], point));
+    let mut first = vec![0; bits.len()];
+    for own in order.chunk_by(|&a, &b| bits[a as usize] == bits[b as usize]) {
+        own.iter().for_each(|&point| first[point as usize] = own[0]);
+    }
+    first
+}
+
+struct Cutter<'a> {
+    points: &'a GivenPoints<'a>,
+    positions: &'a Positions,
+    scaled: Scaled<'a>,
+    non_planar: NonPlanar,
+}
+
+impl Cutter<'_> {
+    fn cut(&self, polygon: usize, sides: &mut Vec<[u32; 2]>) -> Result<Outcome, Error> {
+        if let [[a, _], [b, _], [c, _]] = sides[..]
+            && (0..3).any(|axis| self.points.normal_sign(axis, [a, b, c]).is_ne())
+        {
+            return Ok(Outcome::Triangles(vec![[a, b, c]]));
+        }
+        drop_opposite_sides(sides);
+        let Some(corners) = self.corners(sides) else {
+            return Ok(Outcome::WithoutArea);
+        };
+        let [p, q, r] = corners;
+        let is_off = |vertex: u32| self.points.orientation([p, q, r, vertex]).is_ne();
+        let off = sides.iter().map(|side| side[0]).find(|&vertex| is_off(vertex));
+        let (normal, middle) = self.normal(sides);
+        let mut axes = [0, 1, 2];
+        axes.sort_by(|&i: &usize, &j| normal[j].abs().total_cmp(&normal[i].abs()));
+        let Some(off) = off else {
+            let is_edge_on = |axis: usize| self.points.normal_sign(axis, corners).is_eq();
+            let axis = axes.into_iter().find(|&axis| !is_edge_on(axis)).unwrap_or(axes[0]);
+            loop {
+                match self.triangles(sides, axis) {
+                    Ok((own, _)) => return Ok(Outcome::Triangles(own)),
+                    // A hole may touch a side from within.
+                    Err((TriangulationFault::OnSide { vertex, side }, _))
+                        if split_side(sides, side, vertex) => {}
+                    Err((fault, view)) => return Err(self.fault(polygon, fault, view)),
+                }
+                if sides.is_empty() {
+                    return Ok(Outcome::WithoutArea);
+                }
+            }
+        };
+        let deviation = self.deviation(sides, normal, middle);
+        if self.non_planar == NonPlanar::Refuse {
+            return Err(Error::invalid(format!(
+                "polygon {polygon} is not planar: v{off} is not in the plane of v{p}, v{q} and v{r}; points are up to \
+                 {deviation:e} away from a plane"
+            ))
+            .with_cure("let such polygons be split (--non-planar split), or give triangles"));
+        }
+        let (own, view) =
+            self.triangles(sides, axes[0]).map_err(|(fault, view)| self.fault(polygon, fault, view))?;
+        Ok(Outcome::Split(own, deviation, view))
+    }
+
+    /// Three points that are not on one line.
+    fn corners(&self, sides: &[[u32; 2]]) -> Option<[u32; 3]> {
+        let &[p, q] = sides.first()?;
+        let is_corner = |r: u32| (0..3).any(|axis| self.points.normal_sign(axis, [p, q, r]).is_ne());
+        sides.iter().map(|side| side[0]).find(|&r| is_corner(r)).map(|r| [p, q, r])
+    }
+
+    /// The vector of twice the area, scaled, and the middle of the points.
+    fn normal(&self, sides: &[[u32; 2]]) -> ([f64; 3], [f64; 3]) {
+        let origin = self.scaled.origin_at(sides[0][0]);
+        let (mut normal, mut middle) = ([0.0; 3], [0.0; 3]);
+        for side in sides {
+            let [a, b] = side.map(|vertex| self.scaled.relative(vertex, origin));
+            let part = cross(a, b);
+            for axis in 0..3 {
+                normal[axis] += part[axis];
+                middle[axis] += a[axis] / sides.len() as f64;
+            }
+        }
+        ([0, 1, 2].map(|axis| normal[axis]), [0, 1, 2].map(|axis| origin[axis] + middle[axis]))
+    }
+
+    fn deviation(&self, sides: &[[u32; 2]], normal: [f64; 3], middle: [f64; 3]) -> f64 {
+        // Divided first, so that the square of a small normal does not vanish.
+        let largest = normal.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let normal = if largest > 0.0 { normal.map(|x| x / largest) } else { [0.0, 0.0, 1.0] };
+        let length = dot(normal, normal).sqrt();
+        let distance = |side: &[u32; 2]| (dot(self.scaled.relative(side[0], middle), normal) / length).abs();
+        self.scaled.unscaled(sides.iter().map(distance).fold(0.0, f64::max), 1)
+    }
+
+    /// The triangles of the polygon as seen along an axis, and the picture with the front towards the eye.
+    fn triangles(
+        &self,
+        sides: &[[u32; 2]],
+        axis: usize,
+    ) -> Result<Seen<Vec<[u32; 3]>>, Seen<TriangulationFault>> {
+        let mut view = AxisView { axis: axis as u8, from: Sign::Plus };
+        if self.is_clockwise(sides, view) {
+            view = view.behind();
+        }
+        let compare = |a: u32, b: u32| view.compare(self.points, a, b);
+        let turn = |a: u32, b: u32, c: u32| view.turn(self.points, [a, b, c]);
+        let is_walk =
+            sides.len() < 5 && sides.iter().zip(sides.iter().cycle().skip(1)).all(|(s, t)| s[1] == t[0]);
+        let found = if is_walk {
+            let walk: Vec<u32> = sides.iter().map(|side| side[0]).collect();
+            triangulate(&[walk], compare, turn)
+        } else {
+            triangulate_sides(sides, compare, turn)
+        };
+        match found {
+            Ok(own) => Ok((own, view)),
+            Err(fault) => Err((fault, view)),
+        }
+    }
+
+    /// Whether the outermost two sides at the lexicographically least vertex run clockwise.
+    fn is_clockwise(&self, sides: &[[u32; 2]], view: AxisView) -> bool {
+        let ends = sides.iter().map(|side| side[0]);
+        let Some(lowest) = ends.min_by(|&a, &b| view.compare(self.points, a, b)) else { return false };
+        let mut around: Vec<(u32, bool)> = Vec::new();
+        for &[a, b] in sides {
+            if a == lowest {
+                around.push((b, true));
+            } else if b == lowest {
+                around.push((a, false));
+            }
+        }
+        let turn = |x: &(u32, bool), y: &(u32, bool)| view.turn(self.points, [lowest, x.0, y.0]);
+        around.iter().min_by(|x, y| turn(x, y).reverse()).is_some_and(|first| !first.1)
+    }
+
+    /// What is wrong with a polygon, and where.
+    fn fault(&self, polygon: usize, fault: TriangulationFault, view: AxisView) -> Error {
+        let place = match fault {
+            TriangulationFault::Crossing(sides) => self.crossing(sides, view),
+            TriangulationFault::OnSide { vertex, .. } | TriangulationFault::WrongWay(vertex) => {
+                self.point(vertex)
+            }
+            TriangulationFault::SamePlace([vertex, _])
+            | TriangulationFault::RepeatedSide([vertex, _])
+            | TriangulationFault::NoLength(vertex) => self.point(vertex),
+        };
+        let [x, y, z] = place;
+        Error::invalid(format!("polygon {polygon} is not simple at ({x}, {y}, {z}): {fault}"))
+            .with_cure(fault.cure())
+    }
+
+    fn point(&self, vertex: u32) -> [f64; 3] {
+        let point = self.positions.point(VertexId::from_u32(vertex));
+        [point[0], point[1], point[2]]
+    }
+
+    /// Where the first side meets the second in the picture, nearly.
+    fn crossing(&self, [s, t]: [[u32; 2]; 2], view: AxisView) -> [f64; 3] {
+        let origin = self.scaled.origin_at(t[0]);
+        let [a, b] = s.map(|vertex| self.scaled.relative(vertex, origin));
+        let direction = self.scaled.relative(t[1], origin);
+        let (i, j) = ((usize::from(view.axis) + 1) % 3, (usize::from(view.axis) + 2) % 3);
+        let side = |point: [f64; 3]| direction[i] * point[j] - direction[j] * point[i];
+        let (from, to) = (side(a), side(b));
+        let part = if from == to { 0.0 } else { (from / (from - to)).clamp(0.0, 1.0) };
+        let [a, b] = s.map(|vertex| self.point(vertex));
+        [0, 1, 2].map(|axis| a[axis] * (1.0 - part) + b[axis] * part)
+    }
+}
+
+/// Puts a vertex on a side, in whichever directions that is there. Whether it is there at all.
+fn split_side(sides: &mut Vec<[u32; 2]>, [a, b]: [u32; 2], vertex: u32) -> bool {
+    let count = sides.len();
+    for i in 0..count {
+        let [from, to] = sides[i];
+        if [from, to] == [a, b] || [from, to] == [b, a] {
+            sides[i] = [from, vertex];
+            sides.push([vertex, to]);
+        }
+    }
+    let is_there = sides.len() > count;
+    drop_opposite_sides(sides);
+    is_there
+}
+
+/// Takes pairs of sides in opposite directions away: bridges to holes, and spikes.
+fn drop_opposite_sides(sides: &mut Vec<[u32; 2]>) {
+    let mut order: Vec<([u32; 2], bool, u32)> =
+        (0..).zip(sides.iter()).map(|(i, &[a, b])| ([a.min(b), a.max(b)], a > b, i)).collect();
+    order.sort_unstable();
+    let mut dropped = Vec::new();
+    for own in order.chunk_by(|x, y| x.0 == y.0) {
+        let forward = own.partition_point(|side| !side.1);
+        for (x, y) in own[..forward].iter().zip(&own[forward..]) {
+            dropped.extend([x.2, y.2]);
+        }
+    }
+    if dropped.is_empty() {
+        return;
+    }
+    dropped.sort_unstable();
+    let mut next = 0;
+    sides.retain(|_| {
+        next += 1;
+        dropped.binary_search(&(next - 1)).is_err()
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cmp::Ordering;
+
+    fn polygons(flat: &[f64], lists: &[&[u32]], polygon_of_walk: &[u32]) -> SpatialPolygons {
+        let positions = Positions::from_flat(3, flat.to_vec()).unwrap();
+        SpatialPolygons::new(positions, RaggedArray::from_lists(lists), polygon_of_walk.to_vec()).unwrap()
+    }
+
+    /// A square with a smaller one inside, in the plane x = 2.
+    const SQUARES: [f64; 24] =
+        [2., 0., 0., 2., 4., 0., 2., 4., 4., 2., 0., 4., 2., 1., 1., 2., 3., 1., 2., 3., 3., 2., 1., 3.];
+
+    #[test]
+    fn holes_may_be_walks_or_bridged() {
+        for fronts in [false, true] {
+            let turned = |mut list: Vec<u32>| {
+                if fronts {
+                    list.reverse();
+                }
+                list
+            };
+            let (outer, hole) = (turned(vec![0, 1, 2, 3]), turned(vec![7, 6, 5, 4]));
+            let bridged = turned(vec![0, 1, 2, 3, 0, 4, 7, 6, 5, 4]);
+            for (walks, owners) in [(vec![&outer[..], &hole], vec![0, 0]), (vec![&bridged[..]], vec![0])] {
+                let own = polygons(&SQUARES, &walks, &owners);
+                let found = PolygonTriangles::new(&own, NonPlanar::Refuse).unwrap();
+                assert_eq!(found.triangles.len(), 8);
+                // All of them have the normal of the outer walk.
+                let points = GivenPoints::new(own.positions()).unwrap();
+                let normal = if fronts { Ordering::Less } else { Ordering::Greater };
+                assert!(found.triangles.iter().all(|&own| points.normal_sign(0, own) == normal));
+            }
+        }
+    }
+
+    #[test]
+    fn faults_name_polygon_place_and_sides() {
+        let refused = |flat: &[f64], lists: &[&[u32]], owners: &[u32], non_planar| {
+            PolygonTriangles::new(&polygons(flat, lists, owners), non_planar).unwrap_err().to_string()
+        };
+        assert_eq!(
+            refused(&SQUARES, &[&[4, 5, 6], &[0, 1, 3, 2]], &[0, 1], NonPlanar::Split),
+            "polygon 1 is not simple at (2, 2, 2): the side of v0 and v2 crosses the side of v3 and v1; cut the \
+             polygon where its sides cross"
+        );
+        assert!(
+            refused(&SQUARES, &[&[0, 1, 2, 3], &[4, 5, 6, 7]], &[0, 0], NonPlanar::Refuse)
+                .ends_with("let outer walks run counterclockwise and holes clockwise")
+        );
+        let mut bent = SQUARES;
+        bent[6] = 2.5;
+        let message = refused(&bent, &[&[4, 5, 6, 7], &[0, 1, 2, 3]], &[0, 1], NonPlanar::Refuse);
+        assert!(message.starts_with("polygon 1 is not planar: v"), "{message}");
+        let split = PolygonTriangles::new(
+            &polygons(&bent, &[&[4, 5, 6, 7], &[0, 1, 2, 3]], &[0, 1]),
+            NonPlanar::Split,
+        )
+        .unwrap();
+        assert_eq!(split.polygon_of_triangle, [0, 0, 1, 1]);
+        let deviation = split.split[0].0.deviation;
+        assert_eq!(split.split[0].0.polygon, 1);
+        assert!(deviation > 0.1 && deviation < 0.2, "{deviation}");
+    }
+
+    #[test]
+    fn holes_may_touch_sides_and_spikes_go() {
+        // A triangle that touches two sides of the square from within, and a spike along a third side and beyond.
+        let mut flat = SQUARES.to_vec();
+        flat.extend([2., 0., 2., 2., 2., 0., 2., 4., -3.]);
+        let own = polygons(&flat, &[&[0, 1, 10, 1, 2, 3], &[8, 5, 9]], &[0, 0]);
+        let found = PolygonTriangles::new(&own, NonPlanar::Refuse).unwrap();
+        assert_eq!(found.triangles.len(), 5);
+        let area: f64 = found
+            .triangles
+            .iter()
+            .map(|&[a, b, c]| {
+                let [a, b, c] = [a, b, c].map(|v| own.positions().point(VertexId::from_u32(v)));
+                (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
+            })
+            .sum();
+        // Twice the square, without twice the triangle (0, 2), (3, 1), (2, 0).
+        assert_eq!(area, 32.0 - 4.0);
+    }
+
+    #[test]
+    fn polygons_without_area_are_told() {
+        let flat = [0., 0., 0., 1., 1., 1., 2., 2., 2., 0., 0., 0.];
+        let found = PolygonTriangles::new(
+            &polygons(&flat, &[&[0, 1], &[0, 1, 2], &[0, 1, 2, 1], &[0, 3, 0], &[1]], &[0, 1, 2, 3, 4]),
+            NonPlanar::Refuse,
+        )
+        .unwrap();
+        assert_eq!(found.without_area, [0, 1, 2, 3, 4]);
+        assert!(found.triangles.is_empty());
+        let triangles = polygons(&flat, &[&[0, 1, 2]], &[0]);
+        assert_eq!(PolygonTriangles::new(&triangles, NonPlanar::Refuse).unwrap().without_area, [0]);
+    }
+}

@@ -1,0 +1,160 @@
+//! What the triangles of an arrangement belong to, and which faces are pieces of one.
+
+use super::axis_view::AxisView;
+use super::cutting::{CutTriangles, SpatialVertexSource};
+use super::merging::MergeRules;
+use super::predicates::SpatialPredicates;
+use coface_algebra::{FaceId, VertexId};
+use coface_algebra::{RaggedArray, Sign};
+use coface_geometry::predicates::are_coplanar;
+
+/// Triangles in patches, whose pieces are merged again, and patches in polygons of inputs.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Patches {
+    pub(super) patch_of_triangle: Vec<u32>,
+    /// The patches that are not planar, rising, each with a picture in which it is seen from its front and nothing hides it.
+    pub(super) folded: Vec<(u32, AxisView)>,
+    /// The polygons that each patch is made of, packed with 1 for those that run the other way; `None` when patch i is polygon i.
+    pub(super) polygons_of_patch: Option<RaggedArray>,
+    pub(super) input_of_polygon: Vec<u32>,
+    pub(super) input_count: usize,
+}
+
+impl Patches {
+    /// The patches of each face of the cut triangles, rising, packed with 1 for those that run the other way.
+    pub(super) fn of_faces(&self, cut: &CutTriangles) -> RaggedArray {
+        let packed = |t: u32| 2 * self.patch_of_triangle[(t >> 1) as usize] + (t & 1);
+        let all = cut.triangles_of_faces();
+        if all.uniform_width() == Some(1) {
+            let own = all.items().iter().map(|&t| packed(t)).collect();
+            return RaggedArray::uniform(1, own).expect("there are as many as before");
+        }
+        let mut all = RaggedArray::new();
+        let mut own = Vec::new();
+        for face in (0..cut.complex().face_count()).map(FaceId::new) {
+            own.clear();
+            let triangles = cut.triangles_of_face(face).iter();
+            own.extend(triangles.map(|&t| packed(t)));
+            own.sort_unstable();
+            all.push(&own);
+        }
+        all
+    }
+
+    /// The picture of the first of some patches that is not planar, if there is one, as seen from the front of a face of them.
+    pub(super) fn fold(&self, patches: &[u32]) -> Option<AxisView> {
+        if self.folded.is_empty() {
+            return None;
+        }
+        patches.iter().find_map(|&packed| {
+            let place = self.folded.binary_search_by_key(&(packed >> 1), |folded| folded.0).ok()?;
+            let view = self.folded[place].1;
+            Some(if packed & 1 == 0 { view } else { view.behind() })
+        })
+    }
+
+    /// Calls for each polygon of some patches, packed.
+    pub(super) fn for_each_polygon(&self, patches: &[u32], mut call: impl FnMut(u32)) {
+        for &patch in patches {
+            match &self.polygons_of_patch {
+                None => call(patch),
+                Some(lists) => {
+                    lists.list((patch >> 1) as usize).iter().for_each(|&polygon| call(polygon ^ (patch & 1)));
+                }
+            }
+        }
+    }
+
+    /// The inputs of some patches, sorted, packed with 1 for those that run the other way, turned if the sign is minus.
+    fn inputs(&self, patches: &[u32], sign: Sign) -> Vec<u32> {
+        let turned = u32::from(sign == Sign::Minus);
+        let mut inputs = Vec::new();
+        self.for_each_polygon(patches, |polygon| {
+            inputs.push(2 * self.input_of_polygon[(polygon >> 1) as usize] + ((polygon & 1) ^ turned));
+        });
+        inputs.sort_unstable();
+        inputs
+    }
+}
+
+/// Pieces of the same patches are merged and, if so asked, faces of the same inputs in one plane.
+pub(super) struct SameOrigin<'a, P> {
+    cut: &'a CutTriangles,
+    predicates: &'a P,
+    patches: &'a Patches,
+    patches_of_face: &'a RaggedArray,
+    merge_coplanar: bool,
+    /// How many edges are left at each vertex when only pieces of the same patches are merged; for coplanar merging beside folds.
+    degrees: Vec<u32>,
+}
+
+impl<'a, P: SpatialPredicates> SameOrigin<'a, P> {
+    pub(super) fn new(
+        cut: &'a CutTriangles,
+        predicates: &'a P,
+        patches: &'a Patches,
+        patches_of_face: &'a RaggedArray,
+        around: &RaggedArray,
+        merge_coplanar: bool,
+    ) -> Self {
+        let mut rules =
+            Self { cut, predicates, patches, patches_of_face, merge_coplanar, degrees: Vec::new() };
+        if merge_coplanar && !patches.folded.is_empty() {
+            let mut degrees = vec![0; cut.complex().vertex_count()];
+            for (ends, sides) in cut.complex().edges().iter().zip(around.iter()) {
+                let is_inside = match *sides {
+                    [s, t] if (s ^ t) & 1 == 0 => rules.is_one([s >> 1, t >> 1], Sign::Minus),
+                    [s, t] => rules.is_one([s >> 1, t >> 1], Sign::Plus),
+                    _ => false,
+                };
+                if !is_inside {
+                    ends.iter().for_each(|&vertex| degrees[vertex as usize] += 1);
+                }
+            }
+            rules.degrees = degrees;
+        }
+        rules
+    }
+
+    /// Whether two faces are pieces of the same patches, the second with a sign.
+    fn is_one(&self, [f, g]: [u32; 2], sign: Sign) -> bool {
+        let turned = u32::from(sign == Sign::Minus);
+        let [own, other] = [f, g].map(|face| self.patches_of_face.list(face as usize));
+        own.len() == other.len() && own.iter().zip(other).all(|(&x, &y)| x == y ^ turned)
+    }
+
+    fn is_straight(&self, vertex: u32, [a, b]: [u32; 2]) -> bool {
+        (0..3).all(|axis| self.predicates.normal_sign(axis, [a, vertex, b]).is_eq())
+    }
+
+    fn is_new(&self, vertex: u32) -> bool {
+        !matches!(self.cut.source(VertexId::from_u32(vertex)), SpatialVertexSource::Given(_))
+    }
+}
+
+impl<P: SpatialPredicates> MergeRules for SameOrigin<'_, P> {
+    fn may_merge(&self, faces: [u32; 2], sign: Sign) -> bool {
+        if self.is_one(faces, sign) {
+            return true;
+        }
+        if !self.merge_coplanar {
+            return false;
+        }
+        let [own, other] = faces.map(|face| self.patches_of_face.list(face as usize));
+        let [f, g] = faces.map(|face| self.cut.plane(FaceId::from_u32(face)));
+        self.patches.inputs(own, Sign::Plus) == self.patches.inputs(other, sign)
+            && self.patches.fold(own).is_none()
+            && self.patches.fold(other).is_none()
+            && are_coplanar(f, g)
+    }
+
+    /// A new vertex left with two edges lies on a straight edge, or on one that is bent where a polygon is folded: if it were a corner of
+    /// what is left, it would be a corner of a polygon. Where coplanar faces were merged, only straight edges are certain.
+    fn may_dissolve(&self, vertex: u32, neighbors: [u32; 2]) -> bool {
+        if !self.merge_coplanar {
+            return self.is_new(vertex);
+        }
+        let is_bend = || self.degrees.get(vertex as usize) == Some(&2) && self.is_new(vertex);
+        self.is_straight(vertex, neighbors) || is_bend()
+    }
+}

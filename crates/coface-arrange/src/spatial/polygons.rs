@@ -1,0 +1,207 @@
+//! Polygons in space to make an arrangement of.
+
+use super::flat_polygons::{NonPlanar, PolygonTriangles};
+use coface_algebra::RaggedArray;
+use coface_algebra::{Error, ErrorKind};
+use coface_geometry::Positions;
+
+/// Polygons in space, with holes, that belong to one or more inputs.
+///
+/// A polygon is one or more **walks**, closed lists of points: outer ones run counterclockwise seen from the front of the polygon, holes
+/// the other way. An **input** is what a winding number is counted for: a mesh, say.
+///
+/// # Examples
+/// A square with a triangular hole, and the same two walks as two polygons of two inputs:
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_arrange::spatial::SpatialPolygons;
+/// use coface_geometry::Positions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let square = [0., 0., 0., 4., 0., 0., 4., 4., 0., 0., 4., 0.];
+/// let triangle = [1., 1., 0., 1., 2., 0., 2., 1., 0.];
+/// let positions = Positions::from_flat(3, [&square[..], &triangle].concat())?;
+/// let walks = RaggedArray::from_lists([vec![0, 1, 2, 3], vec![4, 5, 6]]);
+/// let holed = SpatialPolygons::new(positions.clone(), walks.clone(), vec![0, 0])?;
+/// let apart = SpatialPolygons::from_polygons(positions, walks)?.with_inputs(vec![0, 1])?;
+/// assert_eq!((holed.polygon_count(), holed.input_count()), (1, 1));
+/// assert_eq!((apart.polygon_count(), apart.input_count()), (2, 2));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpatialPolygons {
+    positions: Positions,
+    walks: RaggedArray,
+    polygon_of_walk: Vec<u32>,
+    input_of_polygon: Vec<u32>,
+    input_count: usize,
+}
+
+impl SpatialPolygons {
+    /// The polygons with these walks: walk i is one of polygon `polygon_of_walk[i]`. All belong to one input.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless points have three coordinates and there is a polygon for each walk and a walk for each polygon;
+    /// [`ErrorKind::NotInComplex`] naming a walk with a point that is not there.
+    pub fn new(positions: Positions, walks: RaggedArray, polygon_of_walk: Vec<u32>) -> Result<Self, Error> {
+        if positions.dimension() != 3 && !positions.is_empty() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("points with {} coordinates are not points in space", positions.dimension()),
+            )
+            .with_cure("give three coordinates for each point"));
+        }
+        let positions = if positions.is_empty() { Positions::from_flat(3, Vec::new())? } else { positions };
+        if polygon_of_walk.len() != walks.len() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} walks beside the polygons of {}", walks.len(), polygon_of_walk.len()),
+            ));
+        }
+        let polygon_count = polygon_of_walk.iter().max().map_or(0, |&last| last as usize + 1);
+        let mut is_there = vec![false; polygon_count.min(walks.len())];
+        for &polygon in &polygon_of_walk {
+            if let Some(here) = is_there.get_mut(polygon as usize) {
+                *here = true;
+            }
+        }
+        if polygon_count > walks.len() || !is_there.iter().all(|&here| here) {
+            return Err(Error::new(ErrorKind::Shape, "there are polygons without walks")
+                .with_cure("number the polygons without gaps"));
+        }
+        let count = positions.len();
+        if let Some(bad) = walks.items().iter().position(|&point| point as usize >= count) {
+            let walk = (0..walks.len()).find(|&walk| walks.start(walk + 1) > bad).unwrap_or(0);
+            return Err(Error::new(
+                ErrorKind::NotInComplex,
+                format!("walk {walk} runs through v{}, but there are {count} points", walks.items()[bad]),
+            ));
+        }
+        let input_count = usize::from(polygon_count > 0);
+        Ok(Self { positions, walks, polygon_of_walk, input_of_polygon: vec![0; polygon_count], input_count })
+    }
+
+    /// Polygons without holes, each a walk. All belong to one input.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn from_polygons(positions: Positions, polygons: RaggedArray) -> Result<Self, Error> {
+        let numbers = (0..polygons.len() as u32).collect();
+        Self::new(positions, polygons, numbers)
+    }
+
+    /// The same polygons belonging to these inputs.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there is an input for each polygon.
+    pub fn with_inputs(mut self, input_of_polygon: Vec<u32>) -> Result<Self, Error> {
+        if input_of_polygon.len() != self.polygon_count() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} inputs are named for {} polygons", input_of_polygon.len(), self.polygon_count()),
+            )
+            .with_cure("name the input of each polygon"));
+        }
+        self.input_count = input_of_polygon.iter().max().map_or(0, |&last| last as usize + 1);
+        self.input_of_polygon = input_of_polygon;
+        Ok(self)
+    }
+
+    /// Verifies that each polygon is one, as an arrangement of them would.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming the first polygon whose sides cross or touch elsewhere than in vertices, or which is not planar
+    /// when that is refused.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let bent = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 1., 0., 1., 0.])?;
+    /// let polygons = SpatialPolygons::from_polygons(bent, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
+    /// assert!(polygons.check(NonPlanar::Refuse).is_err() && polygons.check(NonPlanar::Split).is_ok());
+    /// # Ok(()) }
+    /// ```
+    pub fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
+        PolygonTriangles::new(self, non_planar).map(drop)
+    }
+
+    /// All polygons of several lots, each with its inputs after those of the ones before.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 points or polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let positions = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0.])?;
+    /// let one = SpatialPolygons::from_polygons(positions, RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// let two = SpatialPolygons::joined(&[one.clone(), one])?;
+    /// assert_eq!(two.input_of_polygon(), [0, 1]);
+    /// assert_eq!(two.walks().list(1), [3, 4, 5]);
+    /// # Ok(()) }
+    /// ```
+    pub fn joined(lots: &[Self]) -> Result<Self, Error> {
+        let sum = |count: fn(&Self) -> usize| lots.iter().map(count).sum::<usize>();
+        if [sum(|lot| lot.positions.len()), sum(|lot| lot.walks.item_count()), sum(|lot| lot.input_count)]
+            .iter()
+            .any(|&count| u32::try_from(count).is_err())
+        {
+            return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 points or sides of polygons"));
+        }
+        let (mut flat, mut walks) = (Vec::new(), RaggedArray::new());
+        let (mut polygon_of_walk, mut input_of_polygon) = (Vec::new(), Vec::new());
+        let mut input_count = 0;
+        let mut list = Vec::new();
+        for lot in lots {
+            let (points, polygons) = ((flat.len() / 3) as u32, input_of_polygon.len() as u32);
+            flat.extend_from_slice(lot.positions.as_flat());
+            for walk in lot.walks.iter() {
+                list.clear();
+                list.extend(walk.iter().map(|&point| point + points));
+                walks.push(&list);
+            }
+            polygon_of_walk.extend(lot.polygon_of_walk.iter().map(|&polygon| polygon + polygons));
+            input_of_polygon.extend(lot.input_of_polygon.iter().map(|&input| input + input_count));
+            input_count += lot.input_count as u32;
+        }
+        let mut joined = Self::new(Positions::from_flat(3, flat)?, walks, polygon_of_walk)?;
+        joined.input_of_polygon = input_of_polygon;
+        joined.input_count = input_count as usize;
+        Ok(joined)
+    }
+
+    /// The points that walks run through.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The walks around the polygons.
+    pub fn walks(&self) -> &RaggedArray {
+        &self.walks
+    }
+
+    /// The polygon that each walk belongs to.
+    pub fn polygon_of_walk(&self) -> &[u32] {
+        &self.polygon_of_walk
+    }
+
+    /// The input that each polygon belongs to.
+    pub fn input_of_polygon(&self) -> &[u32] {
+        &self.input_of_polygon
+    }
+
+    /// The number of polygons.
+    pub fn polygon_count(&self) -> usize {
+        self.input_of_polygon.len()
+    }
+
+    /// The number of inputs, those without polygons included.
+    pub fn input_count(&self) -> usize {
+        self.input_count
+    }
+}

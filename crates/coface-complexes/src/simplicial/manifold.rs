@@ -1,0 +1,795 @@
+//! Whether a complex is a combinatorial manifold, with a certificate or a witness.
+//!
+//! A complex of dimension n is a **combinatorial manifold** when the link of every vertex is a sphere or a ball of
+//! dimension n - 1 in the piecewise linear sense; then the link of every k-simplex is one of dimension n - k - 1. Up to
+//! dimension 4 every triangulated topological manifold is combinatorial; from 5 on some are not (the double suspension of
+//! the Poincare sphere is the 5-sphere), so there "no" speaks of combinatorial manifolds only.
+
+use super::collapse::{is_seen_as_ball, is_seen_as_sphere};
+use super::orientation::maximal_below_top;
+use super::{FrozenComplex, Simplex, SimplicialComplex, Verdict};
+use coface_algebra::Error;
+use coface_algebra::chains::{ChainComplex, MorseComplex};
+use coface_algebra::progress::stage;
+use coface_algebra::{RaggedArray, UnionFind, smith_form};
+use rayon::prelude::*;
+use std::fmt;
+
+/// Whether a complex is a combinatorial manifold, with or without boundary: yes if every link is a sphere or a ball.
+pub type ManifoldVerdict = Verdict<ManifoldCertificate, ManifoldWitness>;
+
+/// What a complex was seen to be when it is a manifold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ManifoldCertificate {
+    /// The dimension; `None` for the empty complex, which is a manifold of every dimension.
+    pub dimension: Option<usize>,
+    /// The number of ridges (simplices one dimension below the top) in one facet only. The vertices of the boundary are
+    /// those of these ridges: they are the ones whose link is a ball.
+    pub boundary_ridge_count: usize,
+    /// How many links of dimension 3 and more were collapsed to show that they are spheres or balls; links of lower
+    /// dimension need no certificate.
+    pub collapsed_link_count: usize,
+}
+
+impl ManifoldCertificate {
+    /// Whether the manifold has no boundary.
+    pub fn is_closed(&self) -> bool {
+        self.boundary_ridge_count == 0
+    }
+}
+
+/// What is wrong with a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum LinkFault {
+    /// The first cell is a maximal simplex below the top dimension.
+    NotPure,
+    /// The first cell is a ridge in three facets or more, which follow.
+    BranchingRidge,
+    /// The link of the first cell falls apart; one facet of each part of the star follows.
+    LinkNotConnected,
+    /// The link of the first cell is a surface other than the sphere and the disk.
+    LinkNotASphere,
+    /// The link of the first cell has not the homology of a sphere or ball.
+    LinkHomology,
+    /// The link of the first cell has the homology of a sphere or ball, but was not seen to be one.
+    LinkNotRecognized,
+    /// The complex is too large to be tested.
+    TooLarge,
+}
+
+impl LinkFault {
+    /// The word of the report.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::NotPure => "not_pure",
+            Self::BranchingRidge => "branching_ridge",
+            Self::LinkNotConnected => "link_not_connected",
+            Self::LinkNotASphere => "link_not_a_sphere",
+            Self::LinkHomology => "link_homology",
+            Self::LinkNotRecognized => "link_not_recognized",
+            Self::TooLarge => "too_large",
+        }
+    }
+}
+
+/// Where a complex is no manifold, or is not seen to be one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ManifoldWitness {
+    fault: LinkFault,
+    cells: Vec<Simplex>,
+    count: usize,
+    message: String,
+}
+
+impl ManifoldWitness {
+    /// What is wrong.
+    pub fn fault(&self) -> LinkFault {
+        self.fault
+    }
+
+    /// The simplex whose link is meant, and after it those that [`LinkFault`] says.
+    pub fn cells(&self) -> &[Simplex] {
+        &self.cells
+    }
+
+    /// How many simplices of the same dimension have the same fault; the one shown is the first.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// One sentence for people.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+}
+
+impl fmt::Display for ManifoldWitness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+/// The simplices of a complex by degree and number, with the faces that a position leaves out.
+struct Cells<'a> {
+    complex: &'a FrozenComplex,
+    chains: &'a ChainComplex,
+    dimension: usize,
+}
+
+impl Cells<'_> {
+    /// The face of a simplex that leaves out the vertex at a position. In lexicographic order of simplices, the facets
+    /// of one come last position first.
+    fn face(&self, degree: usize, cell: usize, position: usize) -> usize {
+        let matrix = self.chains.boundary_matrix(degree).expect("simplices above dimension 0 have faces");
+        matrix.rows()[cell * (degree + 1) + degree - position] as usize
+    }
+
+    /// The face that leaves out several positions, given rising.
+    fn face_without(&self, degree: usize, cell: usize, positions: &[usize]) -> usize {
+        let mut at = cell;
+        for (step, &position) in positions.iter().rev().enumerate() {
+            at = self.face(degree - step, at, position);
+        }
+        at
+    }
+
+    fn facet_count(&self) -> usize {
+        self.chains.cell_count(self.dimension)
+    }
+
+    fn named(&self, degree: usize, cell: usize) -> Simplex {
+        self.complex.simplex(degree, cell)
+    }
+
+    fn top(&self, facets: impl IntoIterator<Item = u32>) -> impl Iterator<Item = Simplex> {
+        facets.into_iter().map(|facet| self.named(self.dimension, facet as usize))
+    }
+}
+
+/// All ways to choose `size` of the positions `0..count`, each rising, in lexicographic order.
+fn subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
+    let mut all = Vec::new();
+    fn extend(from: usize, count: usize, size: usize, chosen: &mut Vec<usize>, all: &mut Vec<Vec<usize>>) {
+        if chosen.len() == size {
+            return all.push(chosen.clone());
+        }
+        for i in from..count {
+            chosen.push(i);
+            extend(i + 1, count, size, chosen, all);
+            chosen.pop();
+        }
+    }
+    extend(0, count, size, &mut Vec::with_capacity(size), &mut all);
+    all
+}
+
+/// Ridges and the one or two facets at each: facet number and position left out.
+struct Ridges {
+    /// For each ridge the first facet and, if there is one, the second.
+    sides: Vec<[(u32, u32); 2]>,
+    boundary_count: usize,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl Ridges {
+    /// The facets at each ridge, or the first ridge in three facets and how many such ridges there are.
+    fn new(cells: &Cells<'_>) -> Result<Self, (usize, usize)> {
+        let n = cells.dimension;
+        let mut sides = vec![[(NONE, 0); 2]; cells.chains.cell_count(n - 1)];
+        let mut branching: Vec<usize> = Vec::new();
+        for facet in 0..cells.facet_count() {
+            for position in 0..=n {
+                let ridge = cells.face(n, facet, position);
+                match sides[ridge].iter_mut().find(|side| side.0 == NONE) {
+                    Some(side) => *side = (facet as u32, position as u32),
+                    None => branching.push(ridge),
+                }
+            }
+        }
+        branching.sort_unstable();
+        branching.dedup();
+        match branching.first() {
+            Some(&first) => Err((first, branching.len())),
+            None => {
+                let boundary_count = sides.iter().filter(|side| side[1].0 == NONE).count();
+                Ok(Self { sides, boundary_count })
+            }
+        }
+    }
+
+    /// The parts into which the star of each simplex of this codimension falls when facets meet in ridges only: as a
+    /// partition of the corners, the pairs of a facet and such a face of it.
+    fn corner_parts(&self, cells: &Cells<'_>, corners: &[Vec<usize>], codimension: usize) -> UnionFind {
+        let n = cells.dimension;
+        // corner_of[p][i]: the corner that leaves out p and, of the ridge opposite to p, the i-th choice of positions.
+        let of_ridge = subsets(n, codimension - 1);
+        let corner_of: Vec<Vec<u32>> = (0..=n)
+            .map(|p| {
+                let corner = |choice: &Vec<usize>| {
+                    let mut left_out: Vec<usize> =
+                        choice.iter().map(|&i| if i < p { i } else { i + 1 }).collect();
+                    left_out.push(p);
+                    left_out.sort_unstable();
+                    corners.binary_search(&left_out).expect("all choices of positions are listed") as u32
+                };
+                of_ridge.iter().map(corner).collect()
+            })
+            .collect();
+        let width = corners.len() as u32;
+        let mut parts = UnionFind::new(cells.facet_count() * corners.len());
+        for &[(f, p), (g, q)] in &self.sides {
+            if g != NONE {
+                for (a, b) in corner_of[p as usize].iter().zip(&corner_of[q as usize]) {
+                    parts.unite(f * width + a, g * width + b);
+                }
+            }
+        }
+        parts
+    }
+}
+
+impl SimplicialComplex {
+    /// Whether this is a combinatorial manifold, with or without boundary: yes with a certificate, no with a witness, or
+    /// unknown with the link that was not recognized.
+    ///
+    /// Exact up to dimension 3: there the links are points, circles, paths, and surfaces, which the Euler characteristic
+    /// tells apart. From dimension 4 on a link of dimension 3 or more is a sphere if it collapses to a point once a facet
+    /// is taken out, a ball if it collapses, and neither if its homology is wrong; a homology sphere that does not
+    /// collapse in any of the orders tried leaves the verdict unknown. No algorithm decides all cases.
+    ///
+    /// The first fault is reported, in this order: a facet below the top dimension, a ridge in three facets, links of
+    /// dimension 1, 2, 3, ...
+    ///
+    /// # Complexity
+    /// Nearly linear in the number of simplices up to dimension 3; above, also in the sizes of all links.
+    ///
+    /// # References
+    /// W. B. R. Lickorish, *Simplicial moves on complexes and manifolds* (1999); J. H. C. Whitehead, *Simplicial spaces,
+    /// nuclei and m-groups* (1939).
+    ///
+    /// # Examples
+    /// Two triangles that touch in a vertex only:
+    /// ```
+    /// use coface_complexes::simplicial::{LinkFault, Simplex, SimplicialComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let touching = SimplicialComplex::from_facets([[0, 1, 2], [2, 3, 4]])?;
+    /// let verdict = touching.manifold_verdict()?;
+    /// assert_eq!(verdict.as_str(), "no");
+    /// let witness = verdict.witness().expect("no has a witness");
+    /// assert_eq!(witness.fault(), LinkFault::LinkNotConnected);
+    /// assert_eq!(witness.cells()[0], Simplex::from([2]));
+    /// # Ok(()) }
+    /// ```
+    ///
+    /// # Errors
+    /// As the chain complex of the complex.
+    pub fn manifold_verdict(&self) -> Result<ManifoldVerdict, Error> {
+        self.freeze().manifold_verdict()
+    }
+}
+
+impl FrozenComplex {
+    /// Whether this is a combinatorial manifold: see [`SimplicialComplex::manifold_verdict`].
+    ///
+    /// # Errors
+    /// As [`FrozenComplex::chain_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::FrozenComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let disk = FrozenComplex::from_facets(&RaggedArray::from_lists([[0, 1, 2], [1, 2, 3]]))?;
+    /// assert_eq!(disk.manifold_verdict()?.to_bool(), Some(true));
+    /// # Ok(()) }
+    /// ```
+    pub fn manifold_verdict(&self) -> Result<ManifoldVerdict, Error> {
+        Ok(self.manifold_verdict_with(&self.chain_complex()?))
+    }
+
+    /// The same verdict, when the chain complex of this complex has been made already.
+    ///
+    /// # Panics
+    /// If `chains` has other numbers of cells than this complex.
+    pub fn manifold_verdict_with(&self, chains: &ChainComplex) -> ManifoldVerdict {
+        assert_eq!(chains.f_vector(), self.f_vector(), "the chain complex is that of this complex");
+        let Some(dimension) = self.dimension() else {
+            return ManifoldVerdict::Yes(ManifoldCertificate {
+                dimension: None,
+                boundary_ridge_count: 0,
+                collapsed_link_count: 0,
+            });
+        };
+        match test(&Cells { complex: self, chains, dimension }) {
+            Ok(certificate) => ManifoldVerdict::Yes(certificate),
+            Err(verdict) => *verdict,
+        }
+    }
+}
+
+fn no(witness: ManifoldWitness) -> Box<ManifoldVerdict> {
+    Box::new(ManifoldVerdict::No(witness))
+}
+
+fn test(cells: &Cells<'_>) -> Result<ManifoldCertificate, Box<ManifoldVerdict>> {
+    let n = cells.dimension;
+    let mut certificate =
+        ManifoldCertificate { dimension: Some(n), boundary_ridge_count: 0, collapsed_link_count: 0 };
+    if n == 0 {
+        return Ok(certificate);
+    }
+    test_purity(cells)?;
+    let ridges = Ridges::new(cells).map_err(|(ridge, count)| branching(cells, ridge, count))?;
+    certificate.boundary_ridge_count = ridges.boundary_count;
+    if n >= 2 {
+        test_connected_links(cells, &ridges, 2)?;
+    }
+    if n >= 3 {
+        test_connected_links(cells, &ridges, 3)?;
+        test_surface_links(cells, &ridges)?;
+    }
+    // From here on the links to test are manifolds, as long as all links before were recognized.
+    let mut unknown: Option<ManifoldWitness> = None;
+    for codimension in 4..=n {
+        let links = Links::new(cells, codimension);
+        let steps = stage("recognizing links", 0);
+        let first_bad = |bad: &(dyn Fn(Recognition) -> bool + Sync)| {
+            (0..links.count()).into_par_iter().find_first(|&cell| {
+                steps.advance(1);
+                bad(links.recognize(cells, cell, unknown.is_none()))
+            })
+        };
+        if let Some(cell) = first_bad(&|found| found != Recognition::Certified) {
+            let no_cell = if links.recognize(cells, cell, unknown.is_none()) == Recognition::WrongHomology {
+                Some(cell)
+            } else {
+                first_bad(&|found| found == Recognition::WrongHomology)
+            };
+            let degree = n - codimension;
+            if let Some(cell) = no_cell {
+                return Err(no(links.witness(cells, degree, cell, LinkFault::LinkHomology)));
+            }
+            unknown.get_or_insert_with(|| links.witness(cells, degree, cell, LinkFault::LinkNotRecognized));
+        }
+        certificate.collapsed_link_count += links.count();
+    }
+    match unknown {
+        Some(witness) => Err(Box::new(ManifoldVerdict::Unknown(witness))),
+        None => Ok(certificate),
+    }
+}
+
+fn test_purity(cells: &Cells<'_>) -> Result<(), Box<ManifoldVerdict>> {
+    let Some((degree, maximal)) = maximal_below_top(cells.chains) else { return Ok(()) };
+    let simplex = cells.named(degree, maximal[0]);
+    Err(no(ManifoldWitness {
+        fault: LinkFault::NotPure,
+        message: format!(
+            "{simplex} is a face of no simplex of dimension {}: the complex is not pure",
+            cells.dimension
+        ),
+        cells: vec![simplex],
+        count: maximal.len(),
+    }))
+}
+
+fn branching(cells: &Cells<'_>, ridge: usize, count: usize) -> Box<ManifoldVerdict> {
+    let n = cells.dimension;
+    let facets: Vec<u32> = (0..cells.facet_count() as u32)
+        .filter(|&facet| (0..=n).any(|position| cells.face(n, facet as usize, position) == ridge))
+        .collect();
+    let simplex = cells.named(n - 1, ridge);
+    no(ManifoldWitness {
+        fault: LinkFault::BranchingRidge,
+        message: format!(
+            "{simplex} lies in {} simplices of dimension {n}; a manifold allows two",
+            facets.len()
+        ),
+        cells: std::iter::once(simplex).chain(cells.top(facets)).collect(),
+        count,
+    })
+}
+
+/// Each star of a simplex of this codimension is connected through ridges.
+fn test_connected_links(
+    cells: &Cells<'_>,
+    ridges: &Ridges,
+    codimension: usize,
+) -> Result<(), Box<ManifoldVerdict>> {
+    let n = cells.dimension;
+    let corners = subsets(n + 1, codimension);
+    require_size(cells, corners.len())?;
+    let mut parts = ridges.corner_parts(cells, &corners, codimension);
+    let degree = n - codimension;
+    let count = cells.chains.cell_count(degree);
+    if parts.class_count() == count {
+        return Ok(());
+    }
+    // Each simplex has a part at least, so some have more: the roots count them.
+    let mut first_root = vec![NONE; count];
+    let mut split = vec![false; count];
+    for facet in 0..cells.facet_count() {
+        for (i, positions) in corners.iter().enumerate() {
+            let corner = (facet * corners.len() + i) as u32;
+            let root = parts.find(corner);
+            let cell = cells.face_without(n, facet, positions);
+            let first = &mut first_root[cell];
+            if *first == NONE {
+                *first = root;
+            }
+            split[cell] |= *first != root;
+        }
+    }
+    let cell = split.iter().position(|&s| s).expect("more parts than simplices split one");
+    let mut seen: Vec<(u32, u32)> = Vec::new();
+    for facet in 0..cells.facet_count() {
+        for (i, positions) in corners.iter().enumerate() {
+            if cells.face_without(n, facet, positions) == cell {
+                let root = parts.find((facet * corners.len() + i) as u32);
+                if seen.iter().all(|&(_, r)| r != root) {
+                    seen.push((facet as u32, root));
+                }
+            }
+        }
+    }
+    let simplex = cells.named(degree, cell);
+    Err(no(ManifoldWitness {
+        fault: LinkFault::LinkNotConnected,
+        message: format!(
+            "the link of {simplex} falls into {} parts; that of a manifold is connected",
+            seen.len()
+        ),
+        cells: std::iter::once(simplex).chain(cells.top(seen.iter().map(|&(facet, _)| facet))).collect(),
+        count: split.iter().filter(|&&s| s).count(),
+    }))
+}
+
+/// More corners than a union-find holds cannot be told apart.
+fn require_size(cells: &Cells<'_>, corners_of_facet: usize) -> Result<(), Box<ManifoldVerdict>> {
+    if cells.facet_count().saturating_mul(corners_of_facet) < 1 << 31 {
+        return Ok(());
+    }
+    Err(Box::new(ManifoldVerdict::Unknown(ManifoldWitness {
+        fault: LinkFault::TooLarge,
+        cells: Vec::new(),
+        count: 0,
+        message: format!(
+            "{} facets of dimension {} are too many to test",
+            cells.facet_count(),
+            cells.dimension
+        ),
+    })))
+}
+
+/// The links of codimension 3, which are connected surfaces by now, are spheres or disks.
+fn test_surface_links(cells: &Cells<'_>, ridges: &Ridges) -> Result<(), Box<ManifoldVerdict>> {
+    let n = cells.dimension;
+    let degree = n - 3;
+    let mut euler_characteristic = vec![0i64; cells.chains.cell_count(degree)];
+    // A vertex, edge or triangle of the link is a simplex 1, 2 or 3 dimensions above.
+    for (above, weight) in [(1, 1), (2, -1), (3, 1)] {
+        let choices = subsets(degree + above + 1, above);
+        for cell in 0..cells.chains.cell_count(degree + above) {
+            for positions in &choices {
+                euler_characteristic[cells.face_without(degree + above, cell, positions)] += weight;
+            }
+        }
+    }
+    let mut has_boundary = vec![false; euler_characteristic.len()];
+    if ridges.boundary_count > 0 {
+        let choices = subsets(n, 2);
+        for (ridge, side) in ridges.sides.iter().enumerate() {
+            if side[1].0 == NONE {
+                for positions in &choices {
+                    has_boundary[cells.face_without(n - 1, ridge, positions)] = true;
+                }
+            }
+        }
+    }
+    let is_bad = |cell: &usize| euler_characteristic[*cell] != if has_boundary[*cell] { 1 } else { 2 };
+    let Some(cell) = (0..euler_characteristic.len()).find(is_bad) else { return Ok(()) };
+    let simplex = cells.named(degree, cell);
+    let (has, wanted) = if has_boundary[cell] {
+        ("a boundary and", "disk has 1")
+    } else {
+        ("no boundary and", "sphere has 2")
+    };
+    Err(no(ManifoldWitness {
+        fault: LinkFault::LinkNotASphere,
+        message: format!(
+            "the link of {simplex} is a surface with {has} Euler characteristic {}; a {wanted}",
+            euler_characteristic[cell]
+        ),
+        cells: vec![simplex],
+        count: (0..euler_characteristic.len()).filter(is_bad).count(),
+    }))
+}
+
+/// What was found out about a link that is a manifold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Recognition {
+    /// It is a sphere or a ball.
+    Certified,
+    /// It has the homology of neither.
+    WrongHomology,
+    /// Neither of these was shown.
+    Open,
+}
+
+/// The links of all simplices of one codimension, as lists of facets around each.
+struct Links {
+    codimension: usize,
+    starts: Vec<u32>,
+    facets: Vec<u32>,
+}
+
+impl Links {
+    fn new(cells: &Cells<'_>, codimension: usize) -> Self {
+        let n = cells.dimension;
+        let corners = subsets(n + 1, codimension);
+        let mut starts = vec![0u32; cells.chains.cell_count(n - codimension) + 1];
+        let of = |facet: usize| corners.iter().map(move |positions| cells.face_without(n, facet, positions));
+        for facet in 0..cells.facet_count() {
+            of(facet).for_each(|cell| starts[cell + 1] += 1);
+        }
+        let mut total = 0;
+        for start in &mut starts {
+            total += *start;
+            *start = total;
+        }
+        let mut next = starts.clone();
+        let mut facets = vec![0; total as usize];
+        for facet in 0..cells.facet_count() {
+            for cell in of(facet) {
+                facets[next[cell] as usize] = facet as u32;
+                next[cell] += 1;
+            }
+        }
+        Self { codimension, starts, facets }
+    }
+
+    fn count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The chain complex of the link of a simplex.
+    fn chains(&self, cells: &Cells<'_>, cell: usize) -> ChainComplex {
+        let n = cells.dimension;
+        let of = cells.complex.numbers(n - self.codimension, cell);
+        let mut vertices = Vec::new();
+        for &facet in &self.facets[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+            let facet = cells.complex.numbers(n, facet as usize);
+            vertices.extend(facet.iter().filter(|v| of.binary_search(v).is_err()));
+        }
+        RaggedArray::uniform(self.codimension, vertices)
+            .and_then(|facets| FrozenComplex::from_facets(&facets)?.chain_complex())
+            .expect("the link of a simplex is a complex")
+    }
+
+    /// What can be shown about one link. `is_manifold` says that it is known to be a combinatorial manifold.
+    fn recognize(&self, cells: &Cells<'_>, cell: usize, is_manifold: bool) -> Recognition {
+        let chains = self.chains(cells, cell);
+        let dimension = self.codimension - 1;
+        let ridges = chains.coboundary_matrix(dimension - 1).expect("a link of dimension 3 has ridges");
+        let is_closed = ridges.columns().all(|facets| facets.rows().len() == 2);
+        if is_manifold && if is_closed { is_seen_as_sphere(&chains) } else { is_seen_as_ball(&chains) } {
+            return Recognition::Certified;
+        }
+        let is_right = |k: usize, (betti, torsion): (usize, usize)| {
+            torsion == 0 && betti == usize::from(k == 0) + usize::from(is_closed && k == dimension)
+        };
+        let homology = homology_sizes(&chains);
+        if homology.into_iter().enumerate().all(|(k, sizes)| is_right(k, sizes)) {
+            Recognition::Open
+        } else {
+            Recognition::WrongHomology
+        }
+    }
+
+    fn witness(&self, cells: &Cells<'_>, degree: usize, cell: usize, fault: LinkFault) -> ManifoldWitness {
+        let simplex = cells.named(degree, cell);
+        let dimension = self.codimension - 1;
+        let message = match fault {
+            LinkFault::LinkHomology => {
+                let homology = homology_sizes(&self.chains(cells, cell));
+                let betti: Vec<String> = homology.iter().map(|(b, _)| b.to_string()).collect();
+                let torsion = if homology.iter().any(|&(_, t)| t > 0) { ", with torsion" } else { "" };
+                format!(
+                    "the link of {simplex} has the Betti numbers {}{torsion}, not those of a sphere or ball of dimension {dimension}",
+                    betti.join(" ")
+                )
+            }
+            _ => format!(
+                "the link of {simplex} has the homology of a sphere or ball of dimension {dimension}, but was not seen to be one"
+            ),
+        };
+        ManifoldWitness { fault, cells: vec![simplex], count: 1, message }
+    }
+}
+
+/// The Betti number and the number of torsion coefficients of each integral homology group.
+pub(super) fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
+    let morse = MorseComplex::new(chains);
+    let count = chains.degree_count();
+    let forms: Vec<(usize, usize)> = (1..count)
+        .map(|degree| {
+            let form = smith_form(&morse.boundary_matrix(degree));
+            (form.rank(), form.torsion().len())
+        })
+        .collect();
+    let out = |degree: usize| degree.checked_sub(1).and_then(|i| forms.get(i)).copied().unwrap_or((0, 0));
+    (0..count)
+        .map(|degree| {
+            let (rank_in, torsion) = out(degree + 1);
+            (morse.critical_count(degree) - out(degree).0 - rank_in, torsion)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::known_spaces;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[derive(Clone, Copy, PartialEq, Eq)]
+    enum Kind {
+        Sphere,
+        Ball,
+        Neither,
+    }
+
+    /// The definition word for word, up to dimension 2: what a link is.
+    fn kind(link: &SimplicialComplex, dimension: usize) -> Kind {
+        if dimension == 0 {
+            return match link.f_vector().as_slice() {
+                [2] => Kind::Sphere,
+                [1] => Kind::Ball,
+                _ => Kind::Neither,
+            };
+        }
+        if !is_manifold(link, dimension) || link.components().len() != 1 {
+            return Kind::Neither;
+        }
+        let closed = vertex_kinds(link, dimension).all(|k| k == Kind::Sphere);
+        match (closed, dimension, link.euler_characteristic()) {
+            (true, 1, _) | (true, 2, 2) => Kind::Sphere,
+            (false, 1, _) | (false, 2, 1) => Kind::Ball,
+            _ => Kind::Neither,
+        }
+    }
+
+    fn vertex_kinds(complex: &SimplicialComplex, dimension: usize) -> impl Iterator<Item = Kind> {
+        complex.vertices().map(move |v| kind(&complex.link(Simplex::vertex(v)).unwrap(), dimension - 1))
+    }
+
+    fn is_manifold(complex: &SimplicialComplex, dimension: usize) -> bool {
+        complex.facets().iter().all(|facet| facet.dimension() == dimension)
+            && (dimension == 0 || vertex_kinds(complex, dimension).all(|k| k != Kind::Neither))
+    }
+
+    /// Some facets of a closed manifold, and sometimes a foreign one.
+    fn part_of(whole: &SimplicialComplex) -> impl Strategy<Value = SimplicialComplex> + use<> {
+        let facets = whole.facets();
+        let (size, width) = (facets.len(), facets[0].vertex_count());
+        let foreign = prop::option::weighted(0.2, prop::collection::btree_set(0u32..8, 1..=width));
+        (prop::collection::vec(prop::bool::weighted(0.7), size), foreign).prop_map(
+            move |(chosen, foreign)| {
+                let kept = facets.iter().zip(chosen).filter(|(_, c)| *c).map(|(f, _)| f.numbers().to_vec());
+                SimplicialComplex::from_facets(kept.chain(foreign.map(|f| f.into_iter().collect()))).unwrap()
+            },
+        )
+    }
+
+    fn any_part() -> impl Strategy<Value = SimplicialComplex> {
+        let wholes = [
+            known_spaces::circle(6),
+            known_spaces::cross_polytope_boundary(2),
+            known_spaces::cyclic_torus(2),
+            known_spaces::projective_plane(),
+            known_spaces::simplex_boundary(3),
+            known_spaces::cross_polytope_boundary(3),
+            known_spaces::projective_plane().and_then(|plane| Ok(plane.suspension()?.0)),
+        ];
+        prop::strategy::Union::new(wholes.map(|whole| part_of(&whole.unwrap()).boxed()))
+    }
+
+    proptest! {
+        #[test]
+        fn the_verdict_is_the_definition_up_to_dimension_3(complex in any_part()) {
+            let expected = complex.dimension().is_none_or(|n| is_manifold(&complex, n));
+            let verdict = complex.manifold_verdict().unwrap();
+            prop_assert_eq!(verdict.to_bool(), Some(expected), "{:?}", verdict);
+            match verdict {
+                ManifoldVerdict::Yes(certificate) => {
+                    let boundary = complex.boundary_complex(&complex).unwrap();
+                    prop_assert_eq!(certificate.is_closed(), boundary.is_empty());
+                    if let Some(n) = boundary.dimension() {
+                        prop_assert_eq!(certificate.boundary_ridge_count, boundary.simplex_count(n));
+                        prop_assert!(boundary.boundary_complex(&boundary).unwrap().is_empty());
+                        prop_assert_eq!(boundary.manifold_verdict().unwrap().to_bool(), Some(true));
+                    }
+                }
+                ManifoldVerdict::No(witness) => check_witness(&complex, &witness),
+                ManifoldVerdict::Unknown(_) => prop_assert!(false),
+            }
+        }
+    }
+
+    /// The cells of a witness have the fault it names.
+    fn check_witness(complex: &SimplicialComplex, witness: &ManifoldWitness) {
+        let n = complex.dimension().unwrap();
+        let (first, rest) = witness.cells().split_first().unwrap();
+        let link = complex.link(first).unwrap();
+        assert!(rest.iter().all(|facet| first.is_face_of(facet) && facet.dimension() == n));
+        match witness.fault() {
+            LinkFault::NotPure => assert!(link.is_empty() && first.dimension() < n),
+            LinkFault::BranchingRidge => assert!(rest.len() == link.len() && rest.len() > 2),
+            LinkFault::LinkNotConnected => {
+                let parts = link.components();
+                assert!(parts.len() == rest.len() && rest.len() > 1);
+                for facet in rest {
+                    let own = facet.difference(first).unwrap().vertices().next().unwrap();
+                    assert_eq!(parts.iter().filter(|part| part.contains(&own)).count(), 1);
+                }
+            }
+            LinkFault::LinkNotASphere => {
+                assert!(is_manifold(&link, 2) && kind(&link, 2) == Kind::Neither && rest.is_empty());
+            }
+            fault => panic!("{fault:?} cannot be up to dimension 3"),
+        }
+        assert!(witness.count() > 0 && !witness.message().is_empty());
+    }
+
+    fn witness_of(complex: &SimplicialComplex) -> ManifoldWitness {
+        complex.manifold_verdict().unwrap().witness().unwrap().clone()
+    }
+
+    #[test]
+    fn witnesses_name_the_cells() {
+        let book = witness_of(&known_spaces::book(3).unwrap());
+        assert_eq!(book.message(), "{0, 1} lies in 3 simplices of dimension 2; a manifold allows two");
+        assert_eq!(book.cells()[1..], [[0, 1, 2], [0, 1, 3], [0, 1, 4]].map(Simplex::from));
+        let pinched = witness_of(&known_spaces::pinched_torus_grid(6, 6).unwrap());
+        assert_eq!(pinched.message(), "the link of {0} falls into 2 parts; that of a manifold is connected");
+        let torus = known_spaces::cyclic_torus(2).unwrap();
+        let cone = witness_of(&torus.cone().unwrap().0);
+        assert_eq!(
+            cone.message(),
+            "the link of {7} is a surface with no boundary and Euler characteristic 0; a sphere has 2"
+        );
+        let suspension = witness_of(&torus.suspension().unwrap().0);
+        assert_eq!((suspension.count(), suspension.fault().as_str()), (2, "link_not_a_sphere"));
+        let rp3 = known_spaces::real_projective_space(3).unwrap();
+        let bad = witness_of(&rp3.suspension().unwrap().0);
+        assert_eq!(bad.fault(), LinkFault::LinkHomology);
+        assert!(bad.message().contains("the Betti numbers 1 0 0 1, with torsion"), "{}", bad.message());
+    }
+
+    #[test]
+    fn certificates_say_what_was_seen() {
+        let verdict = |complex: SimplicialComplex| complex.manifold_verdict().unwrap();
+        let ManifoldVerdict::Yes(ball) = verdict(known_spaces::simplex(4).unwrap()) else { panic!("a ball") };
+        assert_eq!((ball.dimension, ball.boundary_ridge_count, ball.collapsed_link_count), (Some(4), 5, 5));
+        let ManifoldVerdict::Yes(empty) = verdict(SimplicialComplex::new()) else { panic!("empty") };
+        assert!(empty.is_closed() && empty.dimension.is_none());
+        let ManifoldVerdict::Yes(plane) = verdict(known_spaces::complex_projective_plane().unwrap()) else {
+            panic!("a 4-manifold")
+        };
+        assert!(plane.is_closed() && plane.collapsed_link_count == 9);
+    }
+
+    /// The homology sphere of Poincare is no sphere; nothing here may say it is.
+    #[test]
+    fn homology_spheres_stay_open() {
+        let poincare = known_spaces::glued_solid(known_spaces::Solid::Dodecahedron, 2).unwrap();
+        let chains = poincare.chain_complex().unwrap();
+        assert_eq!(homology_sizes(&chains), [(1, 0), (0, 0), (0, 0), (1, 0)]);
+        assert!(!is_seen_as_sphere(&chains));
+        let witness = witness_of(&poincare.suspension().unwrap().0);
+        assert_eq!(witness.fault(), LinkFault::LinkNotRecognized);
+    }
+}

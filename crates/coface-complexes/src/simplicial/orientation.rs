@@ -1,0 +1,601 @@
+//! Orientation: the relative orientation of two simplices, and consistent orientations of all facets.
+//!
+//! An orientation of a simplex is an order of its vertices up to even permutations. Leaving out the vertex at position
+//! i of $[v_0 \dots v_k]$ induces on that face the orientation $(-1)^i [v_0 \dots \hat v_i \dots v_k]$. Two k-simplices
+//! with a common (k-1)-face **agree** when they induce opposite orientations on it: ijk agrees with jil, not with ijl.
+
+use super::SimplicialComplex;
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{Error, VertexId};
+use coface_algebra::{Sign, SparseMatrix, UnionFind};
+use std::collections::VecDeque;
+
+/// The orientation of one oriented simplex relative to another, each given by an order of its vertices: plus when they
+/// agree.
+///
+/// * The same vertices: plus for an even permutation.
+/// * One vertex more on one side (a simplex and its facet, in any of the two orders): plus when the larger induces the
+///   orientation of the smaller. So the edge ij agrees with j and disagrees with i.
+/// * One vertex exchanged (a common facet): plus when the two induce opposite orientations on the common facet.
+///
+/// `None` when neither of these holds: the two are not comparable.
+///
+/// # Errors
+/// [`coface_algebra::ErrorKind::InvalidInput`] if a vertex is repeated or a list is empty.
+///
+/// # Complexity
+/// Quadratic in the number of vertices of one simplex.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::Sign;
+/// use coface_complexes::simplicial::relative_orientation;
+/// let [i, j, k, l] = [0, 1, 2, 3].map(coface_algebra::VertexId::new);
+/// assert_eq!(relative_orientation(&[i, j, k], &[j, k, i])?, Some(Sign::Plus));
+/// assert_eq!(relative_orientation(&[i, j, k], &[j, i, l])?, Some(Sign::Plus));
+/// assert_eq!(relative_orientation(&[i, j, k], &[i, j, l])?, Some(Sign::Minus));
+/// assert_eq!(relative_orientation(&[i, j], &[i])?, Some(Sign::Minus));
+/// assert_eq!(relative_orientation(&[i, j], &[k, l])?, None);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
+pub fn relative_orientation(first: &[VertexId], second: &[VertexId]) -> Result<Option<Sign>, Error> {
+    for simplex in [first, second] {
+        if simplex.is_empty() {
+            return Err(
+                Error::invalid("an oriented simplex has no vertices").with_cure("give at least one vertex")
+            );
+        }
+        if let Some((i, v)) = simplex.iter().enumerate().find(|&(i, v)| simplex[..i].contains(v)) {
+            return Err(Error::invalid(format!(
+                "the oriented simplex {simplex:?} repeats {v} at position {i}"
+            )));
+        }
+    }
+    let only = |of: &[VertexId], other: &[VertexId]| {
+        let mut positions = (0..of.len()).filter(|&i| !other.contains(&of[i]));
+        (positions.next(), positions.next().is_some())
+    };
+    let ((in_first, more_first), (in_second, more_second)) = (only(first, second), only(second, first));
+    if more_first || more_second {
+        return Ok(None);
+    }
+    let common = |of: &[VertexId], left_out: Option<usize>| -> Vec<VertexId> {
+        of.iter().enumerate().filter(|&(i, _)| Some(i) != left_out).map(|(_, &v)| v).collect()
+    };
+    let permutation = permutation_sign(&common(first, in_first), &common(second, in_second));
+    let induced = |left_out: Option<usize>| Sign::power_of_minus_one(left_out.unwrap_or(0));
+    let product = permutation.times(induced(in_first)).times(induced(in_second));
+    Ok(match (in_first, in_second) {
+        // Opposite signs on the common facet agree; two vertices have no common facet.
+        (Some(_), Some(_)) => (first.len() > 1).then(|| product.opposite()),
+        _ => Some(product),
+    })
+}
+
+/// The sign of the permutation that takes one order of the same things to the other.
+fn permutation_sign(from: &[VertexId], to: &[VertexId]) -> Sign {
+    let position = |v| to.iter().position(|&w| w == v).expect("both orders are of the same vertices");
+    let images: Vec<usize> = from.iter().map(|&v| position(v)).collect();
+    let inversions =
+        (0..images.len()).map(|i| images[..i].iter().filter(|&&before| before > images[i]).count()).sum();
+    Sign::power_of_minus_one(inversions)
+}
+
+/// Whether the facets of a complex can be oriented so that all neighbors agree.
+///
+/// Facets and ridges are given by their numbers: their places among the cells of their dimension, which for simplices are
+/// in lexicographic order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Orientability {
+    /// They can; here is how.
+    Orientable(Orientation),
+    /// They cannot; here is a closed chain of facets along which the orientation comes back reversed.
+    NonOrientable(OddFacetCycle),
+    /// The question has no sense: this ridge lies in three facets or more.
+    Branching {
+        /// The number of the ridge.
+        ridge: usize,
+        /// The numbers of all facets that contain it, rising.
+        facets: Vec<usize>,
+    },
+    /// The question has no sense: this cell is maximal but not of the top dimension.
+    NotPure {
+        /// The dimension of the cell.
+        dimension: usize,
+        /// The number of the cell.
+        cell: usize,
+    },
+    /// The question has no sense: there are no ridges, for the complex is empty or of dimension 0.
+    NoRidges,
+}
+
+impl Orientability {
+    /// Yes, no, or `None` when the question has no sense.
+    pub fn to_bool(&self) -> Option<bool> {
+        match self {
+            Self::Orientable(_) => Some(true),
+            Self::NonOrientable(_) => Some(false),
+            _ => None,
+        }
+    }
+}
+
+/// A consistent orientation: a sign for each facet relative to its own order of vertices.
+///
+/// The lowest facet of each strongly connected component has the sign plus; the signs of a component may be reversed
+/// together and nothing else may change.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Orientation {
+    signs: Vec<Sign>,
+    components: Vec<u32>,
+    component_count: usize,
+}
+
+impl Orientation {
+    /// The sign of each facet.
+    pub fn signs(&self) -> &[Sign] {
+        &self.signs
+    }
+
+    /// The strongly connected component of each facet, numbered by their lowest facets.
+    pub fn components(&self) -> &[u32] {
+        &self.components
+    }
+
+    /// The number of strongly connected components.
+    pub fn component_count(&self) -> usize {
+        self.component_count
+    }
+}
+
+/// A closed chain of facets $f_0, r_0, f_1, r_1, \dots, f_0$ around which the orientation is reversed: why a complex is
+/// not orientable.
+///
+/// Ridge $r_i$ is common to $f_i$ and $f_{i+1}$; no facet is repeated, and two facets share a ridge only when they are
+/// neighbors in the chain. In dimension 2 its closure may be a Moebius band; see [`Self::is_embedded_moebius_band`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OddFacetCycle {
+    facets: Vec<u32>,
+    ridges: Vec<u32>,
+    embedded: Option<bool>,
+}
+
+impl OddFacetCycle {
+    /// The numbers of the facets, in order around the chain.
+    pub fn facets(&self) -> &[u32] {
+        &self.facets
+    }
+
+    /// The numbers of the ridges: each facet shares the ridge at its own position with the next facet.
+    pub fn ridges(&self) -> &[u32] {
+        &self.ridges
+    }
+
+    /// Whether the closure of the chain was found to be an embedded Moebius band: Euler characteristic 0 and one boundary
+    /// circle on a connected surface that is not orientable. `None` where this is not asked (dimensions other than 2).
+    pub fn is_embedded_moebius_band(&self) -> Option<bool> {
+        self.embedded
+    }
+}
+
+impl SimplicialComplex {
+    /// Whether the facets can be oriented consistently: with a sign for each facet relative to the rising order of its
+    /// vertices, or with an odd cycle of facets as a witness.
+    ///
+    /// # Complexity
+    /// Linear in the number of simplices, beyond the making of the chain complex.
+    ///
+    /// # Errors
+    /// As the chain complex of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::{Orientability, known_spaces};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let Orientability::NonOrientable(cycle) = known_spaces::triangle_strip(5)?.orientability()? else {
+    ///     panic!("a Moebius band is not orientable");
+    /// };
+    /// assert_eq!(cycle.facets().len(), 5);
+    /// assert_eq!(cycle.is_embedded_moebius_band(), Some(true));
+    /// # Ok(()) }
+    /// ```
+    pub fn orientability(&self) -> Result<Orientability, Error> {
+        Ok(orientability(&self.chain_complex()?))
+    }
+}
+
+/// Whether the cells of the top dimension of a regular cell complex can be oriented consistently. Each row of the last
+/// boundary matrix that is in one column is boundary, each in two is to cancel; the entries are units.
+///
+/// Breadth first over the facets from the lowest of each component. A neighbor met again with the wrong sign closes an
+/// odd cycle through the tree, which is then cut short along every ridge that joins two of its facets.
+///
+/// # Complexity
+/// Linear in the entries; the cut of an odd cycle is linear in its length for each facet it loses, at worst.
+///
+/// # Examples
+/// The sphere as a complex with two cells in each dimension.
+/// ```
+/// use coface_algebra::SparseMatrix;
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_complexes::simplicial::orientability;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let sphere = ChainComplex::new(vec![
+///     SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?,
+///     SparseMatrix::from_entries(2, 2, [(0, 0, 1), (1, 0, -1), (0, 1, 1), (1, 1, -1)])?,
+/// ])?;
+/// assert_eq!(orientability(&sphere).to_bool(), Some(true));
+/// # Ok(()) }
+/// ```
+pub fn orientability(complex: &ChainComplex) -> Orientability {
+    let Some(dimension) = complex.dimension() else { return Orientability::NoRidges };
+    if let Some((dimension, cells)) = maximal_below_top(complex) {
+        return Orientability::NotPure { dimension, cell: cells[0] };
+    }
+    let Some(boundary) = complex.boundary_matrix(dimension) else { return Orientability::NoRidges };
+    let mut result = orient_columns(boundary);
+    if let (Orientability::NonOrientable(cycle), 2, Some(edges)) =
+        (&mut result, dimension, complex.boundary_matrix(1))
+    {
+        cycle.embedded = Some(is_one_band(boundary, edges, &cycle.facets));
+    }
+    result
+}
+
+/// The cells of the lowest dimension below the top in which some are a face of no other cell; none if the complex is pure.
+pub(super) fn maximal_below_top(complex: &ChainComplex) -> Option<(usize, Vec<usize>)> {
+    (0..complex.dimension()?).find_map(|degree| {
+        let mut covered = vec![false; complex.cell_count(degree)];
+        for &face in complex.boundary_matrix(degree + 1)?.rows() {
+            covered[face as usize] = true;
+        }
+        let maximal: Vec<usize> = (0..covered.len()).filter(|&cell| !covered[cell]).collect();
+        (!maximal.is_empty()).then_some((degree, maximal))
+    })
+}
+
+/// Whether some faces of a 2-complex, known to be connected and not orientable, with edges in one or two of them, are a
+/// surface with one boundary circle and Euler characteristic 0.
+fn is_one_band(faces: &SparseMatrix, edges: &SparseMatrix, band: &[u32]) -> bool {
+    let mut edges_of_band: Vec<u32> =
+        band.iter().flat_map(|&f| faces.column(f as usize).rows()).copied().collect();
+    edges_of_band.sort_unstable();
+    let rim: Vec<u32> =
+        edges_of_band.chunk_by(|a, b| a == b).filter(|e| e.len() == 1).map(|e| e[0]).collect();
+    edges_of_band.dedup();
+    let ends = |edge: u32| edges.column(edge as usize).rows();
+    let mut vertices: Vec<u32> = edges_of_band.iter().flat_map(|&e| ends(e)).copied().collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    if vertices.len() + band.len() != edges_of_band.len() {
+        return false;
+    }
+    // With Euler characteristic 0 and no orientation, a surface with boundary is a band. It is a surface if each vertex
+    // has one fan of faces: corners united over edges are as many classes as vertices.
+    let mut corners: Vec<(u32, u32)> = Vec::new();
+    for (i, &f) in band.iter().enumerate() {
+        let of_face = faces.column(f as usize).rows().iter().flat_map(|&e| ends(e));
+        corners.extend(of_face.map(|&v| (i as u32, v)));
+    }
+    corners.sort_unstable();
+    corners.dedup();
+    let mut fans = UnionFind::new(corners.len());
+    let mut sides: Vec<(u32, u32)> = Vec::new();
+    for (i, &f) in band.iter().enumerate() {
+        sides.extend(faces.column(f as usize).rows().iter().map(|&e| (e, i as u32)));
+    }
+    sides.sort_unstable();
+    for pair in sides.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        for &v in ends(pair[0].0) {
+            let corner =
+                |face| corners.binary_search(&(face, v)).expect("an end of an edge is a corner of its face");
+            fans.unite(corner(pair[0].1) as u32, corner(pair[1].1) as u32);
+        }
+    }
+    // The rim is one circle: as many vertices as edges, hanging together.
+    let mut rim_vertices: Vec<u32> = rim.iter().flat_map(|&e| ends(e)).copied().collect();
+    rim_vertices.sort_unstable();
+    rim_vertices.dedup();
+    let mut circles = UnionFind::new(rim_vertices.len());
+    let place = |v: u32| rim_vertices.binary_search(&v).expect("ends of rim edges are rim vertices") as u32;
+    for &e in &rim {
+        if let &[a, b] = ends(e) {
+            circles.unite(place(a), place(b));
+        }
+    }
+    fans.class_count() == vertices.len() && rim_vertices.len() == rim.len() && circles.class_count() == 1
+}
+
+/// Orients the columns of a boundary matrix so that every row in two of them is cancelled.
+fn orient_columns(boundary: &SparseMatrix) -> Orientability {
+    let cofaces = boundary.transpose();
+    if let Some(ridge) = cofaces.columns().position(|facets| facets.rows().len() > 2) {
+        let facets = cofaces.column(ridge).rows().iter().map(|&f| f as usize).collect();
+        return Orientability::Branching { ridge, facets };
+    }
+    let count = boundary.column_count();
+    let mut search = Search {
+        boundary,
+        cofaces: &cofaces,
+        signs: vec![Sign::Plus; count],
+        components: vec![NONE; count],
+        parents: vec![(NONE, NONE); count],
+    };
+    let mut component_count = 0;
+    for root in 0..count as u32 {
+        if search.components[root as usize] == NONE {
+            if let Err(closing) = search.component(root, component_count) {
+                return Orientability::NonOrientable(search.odd_cycle(closing));
+            }
+            component_count += 1;
+        }
+    }
+    Orientability::Orientable(Orientation {
+        signs: search.signs,
+        components: search.components,
+        component_count: component_count as usize,
+    })
+}
+
+const NONE: u32 = u32::MAX;
+
+/// A step over a ridge from one facet to another.
+#[derive(Clone, Copy)]
+struct Step {
+    from: u32,
+    ridge: u32,
+    to: u32,
+}
+
+struct Search<'a> {
+    boundary: &'a SparseMatrix,
+    cofaces: &'a SparseMatrix,
+    signs: Vec<Sign>,
+    components: Vec<u32>,
+    /// For each facet met: the facet and the ridge it was met over.
+    parents: Vec<(u32, u32)>,
+}
+
+impl Search<'_> {
+    /// The facet beyond a ridge and whether crossing keeps the sign.
+    fn across(&self, facet: u32, ridge: u32) -> Option<(u32, Sign)> {
+        let column = self.cofaces.column(ridge as usize);
+        let &[a, b] = column.rows() else { return None };
+        let product = Sign::power_of_minus_one(usize::from(
+            column.entries()[0].signum() == column.entries()[1].signum(),
+        ));
+        Some((if a == facet { b } else { a }, product))
+    }
+
+    fn component(&mut self, root: u32, number: u32) -> Result<(), Step> {
+        self.components[root as usize] = number;
+        let mut queue = VecDeque::from([root]);
+        while let Some(facet) = queue.pop_front() {
+            for &ridge in self.boundary.column(facet as usize).rows() {
+                let Some((other, crossing)) = self.across(facet, ridge) else { continue };
+                let sign = self.signs[facet as usize].times(crossing);
+                if self.components[other as usize] == NONE {
+                    self.components[other as usize] = number;
+                    self.signs[other as usize] = sign;
+                    self.parents[other as usize] = (facet, ridge);
+                    queue.push_back(other);
+                } else if self.signs[other as usize] != sign {
+                    return Err(Step { from: facet, ridge, to: other });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The tree path between the two ends of a closing step, closed by it, made chordless.
+    fn odd_cycle(&self, closing: Step) -> OddFacetCycle {
+        let to_root = |mut facet: u32| {
+            let mut path = vec![(facet, NONE)];
+            while self.parents[facet as usize].0 != NONE {
+                let (parent, ridge) = self.parents[facet as usize];
+                path.last_mut().expect("a path has its start").1 = ridge;
+                path.push((parent, NONE));
+                facet = parent;
+            }
+            path
+        };
+        let (mut up, mut down) = (to_root(closing.to), to_root(closing.from));
+        while up.len() > 1 && down.len() > 1 && up[up.len() - 2].0 == down[down.len() - 2].0 {
+            up.pop();
+            down.pop();
+        }
+        // closing.to ... meeting, then down from the meeting to closing.from; each entry holds the ridge to the next.
+        let meeting = up.pop().expect("both paths end in the root").0;
+        let mut facets: Vec<u32> = up.iter().map(|&(facet, _)| facet).collect();
+        let mut ridges: Vec<u32> = up.iter().map(|&(_, ridge)| ridge).collect();
+        down.pop();
+        facets.push(meeting);
+        for &(facet, ridge) in down.iter().rev() {
+            ridges.push(ridge);
+            facets.push(facet);
+        }
+        ridges.push(closing.ridge);
+        self.without_chords(facets, ridges)
+    }
+
+    /// Cuts an odd cycle along ridges between facets that are no neighbors in it, and keeps the odd part.
+    fn without_chords(&self, mut facets: Vec<u32>, mut ridges: Vec<u32>) -> OddFacetCycle {
+        'cut: loop {
+            let n = facets.len();
+            let mut places: Vec<(u32, usize)> = facets.iter().enumerate().map(|(i, &f)| (f, i)).collect();
+            places.sort_unstable();
+            for i in 0..n {
+                for &ridge in self.boundary.column(facets[i] as usize).rows() {
+                    if ridge == ridges[i] || ridge == ridges[(i + n - 1) % n] {
+                        continue;
+                    }
+                    let Some((other, _)) = self.across(facets[i], ridge) else { continue };
+                    let Ok(found) = places.binary_search_by_key(&other, |&(f, _)| f) else { continue };
+                    let j = places[found].1;
+                    let (low, high) = (i.min(j), i.max(j));
+                    // low ... high closed by the chord, or the rest closed by it.
+                    let inner_ridges: Vec<u32> = ridges[low..high].iter().copied().chain([ridge]).collect();
+                    let inner_facets = facets[low..=high].to_vec();
+                    (facets, ridges) = if self.is_odd(&inner_facets, &inner_ridges) {
+                        (inner_facets, inner_ridges)
+                    } else {
+                        (
+                            facets[..=low].iter().chain(&facets[high..]).copied().collect(),
+                            ridges[..low]
+                                .iter()
+                                .copied()
+                                .chain([ridge])
+                                .chain(ridges[high..].iter().copied())
+                                .collect(),
+                        )
+                    };
+                    continue 'cut;
+                }
+            }
+            return OddFacetCycle { facets, ridges, embedded: None };
+        }
+    }
+
+    fn is_odd(&self, facets: &[u32], ridges: &[u32]) -> bool {
+        let crossing = |(&facet, &ridge): (&u32, &u32)| {
+            self.across(facet, ridge).map_or(Sign::Plus, |(_, crossing)| crossing)
+        };
+        facets.iter().zip(ridges).map(crossing).fold(Sign::Plus, Sign::times) == Sign::Minus
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Simplex, known_spaces};
+    use super::*;
+    use proptest::prelude::*;
+
+    fn order(numbers: &[u32]) -> Vec<VertexId> {
+        numbers.iter().map(|&v| VertexId::from_u32(v)).collect()
+    }
+
+    fn relative(a: &[u32], b: &[u32]) -> Option<Sign> {
+        relative_orientation(&order(a), &order(b)).unwrap()
+    }
+
+    #[test]
+    fn conventions_of_the_source() {
+        assert_eq!(relative(&[0, 1, 2], &[1, 0, 3]), Some(Sign::Plus));
+        assert_eq!(relative(&[0, 1, 2], &[0, 1, 3]), Some(Sign::Minus));
+        assert_eq!(relative(&[0, 1], &[1, 2]), Some(Sign::Plus));
+        assert_eq!(relative(&[0, 1], &[2, 1]), Some(Sign::Minus));
+        // The edge ij agrees with j and disagrees with i.
+        assert_eq!(relative(&[0, 1], &[1]), Some(Sign::Plus));
+        assert_eq!(relative(&[0], &[0, 1]), Some(Sign::Minus));
+        assert_eq!(relative(&[4], &[4]), Some(Sign::Plus));
+        assert_eq!(relative(&[4], &[5]), None);
+        assert_eq!(relative(&[0, 1, 2], &[0, 3, 4]), None);
+        assert_eq!(relative(&[0, 1, 2, 3], &[0, 1]), None);
+        assert!(relative_orientation(&order(&[1, 1]), &order(&[1, 2])).is_err());
+        assert!(relative_orientation(&[], &order(&[1])).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn relative_orientation_agrees_with_incidences(
+            first in Just(vec![0u32, 1, 2, 3]).prop_shuffle(),
+            second in Just(vec![0u32, 1, 2, 4]).prop_shuffle(),
+        ) {
+            // The sign that an order induces on the rising order of the face {0, 1, 2}.
+            let induced = |list: &[u32]| {
+                let simplex = Simplex::from_numbers(list).unwrap();
+                simplex.sign_of(list).unwrap().times(simplex.incidence(&Simplex::from([0, 1, 2])).unwrap())
+            };
+            let agree = induced(&first) != induced(&second);
+            prop_assert_eq!(relative(&first, &second) == Some(Sign::Plus), agree);
+            prop_assert_eq!(relative(&first, &second), relative(&second, &first));
+            let mut reversed = first.clone();
+            reversed.swap(0, 1);
+            prop_assert_eq!(relative(&reversed, &second), relative(&first, &second).map(Sign::opposite));
+            prop_assert_eq!(relative(&first, &[0, 1, 2]), Some(induced(&first)));
+            prop_assert_eq!(relative(&reversed, &first), Some(Sign::Minus));
+        }
+
+        /// Strips of triangles with random gluings: the search agrees with trying all signs.
+        #[test]
+        fn the_search_agrees_with_trying_all_signs(
+            facets in prop::collection::btree_set(prop::collection::btree_set(0u32..6, 3..=3), 1..10)
+        ) {
+            let facets: Vec<Vec<u32>> = facets.into_iter().map(|f| f.into_iter().collect()).collect();
+            let complex = SimplicialComplex::from_facets(&facets).unwrap();
+            let chains = complex.chain_complex().unwrap();
+            let matrix = chains.boundary_matrix(2).unwrap();
+            let rows = matrix.transpose();
+            let sums = |signs: &dyn Fn(usize) -> i32| {
+                rows.columns().all(|row| row.rows().len() < 2 || row.iter().map(|(f, x)| signs(f) * x).sum::<i32>() == 0)
+            };
+            match complex.orientability().unwrap() {
+                Orientability::Orientable(found) => {
+                    prop_assert!(sums(&|f| found.signs()[f].to_i32()));
+                    prop_assert_eq!(found.component_count(), complex.strong_components().len());
+                }
+                Orientability::NonOrientable(cycle) => {
+                    let sign = |mask: u32, f: usize| Sign::power_of_minus_one((mask >> f & 1) as usize).to_i32();
+                    let none_works = (0u32..1 << facets.len()).all(|mask| !sums(&|f| sign(mask, f)));
+                    prop_assert!(none_works);
+                    check_cycle(matrix, &cycle);
+                }
+                Orientability::Branching { ridge, facets } => {
+                    prop_assert_eq!(rows.column(ridge).rows().len(), facets.len());
+                    prop_assert!(facets.len() > 2);
+                }
+                other => prop_assert!(false, "{other:?}"),
+            }
+        }
+    }
+
+    /// A closed chain of different facets that is odd and has no chords.
+    fn check_cycle(matrix: &SparseMatrix, cycle: &OddFacetCycle) {
+        let n = cycle.facets().len();
+        assert_eq!(n, cycle.ridges().len());
+        let mut product = 1;
+        for i in 0..n {
+            let (here, next, ridge) =
+                (cycle.facets()[i], cycle.facets()[(i + 1) % n], cycle.ridges()[i] as usize);
+            let signs = [here, next].map(|f| matrix.entry(ridge, f as usize));
+            assert!(here != next && signs.iter().all(|&s| s != 0));
+            product *= -signs[0] * signs[1];
+            for j in i + 2..n {
+                if (i, j) != (0, n - 1) {
+                    let other = matrix.column(cycle.facets()[j] as usize);
+                    assert!(matrix.column(here as usize).rows().iter().all(|r| !other.rows().contains(r)));
+                }
+            }
+        }
+        assert_eq!(product, -1);
+    }
+
+    #[test]
+    fn odd_cycles_of_surfaces_are_short() {
+        for (surface, longest) in [
+            (known_spaces::triangle_strip(5).unwrap(), 5),
+            (known_spaces::triangle_strip(31).unwrap(), 31),
+            (known_spaces::projective_plane().unwrap(), 9),
+            (known_spaces::klein_grid(30, 8).unwrap(), 70),
+        ] {
+            let Orientability::NonOrientable(cycle) = surface.orientability().unwrap() else {
+                panic!("orientable")
+            };
+            check_cycle(surface.chain_complex().unwrap().boundary_matrix(2).unwrap(), &cycle);
+            assert!(cycle.facets().len() <= longest, "{}", cycle.facets().len());
+            assert!(cycle.is_embedded_moebius_band().is_some());
+        }
+    }
+
+    #[test]
+    fn questions_without_sense() {
+        let complex =
+            |facets: &[&[u32]]| SimplicialComplex::from_facets(facets).unwrap().orientability().unwrap();
+        assert_eq!(complex(&[]), Orientability::NoRidges);
+        assert_eq!(complex(&[&[0], &[1]]), Orientability::NoRidges);
+        assert_eq!(complex(&[&[0, 1, 2], &[2, 3]]), Orientability::NotPure { dimension: 1, cell: 3 });
+        let book = complex(&[&[0, 1, 2], &[0, 1, 3], &[0, 1, 4]]);
+        assert_eq!(book, Orientability::Branching { ridge: 0, facets: vec![0, 1, 2] });
+    }
+}

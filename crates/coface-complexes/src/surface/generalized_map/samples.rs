@@ -1,0 +1,107 @@
+//! Surfaces for tests.
+
+use crate::simplicial::{SimplicialComplex, known_spaces};
+use crate::surface::{GeneralizedMap, HalfedgeMesh};
+use coface_algebra::chains::TwoSkeleton;
+use coface_algebra::{EdgeId, Error};
+use coface_algebra::{RaggedArray, Sign};
+
+pub(crate) fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap {
+    GeneralizedMap::new(space.unwrap().freeze().two_skeleton().unwrap()).unwrap()
+}
+
+/// One polygon with these letters on its sides; letter -i is side i backwards. A letter that stands alone is on the
+/// boundary.
+pub(crate) fn polygon(letters: &[i32]) -> GeneralizedMap {
+    let sides = letters.len() as u32;
+    let flags = 2 * sides;
+    let other_end = (0..flags).map(|flag| flag ^ 1).collect();
+    let corner =
+        (0..flags).map(|flag| if flag % 2 == 0 { (flag + flags - 1) % flags } else { (flag + 1) % flags });
+    let mate = (0..flags).map(|flag| {
+        let letter = letters[flag as usize / 2];
+        let found = (0..sides).find(|&s| s != flag / 2 && letters[s as usize].abs() == letter.abs());
+        found.map_or(flag, |s| 2 * s + ((flag & 1) ^ u32::from(letters[s as usize] != letter)))
+    });
+    GeneralizedMap::from_involutions(&[other_end, corner.collect(), mate.collect()]).unwrap().0
+}
+
+/// The closed oriented surface of a permutation of halfedges.
+pub(crate) fn of_next(next: Vec<u32>) -> GeneralizedMap {
+    GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton()).unwrap()
+}
+
+/// The closed oriented surface of this genus, a sum of grids of tori.
+pub(crate) fn genus(genus: usize) -> GeneralizedMap {
+    let torus = || known_spaces::torus_grid(&[4, 4]).unwrap();
+    let sum =
+        (1..genus).fold(torus(), |sum, _| known_spaces::oriented_sum(&sum, &torus(), Sign::Plus).unwrap());
+    map_of(Ok(sum))
+}
+
+/// The same surface with some faces turned over; bit f of `turned` is for face f.
+pub(crate) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> GeneralizedMap {
+    let skeleton = map.skeleton();
+    let faces = skeleton.faces().iter().enumerate().map(|(face, rim)| {
+        if turned >> (face % 64) & 1 == 0 {
+            rim.to_vec()
+        } else {
+            rim.iter().rev().map(|step| step ^ 1).collect()
+        }
+    });
+    let faces = RaggedArray::from_lists(faces);
+    let skeleton = TwoSkeleton::new(skeleton.vertex_count(), skeleton.edge_ends().to_vec(), faces).unwrap();
+    GeneralizedMap::new(skeleton).unwrap()
+}
+
+/// The same surface without some faces, and without edges that no face is left at. What is left may have vertices of
+/// several fans, in which case nothing is given.
+pub(crate) fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<GeneralizedMap> {
+    let skeleton = map.skeleton();
+    let rims =
+        skeleton.faces().iter().enumerate().filter(|(face, _)| !gone.contains(face)).map(|(_, rim)| rim);
+    let mut faces = RaggedArray::from_lists(rims);
+    let mut number = vec![u32::MAX; skeleton.edge_count()];
+    let mut ends = Vec::new();
+    for step in faces.items_mut() {
+        let edge = EdgeId::from_u32(*step >> 1);
+        if number[edge.index()] == u32::MAX {
+            number[edge.index()] = ends.len() as u32 / 2;
+            ends.extend(skeleton.edge(edge).map(|vertex| vertex.to_u32()));
+        }
+        *step = 2 * number[edge.index()] + (*step & 1);
+    }
+    let skeleton = TwoSkeleton::new(skeleton.vertex_count(), ends, faces).unwrap();
+    GeneralizedMap::new(skeleton).ok()
+}
+
+/// The same surface without the faces that have a bit in `removed`; see [`without_faces`].
+pub(crate) fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<GeneralizedMap> {
+    let gone = (0..map.f_vector()[2]).filter(|face| removed >> (face % 64) & 1 == 1);
+    without_faces(map, &gone.collect::<Vec<_>>())
+}
+
+/// Surfaces of all kinds, with their names.
+pub(crate) fn all_kinds() -> Vec<(&'static str, GeneralizedMap)> {
+    vec![
+        ("torus of 7 vertices", map_of(known_spaces::cyclic_torus(2))),
+        ("sphere", map_of(known_spaces::simplex_boundary(2))),
+        ("octahedron", map_of(known_spaces::cross_polytope_boundary(2))),
+        ("Klein bottle", map_of(known_spaces::small_klein_bottle())),
+        ("projective plane", map_of(known_spaces::projective_plane())),
+        ("Moebius band", map_of(known_spaces::triangle_strip(5))),
+        ("annulus", map_of(known_spaces::triangle_strip(6))),
+        ("disk", map_of(known_spaces::simplex(2))),
+        ("double torus", genus(2)),
+        ("three crosscaps", polygon(&[1, 1, 2, 2, 3, 3])),
+        ("four crosscaps", polygon(&[1, 2, -1, 2, 3, 3, 4, 4])),
+        ("square Klein bottle", polygon(&[1, 2, -1, 2])),
+        ("square torus", polygon(&[1, 2, -1, -2])),
+        ("projective digon", polygon(&[1, 1])),
+        ("Moebius square", polygon(&[1, 2, 1, 3])),
+        ("pair of pants", polygon(&[1, 2, -1, 3, 4, -3, 5])),
+        ("torus with a hole", polygon(&[1, 2, -1, -2, 3])),
+        ("two crosscaps with a hole", polygon(&[1, 1, 2, 2, 3])),
+        ("two squares glued", of_next(vec![2, 3, 1, 0, 4, 5])),
+    ]
+}

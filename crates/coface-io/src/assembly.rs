@@ -1,0 +1,389 @@
+//! A mesh as it is put together from typed elements.
+
+use super::CellData;
+use super::data::without_repeated_names;
+use super::lists::Lists;
+use super::model::{Group, GroupKind, Model, repeated_vertex};
+use super::scratch_mesh::ScratchMesh;
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_complexes::cellular::CellShape;
+use coface_geometry::Positions;
+use std::collections::BTreeMap;
+
+/// What an element of a mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Point,
+    Line,
+    Polygon,
+    Cell(CellShape),
+}
+
+impl Kind {
+    pub(crate) const TETRAHEDRON: Self = Self::Cell(CellShape::Tetrahedron);
+    pub(crate) const HEXAHEDRON: Self = Self::Cell(CellShape::Hexahedron);
+    pub(crate) const WEDGE: Self = Self::Cell(CellShape::Wedge);
+    pub(crate) const PYRAMID: Self = Self::Cell(CellShape::Pyramid);
+
+    /// The name of such an element with so many vertices.
+    fn name(self, corner_count: usize) -> &'static str {
+        match (self, corner_count) {
+            (Self::Point, _) => "point",
+            (Self::Line, _) => "line",
+            (Self::Polygon, 3) => "triangle",
+            (Self::Polygon, 4) => "quadrangle",
+            (Self::Polygon, _) => "polygon",
+            (Self::Cell(shape), _) => shape.name(),
+        }
+    }
+
+    /// What a group of such elements is a group of; points are grouped by their vertices.
+    pub(crate) fn group_kind(self) -> GroupKind {
+        match self {
+            Self::Point => GroupKind::Vertices,
+            Self::Line => GroupKind::Lines,
+            Self::Polygon => GroupKind::Polygons,
+            Self::Cell(_) => GroupKind::Cells,
+        }
+    }
+}
+
+/// A mesh that grows element by element. Groups have numbers, and names at the end.
+#[derive(Debug, Default)]
+pub(crate) struct Assembly {
+    dimension: usize,
+    coordinates: Vec<f64>,
+    vertex_count: usize,
+    points: Vec<VertexId>,
+    lines: Lists,
+    polygons: Lists,
+    shapes: Vec<CellShape>,
+    cells: Lists,
+    groups: BTreeMap<(GroupKind, i64), Vec<u32>>,
+    names: BTreeMap<(GroupKind, i64), String>,
+    /// Whether a vertex is a corner of an element, once there are elements of higher order.
+    is_corner: Vec<bool>,
+    /// Whether a vertex lies inside an edge, face or cell of an element of higher order.
+    is_inner: Vec<bool>,
+    reduced_count: u64,
+    data: Vec<CellData>,
+    pub(crate) warnings: Vec<String>,
+    /// Where vertices and elements go instead of being kept.
+    scratch: Option<ScratchMesh>,
+}
+
+impl Assembly {
+    /// A mesh without anything, for points of so many coordinates.
+    pub(crate) fn new(dimension: usize) -> Self {
+        Self { dimension, ..Self::default() }
+    }
+
+    /// A mesh whose vertices and elements go to files, and whose groups are forgotten.
+    pub(crate) fn streaming(dimension: usize, scratch: Option<ScratchMesh>) -> Self {
+        Self { scratch, ..Self::new(dimension) }
+    }
+
+    /// The files that vertices and elements went to.
+    pub(crate) fn into_scratch(self) -> Option<ScratchMesh> {
+        self.scratch
+    }
+
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// Adds a vertex; as many coordinates as the dimension.
+    pub(crate) fn add_vertex(&mut self, coordinates: &[f64]) -> Result<(), Error> {
+        if self.vertex_count == u32::MAX as usize {
+            return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 vertices"));
+        }
+        self.vertex_count += 1;
+        if let Some(scratch) = &mut self.scratch {
+            return scratch.add_vertex(coordinates);
+        }
+        self.coordinates.extend_from_slice(coordinates);
+        Ok(())
+    }
+
+    /// Adds an element with the given corners; what more `vertices` has lies inside its edges, faces or itself. Gives
+    /// the member for a group: its position among the elements of its kind, or the vertex of a point.
+    ///
+    /// `number` is how the file numbers a vertex, for an error.
+    pub(crate) fn add(
+        &mut self,
+        kind: Kind,
+        corner_count: usize,
+        vertices: &[u32],
+        number: impl Fn(u32) -> u64,
+    ) -> Result<u32, Error> {
+        let name = || kind.name(corner_count);
+        if let Some(&vertex) = vertices.iter().find(|&&vertex| vertex as usize >= self.vertex_count) {
+            return Err(Error::invalid(format!(
+                "a {} names vertex {}, but there are {} vertices, numbered from {}",
+                name(),
+                number(vertex),
+                self.vertex_count,
+                number(0)
+            ))
+            .with_cure("the file is damaged, or was written wrongly: write it again"));
+        }
+        let corners = &vertices[..corner_count];
+        let repeated = match kind {
+            Kind::Line => corners.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]),
+            _ => repeated_vertex(corners),
+        };
+        if let Some(vertex) = repeated {
+            return Err(Error::invalid(format!("a {} repeats vertex {}", name(), number(vertex)))
+                .with_cure(format!("remove the {}, or the repeated vertex", name())));
+        }
+        if let Some(scratch) = &mut self.scratch {
+            return scratch.add(kind, corners, vertices.len()).map(|()| 0);
+        }
+        if vertices.len() > corner_count {
+            self.reduced_count += 1;
+            self.is_inner.resize(self.vertex_count, false);
+            for &vertex in &vertices[corner_count..] {
+                self.is_inner[vertex as usize] = true;
+            }
+        }
+        let position = match kind {
+            Kind::Point => {
+                self.points.push(VertexId::from_u32(corners[0]));
+                return Ok(corners[0]);
+            }
+            Kind::Line => {
+                self.lines.push(corners);
+                self.lines.len() - 1
+            }
+            Kind::Polygon => {
+                self.polygons.push(corners);
+                self.polygons.len() - 1
+            }
+            Kind::Cell(shape) => {
+                self.shapes.push(shape);
+                self.cells.push(corners);
+                self.cells.len() - 1
+            }
+        };
+        u32::try_from(position).map_err(|_| {
+            Error::new(ErrorKind::TooLarge, format!("more than 2^32 - 1 elements like a {}", name()))
+        })
+    }
+
+    /// The number of elements of a kind, or of vertices.
+    pub(crate) fn count_of(&self, kind: GroupKind) -> usize {
+        match kind {
+            GroupKind::Vertices => self.vertex_count,
+            GroupKind::Lines => self.lines.len(),
+            GroupKind::Polygons => self.polygons.len(),
+            GroupKind::Cells => self.cells.len(),
+        }
+    }
+
+    /// Adds numbers on all vertices or elements of a kind as they are now.
+    pub(crate) fn add_data(&mut self, data: CellData) {
+        self.data.push(data);
+    }
+
+    /// Puts a vertex or an element into the group of this number.
+    pub(crate) fn add_to_group(&mut self, kind: GroupKind, number: i64, member: u32) {
+        if self.scratch.is_some() {
+            return;
+        }
+        self.groups.entry((kind, number)).or_default().push(member);
+    }
+
+    /// Names a group, whether it has members or not.
+    pub(crate) fn name_group(&mut self, kind: GroupKind, number: i64, name: String) {
+        self.names.insert((kind, number), name);
+        self.groups.entry((kind, number)).or_default();
+    }
+
+    /// The mesh. Vertices that only lie inside elements of higher order are left out.
+    pub(crate) fn finish(mut self) -> Result<Model, Error> {
+        let renumbered = if self.reduced_count > 0 { self.drop_inner_vertices() } else { None };
+        let mut model = Model {
+            vertex_count: self.vertex_count,
+            positions: Positions::from_flat(self.dimension, self.coordinates)?,
+            polygons: self.polygons.into_ragged()?,
+            shapes: self.shapes,
+            cells: self.cells.into_ragged()?,
+            lines: self.lines.into_ragged()?,
+            points: self.points,
+            warnings: self.warnings,
+            ..Model::default()
+        };
+        if let Some(renumbered) = &renumbered {
+            for data in self.data.iter_mut().filter(|data| data.kind() == GroupKind::Vertices) {
+                *data = data.taken_from((0..renumbered.len()).filter(|&v| renumbered[v].is_some()));
+            }
+        }
+        model.data = without_repeated_names(self.data, &mut model.warnings);
+        for ((kind, number), mut members) in self.groups {
+            if let (GroupKind::Vertices, Some(renumbered)) = (kind, &renumbered) {
+                members = members.into_iter().filter_map(|v| renumbered[v as usize]).collect();
+            }
+            let name = self.names.remove(&(kind, number)).unwrap_or_else(|| number.to_string());
+            model.groups.push(Group::new(name, kind, members));
+        }
+        if let Some(renumbered) = renumbered {
+            let new = |v: u32| renumbered[v as usize].expect("a corner is kept");
+            for lists in [&mut model.polygons, &mut model.cells, &mut model.lines] {
+                for vertex in lists.items_mut() {
+                    *vertex = new(*vertex);
+                }
+            }
+            for point in &mut model.points {
+                *point = VertexId::from_u32(new(point.to_u32()));
+            }
+        }
+        Ok(model)
+    }
+
+    /// Leaves the vertices out that are no corner and lie inside an element, and gives the new numbers of the others.
+    fn drop_inner_vertices(&mut self) -> Option<Vec<Option<u32>>> {
+        self.is_inner.resize(self.vertex_count, false);
+        self.is_corner.resize(self.vertex_count, false);
+        for lists in [&mut self.polygons, &mut self.cells, &mut self.lines] {
+            for &vertex in lists.items_mut().iter() {
+                self.is_corner[vertex as usize] = true;
+            }
+        }
+        for point in &self.points {
+            self.is_corner[point.index()] = true;
+        }
+        let mut kept = 0;
+        let renumbered: Vec<Option<u32>> = (0..self.vertex_count)
+            .map(|v| {
+                let keep = self.is_corner[v] || !self.is_inner[v];
+                kept += u32::from(keep);
+                keep.then(|| kept - 1)
+            })
+            .collect();
+        let dimension = self.dimension;
+        for (old, new) in renumbered.iter().enumerate() {
+            if let Some(new) = new {
+                let new = *new as usize * dimension;
+                self.coordinates.copy_within(old * dimension..(old + 1) * dimension, new);
+            }
+        }
+        self.coordinates.truncate(kept as usize * dimension);
+        self.warnings.push(format!(
+            "{} elements of higher order were read by their corners; {} vertices inside their edges, faces and cells were left out",
+            self.reduced_count,
+            self.vertex_count - kept as usize
+        ));
+        self.vertex_count = kept as usize;
+        Some(renumbered)
+    }
+}
+
+/// A number for each group, distinct among groups of one kind: the name if it is a number, otherwise the lowest that is
+/// free.
+pub(crate) fn group_numbers(groups: &[Group]) -> Vec<i32> {
+    let mut taken: BTreeMap<GroupKind, Vec<i32>> = BTreeMap::new();
+    let mut numbers = vec![0; groups.len()];
+    for (group, number) in groups.iter().zip(&mut numbers) {
+        let taken = taken.entry(group.kind()).or_default();
+        if let Ok(value) = group.name().parse::<i32>()
+            && value > 0
+            && value.to_string() == group.name()
+            && !taken.contains(&value)
+        {
+            taken.push(value);
+            *number = value;
+        }
+    }
+    for taken in taken.values_mut() {
+        taken.sort_unstable();
+    }
+    let mut next: BTreeMap<GroupKind, i32> = BTreeMap::new();
+    for (group, number) in groups.iter().zip(&mut numbers) {
+        if *number == 0 {
+            let next = next.entry(group.kind()).or_default();
+            let taken = &taken[&group.kind()];
+            *next += 1;
+            while taken.binary_search(next).is_ok() {
+                *next += 1;
+            }
+            *number = *next;
+        }
+    }
+    numbers
+}
+
+/// For each of `count` members of this kind the number of the first group that it is in; 0 for none.
+pub(crate) fn first_numbers(groups: &[Group], numbers: &[i32], kind: GroupKind, count: usize) -> Vec<i32> {
+    let mut first = vec![0; count];
+    for (group, &number) in groups.iter().zip(numbers).filter(|(group, _)| group.kind() == kind) {
+        for &member in group.members() {
+            if let Some(first) = first.get_mut(member as usize)
+                && *first == 0
+            {
+                *first = number;
+            }
+        }
+    }
+    first
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inner_vertices_are_left_out_and_the_rest_renumbered() {
+        let mut assembly = Assembly::new(1);
+        for x in 0..7 {
+            assembly.add_vertex(&[f64::from(x)]).unwrap();
+        }
+        let number = |v| u64::from(v) + 1;
+        // Corners 6 4 2 with 5 3 1 between them; vertex 0 is isolated, 3 is a point of its own.
+        assembly.add(Kind::Polygon, 3, &[6, 4, 2, 5, 3, 1], number).unwrap();
+        assert_eq!(assembly.add(Kind::Point, 1, &[3], number).unwrap(), 3);
+        for vertex in [3, 5] {
+            assembly.add_to_group(GroupKind::Vertices, 9, vertex);
+        }
+        let model = assembly.finish().unwrap();
+        assert_eq!(model.positions.as_flat(), [0.0, 2.0, 3.0, 4.0, 6.0]);
+        assert_eq!(model.polygons.list(0), [4, 3, 1]);
+        assert_eq!(model.points, [VertexId::new(2)]);
+        assert_eq!(model.groups, [Group::new("9", GroupKind::Vertices, vec![2])]);
+        assert!(
+            model.warnings[0].starts_with("1 elements of higher order")
+                && model.warnings[0].contains("2 vertices")
+        );
+        model.check().unwrap();
+    }
+
+    #[test]
+    fn faults_name_the_vertex_as_the_file_does() {
+        let mut assembly = Assembly::new(0);
+        assembly.add_vertex(&[]).unwrap();
+        assembly.add_vertex(&[]).unwrap();
+        let mut fault = |kind, vertices: &[u32]| {
+            assembly.add(kind, vertices.len(), vertices, |v| u64::from(v) + 1).unwrap_err().to_string()
+        };
+        assert!(
+            fault(Kind::Polygon, &[0, 1, 2])
+                .contains("a triangle names vertex 3, but there are 2 vertices, numbered from 1")
+        );
+        assert!(fault(Kind::TETRAHEDRON, &[0, 1, 1, 0]).contains("a tetrahedron repeats vertex 2"));
+        assert!(fault(Kind::Line, &[1, 1]).contains("a line repeats vertex 2"));
+    }
+
+    #[test]
+    fn group_numbers_are_distinct_and_keep_numeric_names() {
+        let group = |name: &str, kind| Group::new(name, kind, vec![0, 2]);
+        let groups = [
+            group("a", GroupKind::Lines),
+            group("1", GroupKind::Lines),
+            group("1", GroupKind::Cells),
+            group("02", GroupKind::Lines),
+            group("-3", GroupKind::Cells),
+        ];
+        let numbers = group_numbers(&groups);
+        assert_eq!(numbers, [2, 1, 1, 3, 2]);
+        assert_eq!(first_numbers(&groups, &numbers, GroupKind::Lines, 3), [2, 0, 2]);
+    }
+}

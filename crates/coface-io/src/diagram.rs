@@ -1,0 +1,135 @@
+//! Persistence diagrams as the text that other programs read.
+
+use coface_algebra::Error;
+use coface_topology::{PersistenceDiagram, PersistencePair};
+use std::io::Write;
+use std::path::Path;
+
+/// A format of persistence diagrams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum DiagramFormat {
+    /// Lines `p degree birth death` with p the number of elements of the field, as GUDHI writes and reads `.pers` files.
+    Gudhi,
+    /// For each degree a line `persistence intervals in dim 0:` and under it the intervals, as Ripser prints them.
+    Ripser,
+    /// A header, then lines `degree,birth,death,birth_cell,death_cell`.
+    Csv,
+}
+
+impl DiagramFormat {
+    /// The format with the extension of this path: `.pers`, `.txt` (as Ripser prints) or `.csv`.
+    pub fn from_path(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "pers" => Some(Self::Gudhi),
+            "txt" => Some(Self::Ripser),
+            "csv" => Some(Self::Csv),
+            _ => None,
+        }
+    }
+}
+
+/// Writes a persistence diagram as text: numbers in the fewest digits that give the same number back, `inf` for the
+/// death of an essential class (`-inf` where values fall; Ripser leaves the place empty).
+///
+/// # Errors
+/// [`coface_algebra::ErrorKind::Io`] if the stream cannot be written.
+///
+/// # Examples
+/// Two points that meet by an edge at 2.5:
+/// ```
+/// use coface_algebra::SparseMatrix;
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_io::{DiagramFormat, write_diagram};
+/// use coface_topology::{Coefficients, Filtration, persistence};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let edge = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+/// let filtration = Filtration::new(&edge, vec![vec![0.0, 1.0], vec![2.5]])?;
+/// let diagram = persistence(&edge, &filtration, Coefficients::Modulo(3))?;
+/// let mut text = Vec::new();
+/// write_diagram(&diagram, &mut text, DiagramFormat::Gudhi)?;
+/// assert_eq!(text, b"3 0 0 inf\n3 0 1 2.5\n");
+/// # Ok(()) }
+/// ```
+pub fn write_diagram(
+    diagram: &PersistenceDiagram,
+    mut out: impl Write,
+    format: DiagramFormat,
+) -> Result<(), Error> {
+    let never = if diagram.is_falling() { f64::NEG_INFINITY } else { f64::INFINITY };
+    let death = |pair: &PersistencePair| pair.death().unwrap_or(never);
+    match format {
+        DiagramFormat::Gudhi => {
+            for pair in diagram.pairs() {
+                writeln!(out, "{} {} {} {}", diagram.prime(), pair.degree(), pair.birth(), death(pair))?;
+            }
+        }
+        DiagramFormat::Ripser => {
+            for degree in 0..diagram.degree_count() {
+                writeln!(out, "persistence intervals in dim {degree}:")?;
+                for pair in diagram.pairs_of_degree(degree) {
+                    match pair.death() {
+                        Some(death) => writeln!(out, " [{},{death})", pair.birth())?,
+                        None => writeln!(out, " [{}, )", pair.birth())?,
+                    }
+                }
+            }
+        }
+        DiagramFormat::Csv => {
+            writeln!(out, "degree,birth,death,birth_cell,death_cell")?;
+            for pair in diagram.pairs() {
+                let cell = pair.death_cell().map_or(String::new(), |cell| cell.index().to_string());
+                let (birth, birth_cell) = (pair.birth(), pair.birth_cell().index());
+                writeln!(out, "{},{birth},{},{birth_cell},{cell}", pair.degree(), death(pair))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coface_algebra::SparseMatrix;
+    use coface_algebra::chains::ChainComplex;
+    use coface_topology::{Coefficients, Filtration, persistence};
+
+    /// A circle of two edges on vertices of heights 0.1 and -2.
+    fn text(is_falling: bool, format: DiagramFormat) -> String {
+        let ends = [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)];
+        let circle = ChainComplex::new(vec![SparseMatrix::from_entries(2, 2, ends).unwrap()]).unwrap();
+        let star = if is_falling { Filtration::upper_star } else { Filtration::lower_star };
+        let diagram =
+            persistence(&circle, &star(&circle, &[0.1, -2.0]).unwrap(), Coefficients::Modulo(2)).unwrap();
+        let mut bytes = Vec::new();
+        write_diagram(&diagram, &mut bytes, format).unwrap();
+        String::from_utf8(bytes).unwrap()
+    }
+
+    #[test]
+    fn every_format_has_its_lines() {
+        assert_eq!(text(false, DiagramFormat::Gudhi), "2 0 -2 inf\n2 0 0.1 0.1\n2 1 0.1 inf\n");
+        assert_eq!(text(true, DiagramFormat::Gudhi), "2 0 0.1 -inf\n2 0 -2 -2\n2 1 -2 -inf\n");
+        assert_eq!(
+            text(false, DiagramFormat::Ripser),
+            "persistence intervals in dim 0:\n [-2, )\n [0.1,0.1)\npersistence intervals in dim 1:\n [0.1, )\n"
+        );
+        assert_eq!(
+            text(false, DiagramFormat::Csv),
+            "degree,birth,death,birth_cell,death_cell\n0,-2,inf,1,\n0,0.1,0.1,0,0\n1,0.1,inf,1,\n"
+        );
+    }
+
+    #[test]
+    fn extensions_tell_the_format() {
+        for (name, format) in [
+            ("a.pers", Some(DiagramFormat::Gudhi)),
+            ("a.b.TXT", Some(DiagramFormat::Ripser)),
+            ("a.csv", Some(DiagramFormat::Csv)),
+            ("pers", None),
+            ("a.off", None),
+        ] {
+            assert_eq!(DiagramFormat::from_path(Path::new(name)), format, "{name}");
+        }
+    }
+}

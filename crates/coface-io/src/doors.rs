@@ -1,0 +1,570 @@
+//! Reading and writing models by path or stream, whatever the format.
+
+use super::scratch_mesh::{self, ScratchMesh};
+use super::watching::{Watched, name_of, reading};
+use super::{
+    Format, Model, Structure, VolumeReading, VolumeStream, container, format, geojson, isosig, json,
+    lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
+};
+use coface_algebra::{Error, ErrorKind};
+use std::fs::File;
+use std::io::{Read, Write};
+use std::path::Path;
+
+/// So many bytes are looked at to tell the format.
+const START: usize = 1 << 16;
+/// What a stream without a name is called.
+const STREAM: &str = "the input";
+
+/// Reads the model in a file. Without a format, the name and the content tell it; when they disagree it is an error
+/// that says how to settle it. [`Model::format`] then says which it was.
+///
+/// One entry of a JSON list of named objects is chosen by its name after a `#`: `facets.json#RP^3`; one of several
+/// isomorphism signatures by its place, from 1: `census.isosig#3`.
+///
+/// # Errors
+/// [`ErrorKind::Io`] when the file is missing, a directory or unreadable; [`ErrorKind::UnsupportedFormat`] when the
+/// format cannot be told; otherwise what the reader of the format found. All name the file, and the line or byte.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-read-path.json");
+/// std::fs::write(&path, "[[0, 1, 2], [1, 2, 3]]")?;
+/// let model = io::read_path(&path, None)?;
+/// assert_eq!(model.format(), Some(io::Format::Json));
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model, Error> {
+    read_path_with(path, &ReadOptions { format, ..ReadOptions::default() })
+}
+
+/// How files are read.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct ReadOptions {
+    /// The format, instead of the one that name and content tell.
+    pub format: Option<Format>,
+    /// The farthest that chords may be from the curves of an SVG, in its unit; curves are refused without it.
+    pub flatten: Option<f64>,
+    /// Which voxels of a volume are set, and which of its axes are periodic.
+    pub volume: VolumeReading,
+}
+
+impl ReadOptions {
+    fn check(&self) -> Result<(), Error> {
+        match self.flatten {
+            Some(tolerance) => svg::check_tolerance(tolerance),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Reads the model in a file as [`read_path`] does, with more to say about how.
+///
+/// # Errors
+/// As [`read_path`]; [`ErrorKind::InvalidInput`] if the distance of chords is not positive and finite.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::ReadOptions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-read-path-with.svg");
+/// std::fs::write(&path, "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle r=\"1\"/></svg>")?;
+/// let mut options = ReadOptions::default();
+/// options.flatten = Some(0.5);
+/// assert_eq!(io::read_path_with(&path, &options)?.lines().len(), 1);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Model, Error> {
+    let path = &volume::header_path(path.as_ref());
+    let format = options.format;
+    options.check()?;
+    if !path.exists()
+        && let Some((file, entry)) = entry_of(path)
+    {
+        let format = match format.or_else(|| Format::from_path(file)) {
+            Some(Format::Isosig) => Format::Isosig,
+            _ => Format::Json,
+        };
+        let read = || match format {
+            Format::Isosig => isosig::read_entry(watched(file)?, entry),
+            _ => json::read_entry(watched(file)?, entry),
+        };
+        return match read() {
+            Ok(model) => Ok(model.with_format(format)),
+            Err(error) => Err(error.in_file(file.display().to_string())),
+        };
+    }
+    let read = || {
+        let mut file = watched(path)?;
+        let (start, whole) = start_of(&mut file)?;
+        let format = match format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+        };
+        if format.is_volume() {
+            drop(file);
+            return volume_model(VolumeStream::open(path, format)?, &options.volume, format);
+        }
+        read_started(&start, whole, &mut file, format, options)
+    };
+    read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// The format of a file: what its name and its content tell, or the one that is given.
+///
+/// # Errors
+/// As [`read_path`], but for what is wrong behind the start of the file.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-format-of-path");
+/// std::fs::write(&path, "[[0, 1, 2]]")?;
+/// assert_eq!(io::format_of_path(&path, None)?, Format::Json);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Format, Error> {
+    let path = &volume::header_path(path.as_ref());
+    let found = || {
+        let (start, whole) = start_of(&mut open(path)?)?;
+        match format {
+            Some(format) => Ok(format),
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path)),
+        }
+    };
+    found().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// The model of a volume.
+fn volume_model(stream: VolumeStream<'_>, how: &VolumeReading, format: Format) -> Result<Model, Error> {
+    let (volume, warnings) = stream.read(how)?;
+    let mut model = Model::from_structure(Structure::Volume(volume));
+    model.warnings = warnings;
+    Ok(model.with_format(format))
+}
+
+/// Reads a model of this format.
+///
+/// # Errors
+/// What the reader of the format found.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = io::read(&b"[[0, 1, 2], [1, 2, 3]]"[..], Format::Json)?;
+/// assert!(model.structure().is_some());
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
+    let mut input = reading(STREAM, input, 0);
+    let (start, whole) = start_of(&mut input)?;
+    read_started(&start, whole, &mut input, format, &ReadOptions::default())
+}
+
+/// Reads a model from a stream: of the format of the options, or of the one that its content tells.
+///
+/// # Errors
+/// As [`read_unknown`]; [`ErrorKind::InvalidInput`] if the distance of chords is not positive and finite.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::ReadOptions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = io::read_with(&b"0,0,1,1"[..], &ReadOptions::default())?;
+/// assert_eq!(model.lines().len(), 1);
+/// # Ok(()) }
+/// ```
+pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+    options.check()?;
+    let mut input = reading(STREAM, input, 0);
+    let (start, whole) = start_of(&mut input)?;
+    let format = match options.format {
+        Some(format) => format,
+        None => format::decide(format::without_mark(&start), whole, None)?,
+    };
+    read_started(&start, whole, &mut input, format, options)
+}
+
+/// Reads a model from the bytes of a file of this name, as [`read_path_with`] does from the file itself: for what was fetched from
+/// elsewhere.
+///
+/// # Errors
+/// As [`read_path_with`].
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::ReadOptions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = io::read_named(&b"0,0,1,1"[..], "https://example.org/a.lines", &ReadOptions::default())?;
+/// assert_eq!(model.format(), Some(io::Format::Lines));
+/// # Ok(()) }
+/// ```
+pub fn read_named(input: impl Read, name: &str, options: &ReadOptions) -> Result<Model, Error> {
+    let read = || {
+        options.check()?;
+        let mut input = reading(name, input, 0);
+        let (start, whole) = start_of(&mut input)?;
+        let format = match options.format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(Path::new(name)))?,
+        };
+        read_started(&start, whole, &mut input, format, options)
+    };
+    read().map_err(|error: Error| error.in_file(name))
+}
+
+/// Reads a model whose format only its content tells, such as one from the standard input.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] when the content is of no known format; otherwise what the reader of the format
+/// found.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// assert_eq!(io::read_unknown(&b"[[0, 1, 2]]"[..])?.format(), Some(io::Format::Json));
+/// # Ok(()) }
+/// ```
+pub fn read_unknown(input: impl Read) -> Result<Model, Error> {
+    read_with(input, &ReadOptions::default())
+}
+
+/// Reads the boundary of a set in the plane from a file, as [`read_boundary`] does from a stream; the format is found out as by
+/// [`read_path`], and `file#name` is an entry of a JSON list.
+///
+/// # Errors
+/// As [`read_path`] and [`read_boundary`].
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::ReadOptions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-read-boundary.wkt");
+/// std::fs::write(&path, "POLYGON ((0 0, 1 0, 0 1, 0 0))")?;
+/// assert_eq!(io::read_boundary_path(&path, &ReadOptions::default())?.curves().len(), 1);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn read_boundary_path(
+    path: impl AsRef<Path>,
+    options: &ReadOptions,
+) -> Result<yin::BoundaryDrawing, Error> {
+    let path = path.as_ref();
+    options.check()?;
+    if !path.exists()
+        && let Some((file, entry)) = entry_of(path)
+    {
+        let drawing = watched(file).and_then(|file| json::read_boundary(file, Some(entry)));
+        return match drawing {
+            Ok(drawing) => Ok(drawing.with_format(Format::Json)),
+            Err(error) => Err(error.in_file(file.display().to_string())),
+        };
+    }
+    let read = || {
+        let mut file = watched(path)?;
+        let (start, whole) = start_of(&mut file)?;
+        if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
+            return factories_started(&start, whole, &mut file);
+        }
+        let format = match options.format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+        };
+        boundary_started(&start, whole, &mut file, format, options)
+    };
+    read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// Reads the boundary of a set in the plane: our JSON and `.dat` as [`yin`] says; SVG with its curves, unless the options have a
+/// tolerance; and the polygons and closed lines of all other formats.
+///
+/// # Errors
+/// What the reader of the format found; those of [`yin::drawing_of_model`].
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::{Format, ReadOptions};
+/// use coface_yin::Order;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = br#"<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 0 1 1 0 1Z"/></svg>"#;
+/// let drawing = io::read_boundary(&text[..], Format::Svg, &ReadOptions::default())?;
+/// assert_eq!((drawing.order(), drawing.curves()[0].points().len()), (Order::CUBIC, 2));
+/// # Ok(()) }
+/// ```
+pub fn read_boundary(
+    input: impl Read,
+    format: Format,
+    options: &ReadOptions,
+) -> Result<yin::BoundaryDrawing, Error> {
+    options.check()?;
+    let mut input = reading(STREAM, input, 0);
+    let (start, whole) = start_of(&mut input)?;
+    boundary_started(&start, whole, &mut input, format, options)
+}
+
+/// Reads the boundary of a set in the plane from a stream whose format is that of the options, or the one that its content tells.
+///
+/// # Errors
+/// As [`read_with`] and [`read_boundary`].
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::ReadOptions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// assert!(io::read_boundary_with(&b"{\"plane\": true}"[..], &ReadOptions::default())?.is_plane());
+/// # Ok(()) }
+/// ```
+pub fn read_boundary_with(input: impl Read, options: &ReadOptions) -> Result<yin::BoundaryDrawing, Error> {
+    options.check()?;
+    let mut input = reading(STREAM, input, 0);
+    let (start, whole) = start_of(&mut input)?;
+    if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
+        return factories_started(&start, whole, &mut input);
+    }
+    let format = match options.format {
+        Some(format) => format,
+        None => format::decide(format::without_mark(&start), whole, None)?,
+    };
+    boundary_started(&start, whole, &mut input, format, options)
+}
+
+/// Curves as text: no format of its own, for nothing else reads it.
+fn factories_started(start: &[u8], whole: bool, rest: &mut dyn Read) -> Result<yin::BoundaryDrawing, Error> {
+    let rest = rest.take(if whole { 0 } else { u64::MAX });
+    yin::read_factories(format::without_mark(start).chain(rest))
+}
+
+fn boundary_started(
+    start: &[u8],
+    whole: bool,
+    rest: &mut dyn Read,
+    format: Format,
+    options: &ReadOptions,
+) -> Result<yin::BoundaryDrawing, Error> {
+    let flatten = options.flatten;
+    let drawing = match format {
+        Format::Json | Format::Dat | Format::Svg if format != Format::Svg || flatten.is_none() => {
+            format::check_told(format, start, whole)?;
+            let rest = rest.take(if whole { 0 } else { u64::MAX });
+            let input = format::without_mark(start).chain(rest);
+            match format {
+                Format::Json => json::read_boundary(input, None)?,
+                Format::Dat => yin::read_dat(input)?,
+                _ => svg::read_regions(input)?,
+            }
+        }
+        _ => yin::drawing_of_model(&read_started(start, whole, rest, format, options)?)?,
+    };
+    Ok(drawing.with_format(format))
+}
+
+/// Writes a model in this format, in the encoding that is most often wanted: ascii, but binary for STL and PLY.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] when the format cannot hold the model; [`ErrorKind::Io`] from the output.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = io::read(&b"[[0, 1, 2], [1, 2, 3]]"[..], Format::Json)?;
+/// let mut out = Vec::new();
+/// io::write(&model, &mut out, Format::Json)?;
+/// assert_eq!(io::read(&out[..], Format::Json)?, model);
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error> {
+    match format {
+        Format::Off => off::write(model, out),
+        Format::Obj => obj::write(model, out),
+        Format::Ply => ply::write(model, out, ply::Encoding::default()),
+        Format::Stl => stl::write(model, out, stl::Encoding::default()),
+        Format::Medit => medit::write(model, out),
+        Format::Msh => msh::write(model, out, msh::Version::default()),
+        Format::Vtk => vtk::write(model, out, vtk::Encoding::default()),
+        Format::VtkGrid => vtk::write_xml(model, out, vtk::XmlKind::UnstructuredGrid),
+        Format::VtkPolygons => vtk::write_xml(model, out, vtk::XmlKind::PolyData),
+        Format::Json => json::write(model, out),
+        Format::Isosig => isosig::write(model, out),
+        Format::Lines => lines_text::write(model, out),
+        Format::GeoJson => geojson::write(model, out),
+        Format::Wkt => wkt::write(model, out),
+        Format::Svg => svg::write(model, out),
+        Format::Container => container::write(model, out),
+        Format::Dat => {
+            Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
+                .with_cure("write it by coface yin, which makes a set of polygons"))
+        }
+        Format::Npy => match model.structure() {
+            Some(Structure::Volume(voxels)) => volume::write_npy(voxels, out),
+            _ => Err(Error::new(ErrorKind::UnsupportedFormat, ".npy holds volumes, and the model is none")
+                .with_cure("write a mesh format or JSON")),
+        },
+        Format::Nrrd | Format::Nifti => {
+            Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
+                .with_cure("write a volume as .npy"))
+        }
+    }
+}
+
+/// Writes a model to a file, in the format that the name tells unless another is given. The file appears whole or not
+/// at all: see [`replace_file`](super::replace_file).
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] when the name tells no format or the format cannot hold the model;
+/// [`ErrorKind::Io`] with the path when it cannot be written.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = io::read_unknown(&b"[[0, 1, 2]]"[..])?;
+/// let path = std::env::temp_dir().join("coface-write-path.json");
+/// io::write_path(&model, &path, None)?;
+/// assert_eq!(io::read_path(&path, None)?, model);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>) -> Result<(), Error> {
+    let path = path.as_ref();
+    let format = match format.or_else(|| Format::from_path(path)) {
+        Some(format) => format,
+        None => {
+            return Err(Error::new(ErrorKind::UnsupportedFormat, "the name tells no format to write")
+                .with_cure(format!("end it in one of {}, or give --format", format::names()))
+                .in_file(path.display().to_string()));
+        }
+    };
+    output::replace_file(path, |out| write(model, out, format))
+}
+
+/// The file and the entry that `file#entry` names, if there is such a file.
+fn entry_of(path: &Path) -> Option<(&Path, &str)> {
+    let text = path.to_str()?;
+    text.match_indices('#')
+        .map(|(at, _)| (Path::new(&text[..at]), &text[at + 1..]))
+        .find(|(file, _)| file.is_file())
+}
+
+/// A file whose bytes are counted.
+fn watched(path: &Path) -> Result<Watched<File>, Error> {
+    let file = open(path)?;
+    let total = file.metadata().map_or(0, |metadata| metadata.len());
+    Ok(reading(&name_of(path), file, total))
+}
+
+fn open(path: &Path) -> Result<File, Error> {
+    let fault = |error: &std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
+        }
+        std::io::ErrorKind::PermissionDenied => Error::new(ErrorKind::Io, "the file may not be read")
+            .with_cure("change its permissions, or copy it"),
+        _ => Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}"))
+            .with_cure("check the path"),
+    };
+    let file = File::open(path).map_err(|error| fault(&error))?;
+    if file.metadata().map_err(|error| fault(&error))?.is_dir() {
+        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
+    }
+    Ok(file)
+}
+
+/// Reads a mesh of simplices from a file into flat files of a folder, without keeping it in memory; `None` if the file is of a format, or has
+/// elements, for which that is not done.
+pub fn stream_mesh(
+    path: &Path,
+    format: Option<Format>,
+    folder: &Path,
+) -> Result<Option<ScratchMesh>, Error> {
+    let read = || {
+        let mut file = watched(path)?;
+        let (start, whole) = start_of(&mut file)?;
+        let format = match format {
+            Some(format) => format,
+            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+        };
+        if !matches!(format, Format::Medit | Format::Msh) {
+            return Ok(None);
+        }
+        format::check_told(format, &start, whole)?;
+        let input = format::without_mark(&start).chain(file);
+        let scratch = ScratchMesh::create(folder)?;
+        let read = match format {
+            Format::Medit => medit::read_into(input, scratch),
+            _ => msh::read_into(input, scratch),
+        };
+        match read {
+            Ok(mut scratch) => {
+                scratch.finish()?;
+                Ok(Some(scratch))
+            }
+            Err(error) if error.message() == scratch_mesh::NOT_SIMPLICIAL => Ok(None),
+            Err(error) => Err(error),
+        }
+    };
+    read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// The first bytes of a stream, and whether they are all of it.
+fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
+    let mut start = Vec::new();
+    input.by_ref().take(START as u64).read_to_end(&mut start)?;
+    let whole = start.len() < START;
+    Ok((start, whole))
+}
+
+/// Reads on from the start that was looked at.
+fn read_started(
+    start: &[u8],
+    whole: bool,
+    rest: &mut dyn Read,
+    format: Format,
+    options: &ReadOptions,
+) -> Result<Model, Error> {
+    let flatten = options.flatten;
+    format::check_told(format, start, whole)?;
+    let rest = rest.take(if whole { 0 } else { u64::MAX });
+    let mut input = format::without_mark(start).chain(rest);
+    let input: &mut dyn Read = &mut input;
+    let model = match format {
+        Format::Off => off::read(input)?,
+        Format::Obj => obj::read(input)?,
+        Format::Ply => ply::read(input)?,
+        Format::Stl => stl::read(input)?,
+        Format::Medit => medit::read(input)?,
+        Format::Msh => msh::read(input)?,
+        Format::Vtk => vtk::read(input)?,
+        Format::Json => json::read_with(input, flatten)?,
+        Format::Isosig => isosig::read(input)?,
+        Format::Lines => lines_text::read(input)?,
+        Format::GeoJson => geojson::read(input)?,
+        Format::Wkt => wkt::read(input)?,
+        Format::Svg => svg::read_with(input, flatten)?,
+        Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
+        Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
+        Format::Container => container::read(input)?,
+        Format::Npy | Format::Nrrd | Format::Nifti => {
+            return volume_model(VolumeStream::new(input, format)?, &options.volume, format);
+        }
+    };
+    Ok(model.with_format(format))
+}

@@ -1,0 +1,568 @@
+//! Points, lines and polygons with holes, as drawings and maps have them, and the models that they are.
+//!
+//! A polygon with holes is no polygon of a mesh, so its rings become closed lines, and two arrays of integers on the lines say
+//! what they bound: `polygon` numbers the polygons, `ring` is 0 for an outer ring and 1, 2, .. for the holes; both are -1
+//! for a line that is no ring. Where a feature without a name has several polygons a third array, `feature`, numbers the features without
+//! names that have lines or rings, one after the other, and is -1 for what has a name.
+
+use super::lists::number_by_firsts;
+use super::model::{Group, GroupKind};
+use super::numbers::Numbers;
+use super::{CellData, Model};
+use coface_algebra::RaggedArray;
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_geometry::Positions;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// The array that says which polygon a ring belongs to.
+const POLYGON: &str = "polygon";
+/// The array that says which ring of its polygon a line is.
+const RING: &str = "ring";
+/// The array that says which feature a line is of.
+const FEATURE: &str = "feature";
+/// Warnings of one kind that are listed one by one.
+const LISTED: usize = 8;
+
+/// A position as a file gives it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    /// The height, if there is one.
+    pub(super) z: Option<f64>,
+}
+
+impl Place {
+    fn coordinates(self) -> [f64; 3] {
+        [self.x, self.y, self.z.unwrap_or(0.0)]
+    }
+}
+
+/// A line that has been read.
+struct Line {
+    /// The corner behind its last.
+    end: usize,
+    /// The polygon and the ring; -1 if it is none.
+    polygon: i64,
+    ring: i64,
+    feature: i64,
+    name: Option<usize>,
+}
+
+/// A drawing while it is read: lines corner by corner.
+#[derive(Default)]
+pub(super) struct Drawing {
+    /// The corners of all lines, and of the line that is being made.
+    corners: Vec<[f64; 3]>,
+    lines: Vec<Line>,
+    points: Vec<([f64; 3], Option<usize>)>,
+    names: Vec<String>,
+    number_of_name: BTreeMap<String, usize>,
+    /// The name of what comes next.
+    name: Option<usize>,
+    /// The features without names that have lines, and whether the next such line is of another one.
+    feature_count: i64,
+    begins_feature: bool,
+    /// The feature of the last polygon, and whether a feature has had several.
+    feature_of_polygon: Option<i64>,
+    has_many_polygons: bool,
+    polygon_count: i64,
+    /// The rings that the polygon has had.
+    ring_count: i64,
+    heights: bool,
+    flat_places: usize,
+    surplus: usize,
+    single_points: usize,
+    warnings: Vec<String>,
+}
+
+impl Drawing {
+    /// What comes next is another feature, with this name or none.
+    pub(super) fn begin_feature(&mut self, name: Option<String>) {
+        self.begins_feature = true;
+        self.name = name.filter(|name| !name.is_empty()).map(|name| {
+            *self.number_of_name.entry(name).or_insert_with_key(|name| {
+                self.names.push(name.clone());
+                self.names.len() - 1
+            })
+        });
+    }
+
+    /// Numbers behind the third coordinate were passed over.
+    pub(super) fn note_surplus(&mut self) {
+        self.surplus += 1;
+    }
+
+    fn note(&mut self, place: Place) {
+        match place.z {
+            Some(_) => self.heights = true,
+            None => self.flat_places += 1,
+        }
+    }
+
+    /// A point of its own.
+    pub(super) fn point(&mut self, place: Place) {
+        self.note(place);
+        self.points.push((place.coordinates(), self.name));
+    }
+
+    /// The next corner of the line that is being made. One that equals the last is left out.
+    pub(super) fn corner(&mut self, place: Place) {
+        self.note(place);
+        let (corner, start) = (place.coordinates(), self.open());
+        if self.corners[start..].last() != Some(&corner) {
+            self.corners.push(corner);
+        }
+    }
+
+    /// The first corner of the line that is being made.
+    fn open(&self) -> usize {
+        self.lines.last().map_or(0, |line| line.end)
+    }
+
+    /// Ends a line. One whose corners are all equal is kept as a point, and `place` names it in a warning; says whether it is
+    /// more than a point.
+    pub(super) fn end_line(&mut self, place: impl FnOnce() -> String) -> bool {
+        self.end(-1, -1, place)
+    }
+
+    /// The rings that follow are those of another polygon.
+    pub(super) fn begin_polygon(&mut self) {
+        self.ring_count = 0;
+    }
+
+    /// Ends a ring, whose first corner must stand at its end again; says whether it is more than a point.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if it does not.
+    pub(super) fn end_ring(&mut self, place: impl FnOnce() -> String) -> Result<bool, Error> {
+        let corners = &self.corners[self.open()..];
+        if corners.first() != corners.last() {
+            let number = |x: f64| format!("{x}");
+            let show = |corner: Option<&[f64; 3]>| {
+                corner.map_or(String::new(), |c| format!("({}, {})", number(c[0]), number(c[1])))
+            };
+            let message = format!(
+                "ring {} of a polygon begins at {} but ends at {}",
+                self.ring_count,
+                show(corners.first()),
+                show(corners.last())
+            );
+            return Err(
+                Error::invalid(message).with_cure("repeat the first point at the end, or make it a line")
+            );
+        }
+        if corners.len() > 1 && self.ring_count == 0 {
+            self.polygon_count += 1;
+        }
+        let is_kept = self.end(self.polygon_count - 1, self.ring_count, place);
+        self.ring_count += i64::from(is_kept);
+        Ok(is_kept)
+    }
+
+    /// The feature of the line that is being made; -1 if it has a name, which tells it.
+    fn feature(&mut self) -> i64 {
+        if self.name.is_some() {
+            return -1;
+        }
+        if std::mem::take(&mut self.begins_feature) || self.feature_count == 0 {
+            self.feature_count += 1;
+        }
+        self.feature_count - 1
+    }
+
+    /// Ends a line or ring; says whether it is more than a point.
+    fn end(&mut self, polygon: i64, ring: i64, place: impl FnOnce() -> String) -> bool {
+        let start = self.open();
+        match self.corners.len() - start {
+            0 => false,
+            1 => {
+                let corner = self.corners[start];
+                self.corners.truncate(start);
+                self.points.push((corner, self.name));
+                self.single_points += 1;
+                if self.single_points <= LISTED {
+                    self.warnings.push(format!("{} is a single point and kept as one", place()));
+                }
+                false
+            }
+            _ => {
+                let feature = self.feature();
+                if ring == 0 && feature >= 0 {
+                    self.has_many_polygons |= self.feature_of_polygon == Some(feature);
+                    self.feature_of_polygon = Some(feature);
+                }
+                self.lines.push(Line { end: self.corners.len(), polygon, ring, feature, name: self.name });
+                true
+            }
+        }
+    }
+
+    /// The model. Lines and points share their vertices; a ring has vertices of its own, so that polygons that touch stay
+    /// apart. Within these, equal coordinates are one vertex, and vertices are numbered as they come, lines before points.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 corners.
+    pub(super) fn finish(mut self) -> Result<Model, Error> {
+        let warn = |warnings: &mut Vec<String>, count: usize, what: &str| {
+            if count > 0 {
+                warnings.push(format!("{count} {what}"));
+            }
+        };
+        let unlisted = self.single_points.saturating_sub(LISTED);
+        warn(&mut self.warnings, unlisted, "more lines or rings are single points and kept as such");
+        warn(
+            &mut self.warnings,
+            self.surplus,
+            "positions have numbers behind the third, which are passed over",
+        );
+        if self.heights {
+            warn(&mut self.warnings, self.flat_places, "positions without a height are at height 0");
+        }
+        let line_corners = self.corners.len();
+        self.corners.extend(self.points.iter().map(|&(corner, _)| corner));
+        if self.corners.len() >= u32::MAX as usize {
+            return Err(Error::new(ErrorKind::TooLarge, "the drawing has more than 2^32 - 2 corners")
+                .with_cure("divide it"));
+        }
+        let mut owners = vec![0u32; self.corners.len()];
+        let mut ends = vec![0u32];
+        for (i, line) in self.lines.iter().enumerate() {
+            if line.polygon >= 0 {
+                owners[ends[i] as usize..line.end].fill(i as u32 + 1);
+            }
+            ends.push(line.end as u32);
+        }
+        let (vertices, firsts) = weld(&self.corners, &owners);
+        let dimension = if self.heights { 3 } else { 2 };
+        let coordinates: Vec<f64> =
+            firsts.iter().flat_map(|&corner| self.corners[corner as usize][..dimension].to_vec()).collect();
+        let points: Vec<u32> = vertices[line_corners..].to_vec();
+        let lines = RaggedArray::from_parts(ends, vertices[..line_corners].to_vec())?;
+        let mut data = Vec::new();
+        if self.polygon_count > 0 {
+            let column = |name: &str, value: fn(&Line) -> i64| {
+                let numbers = Numbers::Int64(self.lines.iter().map(value).collect());
+                CellData::of_file(name.to_owned(), GroupKind::Lines, 1, numbers)
+            };
+            data = vec![column(POLYGON, |line| line.polygon), column(RING, |line| line.ring)];
+            if self.has_many_polygons {
+                data.push(column(FEATURE, |line| line.feature));
+            }
+        }
+        let named_points = self.points.iter().zip(&points).map(|(&(_, name), &vertex)| (name, vertex));
+        let mut groups = groups_of(&self.names, GroupKind::Vertices, named_points);
+        let named_lines = self.lines.iter().zip(0..).map(|(line, i)| (line.name, i));
+        groups.extend(groups_of(&self.names, GroupKind::Lines, named_lines));
+        let model = Model {
+            vertex_count: firsts.len(),
+            positions: Positions::from_flat(dimension, coordinates)?,
+            lines,
+            points: points.into_iter().map(VertexId::from_u32).collect(),
+            groups,
+            data,
+            warnings: self.warnings,
+            ..Model::default()
+        };
+        debug_assert!(model.check().is_ok(), "what a drawing makes is sound");
+        Ok(model)
+    }
+}
+
+/// The groups of things of one kind, in the order of their first members.
+fn groups_of(
+    names: &[String],
+    kind: GroupKind,
+    things: impl Iterator<Item = (Option<usize>, u32)>,
+) -> Vec<Group> {
+    let mut group_of_name: Vec<Option<usize>> = vec![None; names.len()];
+    let mut groups: Vec<Group> = Vec::new();
+    for (name, thing) in things.filter_map(|(name, thing)| Some((name?, thing))) {
+        let group = *group_of_name[name].get_or_insert_with(|| {
+            groups.push(Group::new(names[name].clone(), kind, Vec::new()));
+            groups.len() - 1
+        });
+        groups[group].members.push(thing);
+    }
+    for group in &mut groups {
+        group.members.sort_unstable();
+        group.members.dedup();
+    }
+    groups
+}
+
+/// The vertex of each corner, and the first corner of each vertex: corners with one owner and equal coordinates are one.
+fn weld(corners: &[[f64; 3]], owners: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    // Zeros of both signs are equal.
+    let key =
+        |i: u32| (owners[i as usize], corners[i as usize].map(|x| if x == 0.0 { 0 } else { x.to_bits() }));
+    let mut order: Vec<u32> = (0..corners.len() as u32).collect();
+    order.par_sort_unstable_by_key(|&i| (key(i), i));
+    let mut vertices = vec![0; corners.len()];
+    for equal in order.chunk_by(|&a, &b| key(a) == key(b)) {
+        for &corner in equal {
+            vertices[corner as usize] = equal[0];
+        }
+    }
+    let firsts = number_by_firsts(&mut vertices);
+    (vertices, firsts)
+}
+
+/// What a model draws.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// This line.
+    Line(usize),
+    /// The polygon that these lines are the rings of.
+    Rings(Range<usize>),
+    /// This polygon of a mesh.
+    Face(usize),
+    /// This vertex.
+    Point(u32),
+}
+
+/// What a model draws, each with the number of the group that names it: lines and rings, then the polygons, then the
+/// points and the vertices that nothing uses.
+pub fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
+    let mut shapes = Vec::new();
+    let names = names_of(model, GroupKind::Lines);
+    let [polygons, rings] = [POLYGON, RING].map(|name| match model.data_named(name, GroupKind::Lines) {
+        Some(data) if data.components() == 1 && data.is_integral() => {
+            (0..data.len()).map(|i| data.integer_row(i).map_or(-1, |row| row[0])).collect()
+        }
+        _ => vec![-1; model.lines.len()],
+    });
+    let is_ring = |i: usize| {
+        let line = model.lines.list(i);
+        polygons[i] >= 0 && rings[i] >= 0 && line.first() == line.last()
+    };
+    let mut i = 0;
+    while i < model.lines.len() {
+        let start = i;
+        i += 1;
+        if !is_ring(start) {
+            shapes.push((Shape::Line(start), names[start]));
+            continue;
+        }
+        let is_hole = |i: usize| {
+            is_ring(i) && rings[i] > 0 && polygons[i] == polygons[start] && names[i] == names[start]
+        };
+        while i < model.lines.len() && is_hole(i) {
+            i += 1;
+        }
+        shapes.push((Shape::Rings(start..i), names[start]));
+    }
+    let names = names_of(model, GroupKind::Polygons);
+    shapes.extend(names.into_iter().enumerate().map(|(i, name)| (Shape::Face(i), name)));
+    let names = names_of(model, GroupKind::Vertices);
+    let mut used = vec![false; model.vertex_count];
+    for &vertex in model.lines.items().iter().chain(model.polygons.items()) {
+        used[vertex as usize] = true;
+    }
+    for point in &model.points {
+        used[point.index()] = true;
+        shapes.push((Shape::Point(point.to_u32()), names[point.index()]));
+    }
+    let isolated = (0..model.vertex_count).filter(|&vertex| !used[vertex]);
+    shapes.extend(isolated.map(|vertex| (Shape::Point(vertex as u32), names[vertex])));
+    shapes
+}
+
+/// The features without names that the lines of a model are of; none where no such feature has several polygons.
+pub struct Features(Vec<i64>);
+
+impl Features {
+    #[doc(hidden)]
+    pub fn new(model: &Model) -> Self {
+        let data = model.data_named(FEATURE, GroupKind::Lines);
+        let data = data.filter(|data| data.components() == 1 && data.is_integral());
+        let number = |data: &CellData, i: usize| data.integer_row(i).map_or(-1, |row| row[0]);
+        Self(data.map_or(Vec::new(), |data| (0..data.len()).map(|i| number(data, i)).collect()))
+    }
+
+    /// The feature of a line or of rings, if it is known.
+    #[doc(hidden)]
+    pub fn of(&self, shape: &Shape) -> Option<i64> {
+        let line = match shape {
+            Shape::Line(line) => *line,
+            Shape::Rings(lines) => lines.start,
+            Shape::Face(_) | Shape::Point(_) => return None,
+        };
+        self.0.get(line).copied().filter(|&feature| feature >= 0)
+    }
+
+    /// Whether two shapes are known to be of one feature.
+    pub(crate) fn are_one(&self, a: &Shape, b: &Shape) -> bool {
+        self.of(a).is_some() && self.of(a) == self.of(b)
+    }
+}
+
+/// The first group of a kind that each thing is in.
+fn names_of(model: &Model, kind: GroupKind) -> Vec<Option<usize>> {
+    let mut names = vec![None; model.count_of(kind)];
+    for (i, group) in model.groups.iter().enumerate().rev().filter(|(_, group)| group.kind == kind) {
+        for &member in &group.members {
+            names[member as usize] = Some(i);
+        }
+    }
+    names
+}
+
+/// The coordinates that are written for each vertex: two, or three if one is above or below the plane.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] if the model has no positions, cells, or more than three coordinates a vertex.
+pub(super) fn written_dimension(model: &Model, format: &str) -> Result<usize, Error> {
+    super::limits::require_mesh(model, format, "MEDIT, MSH or VTK")?;
+    super::limits::require_dimension(model, format, 3)?;
+    let in_plane = model.positions.dimension() < 3
+        || model.positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0);
+    Ok(if in_plane { 2 } else { 3 })
+}
+
+/// Things between two brackets with something between them.
+pub(super) fn push_list<T>(
+    text: &mut Vec<u8>,
+    [open, between, close]: [&[u8]; 3],
+    items: impl Iterator<Item = T>,
+    push: impl Fn(T, &mut Vec<u8>),
+) {
+    text.extend_from_slice(open);
+    for (i, item) in items.enumerate() {
+        if i > 0 {
+            text.extend_from_slice(between);
+        }
+        push(item, text);
+    }
+    text.extend_from_slice(close);
+}
+
+/// Appends the coordinates of a vertex, with something between them.
+pub(super) fn push_place(model: &Model, vertex: u32, dimension: usize, between: u8, text: &mut Vec<u8>) {
+    let width = model.positions.dimension();
+    let start = vertex as usize * width;
+    for axis in 0..dimension {
+        if axis > 0 {
+            text.push(between);
+        }
+        let coordinate = if axis < width { model.positions.as_flat()[start + axis] } else { 0.0 };
+        super::decimal::push_f64(text, coordinate);
+    }
+}
+
+/// The vertices of a polygon of a mesh as a ring: the first again at the end.
+pub(super) fn closed(polygon: &[u32]) -> impl Iterator<Item = u32> {
+    polygon.iter().chain(polygon.first()).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn place(x: f64, y: f64) -> Place {
+        Place { x, y, z: None }
+    }
+
+    fn draw(drawing: &mut Drawing, corners: &[[f64; 2]]) {
+        for &[x, y] in corners {
+            drawing.corner(place(x, y));
+        }
+    }
+
+    #[test]
+    fn lines_share_vertices_and_rings_do_not() {
+        let mut drawing = Drawing::default();
+        drawing.begin_feature(Some("way".to_owned()));
+        draw(&mut drawing, &[[0., 0.], [1., 0.], [1., 0.], [1., 1.]]);
+        drawing.end_line(String::new);
+        drawing.begin_feature(None);
+        draw(&mut drawing, &[[1., 1.], [0., 1.], [-0.0, 0.]]);
+        drawing.end_line(String::new);
+        drawing.begin_polygon();
+        draw(&mut drawing, &[[0., 0.], [1., 0.], [0., 1.], [0., 0.]]);
+        drawing.end_ring(String::new).unwrap();
+        drawing.point(place(1., 0.));
+        let model = drawing.finish().unwrap();
+        assert_eq!(model.lines, RaggedArray::from_lists([vec![0, 1, 2], vec![2, 3, 0], vec![4, 5, 6, 4]]));
+        assert_eq!(model.points, [VertexId::new(1)]);
+        assert_eq!(model.groups, [Group::new("way", GroupKind::Lines, vec![0])]);
+        let ring = model.data_named("ring", GroupKind::Lines).unwrap();
+        assert_eq!(ring.integer_row(0), Some(vec![-1]));
+        assert_eq!(ring.integer_row(2), Some(vec![0]));
+        let expected = [Shape::Line(0), Shape::Line(1), Shape::Rings(2..3), Shape::Point(1)];
+        assert!(shapes(&model).into_iter().map(|(shape, _)| shape).eq(expected));
+    }
+
+    #[test]
+    fn features_are_told_where_one_has_several_polygons() {
+        let square = |drawing: &mut Drawing, x: f64| {
+            drawing.begin_polygon();
+            draw(drawing, &[[x, 0.], [x + 1., 0.], [x, 1.], [x, 0.]]);
+            drawing.end_ring(String::new).unwrap();
+        };
+        let features = |has_second: bool| {
+            let mut drawing = Drawing::default();
+            drawing.begin_feature(None);
+            square(&mut drawing, 0.);
+            // One that draws nothing does not count.
+            drawing.begin_feature(None);
+            drawing.begin_feature(None);
+            draw(&mut drawing, &[[5., 5.], [6., 6.]]);
+            drawing.end_line(String::new);
+            square(&mut drawing, 2.);
+            if has_second {
+                square(&mut drawing, 4.);
+            }
+            let model = drawing.finish().unwrap();
+            let features = Features::new(&model);
+            shapes(&model).iter().map(|(shape, _)| features.of(shape)).collect::<Vec<_>>()
+        };
+        assert_eq!(features(true), [Some(0), Some(1), Some(1), Some(1)]);
+        assert_eq!(features(false), [None; 3]);
+        // What has a name is told by it.
+        let mut drawing = Drawing::default();
+        drawing.begin_feature(Some("lakes".to_owned()));
+        square(&mut drawing, 0.);
+        square(&mut drawing, 2.);
+        assert!(drawing.finish().unwrap().data_named("feature", GroupKind::Lines).is_none());
+    }
+
+    #[test]
+    fn what_is_degenerate_is_kept_and_said() {
+        let mut drawing = Drawing::default();
+        draw(&mut drawing, &[[2., 3.], [2., 3.]]);
+        drawing.end_line(|| "line 7".to_owned());
+        drawing.begin_polygon();
+        draw(&mut drawing, &[[0., 0.], [1., 0.], [0., 0.]]);
+        drawing.end_ring(String::new).unwrap();
+        drawing.end_line(String::new);
+        draw(&mut drawing, &[[0., 0.], [1., 0.]]);
+        assert!(drawing.end_ring(String::new).unwrap_err().to_string().contains("begins at (0, 0)"));
+        drawing.end_line(String::new);
+        drawing.point(Place { x: 1., y: 2., z: Some(3.) });
+        let model = drawing.finish().unwrap();
+        assert_eq!(model.lines, RaggedArray::from_lists([vec![0, 1, 0], vec![2, 3]]));
+        assert_eq!((model.points.len(), model.positions.dimension()), (2, 3));
+        assert!(model.warnings[0].starts_with("line 7 is a single point"), "{:?}", model.warnings);
+        assert_eq!(model.warnings[1], "7 positions without a height are at height 0");
+    }
+
+    proptest! {
+        #[test]
+        fn welding_agrees_with_comparing_all_pairs(corners in proptest::collection::vec((0..3u32, [-1..2i8, -1..2, 0..1]), 0..40)) {
+            let owners: Vec<u32> = corners.iter().map(|&(owner, _)| owner).collect();
+            let points: Vec<[f64; 3]> = corners.iter().map(|&(_, point)| point.map(f64::from)).collect();
+            let (vertices, firsts) = weld(&points, &owners);
+            let mut seen: Vec<usize> = Vec::new();
+            for i in 0..points.len() {
+                let equal = seen.iter().position(|&j| owners[j] == owners[i] && points[j] == points[i]);
+                let vertex = equal.unwrap_or_else(|| { seen.push(i); seen.len() - 1 });
+                prop_assert_eq!(vertices[i] as usize, vertex);
+            }
+            prop_assert!(firsts.iter().map(|&first| first as usize).eq(seen));
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! GeoJSON: points, lines and polygons with holes, with names.
+//!
+//! A file is a `FeatureCollection`, a `Feature`, a geometry (`Point`, `MultiPoint`, `LineString`, `MultiLineString`,
+//! `Polygon`, `MultiPolygon`, `GeometryCollection`), or the bare coordinates of a polygon or of several,
+//! whose rings need not have their first position at the end again.
+//!
+//! Lines and points share their vertices: equal positions are one vertex, so that ways that meet are connected. A polygon with
+//! holes is no polygon of a mesh: each ring becomes a closed line, and two arrays of integers on the lines say what
+//! it bounds. `polygon` numbers the polygons from 0, `ring` is 0 for the outer ring and 1, 2, .. for the holes; both
+//! are -1 for lines that are no rings. Where a feature without a name has several polygons a third one, `feature`, numbers
+//! the features without names, and is -1 for others. Rings have vertices of their own, so polygons that touch stay apart. The
+//! direction of a ring is that of the file.
+//!
+//! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. Other properties are
+//! passed over, as are reference systems; coordinates are taken as they stand.
+
+mod coordinates;
+mod reading;
+#[cfg(test)]
+mod tests;
+mod writing;
+
+pub(super) use reading::is_geojson;
+pub use reading::read;
+pub use writing::write;
+#[doc(hidden)]
+pub use writing::write_with;

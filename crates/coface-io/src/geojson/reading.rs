@@ -1,0 +1,411 @@
+//! From a stream to a model.
+
+use super::coordinates::{Coordinates, Nested};
+use crate::Model;
+use crate::drawing::Drawing;
+use crate::json::Faults;
+use coface_algebra::Error;
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde_json::error::Category;
+use std::fmt;
+use std::io::{BufReader, Read};
+
+const CURE: &str = "the file must be GeoJSON (RFC 7946)";
+/// The types of geometries with coordinates, and how deep the lists of these are.
+const LEVELS: [(&str, usize); 6] = [
+    ("Point", 1),
+    ("MultiPoint", 2),
+    ("LineString", 2),
+    ("MultiLineString", 3),
+    ("Polygon", 3),
+    ("MultiPolygon", 4),
+];
+const OTHERS: [&str; 3] = ["GeometryCollection", "Feature", "FeatureCollection"];
+
+/// Reads a drawing or map: see [what becomes of what](crate::geojson).
+///
+/// A line whose positions are all equal is kept as a point; heights that are missing beside others are 0; both with a
+/// warning.
+///
+/// # Errors
+/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no GeoJSON; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for
+/// a ring that is not closed; both with the line. [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 2 corners.
+///
+/// # Complexity
+/// $O(n \log n)$ for n positions, to find equal ones; memory is the model and the largest geometry.
+///
+/// # References
+/// H. Butler et al., *The GeoJSON Format*, RFC 7946 (2016).
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = r#"{"type": "Feature", "properties": {"name": "bridge"},
+///     "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 0], [1, 2]]}}"#;
+/// let model = coface_io::geojson::read(text.as_bytes())?;
+/// assert_eq!(model.lines().list(0), [0, 1, 2]);
+/// assert_eq!(model.groups()[0].name(), "bridge");
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    let mut deserializer = serde_json::Deserializer::from_reader(BufReader::with_capacity(1 << 16, input));
+    let (mut drawing, faults) = (Drawing::default(), Faults::default());
+    Root(&mut Sink { drawing: &mut drawing, faults: &faults })
+        .deserialize(&mut deserializer)
+        .and_then(|()| deserializer.end())
+        .map_err(|error| located(error, faults.take()))?;
+    drawing.finish()
+}
+
+/// Whether the start of a file has a type of GeoJSON, or is a list of lists of lists.
+pub(crate) fn is_geojson(start: &[u8]) -> bool {
+    let mut brackets = start.iter().filter(|byte| !byte.is_ascii_whitespace());
+    if brackets.by_ref().take(3).eq(b"[[[") {
+        return true;
+    }
+    if start.trim_ascii_start().first() != Some(&b'{') {
+        return false;
+    }
+    memchr::memmem::find_iter(start, b"\"type\"").any(|at| {
+        let value = start[at + 6..].trim_ascii_start();
+        let Some(value) = value.strip_prefix(b":").map(<[u8]>::trim_ascii_start) else { return false };
+        let Some(value) = value.strip_prefix(b"\"") else { return false };
+        let names = LEVELS.iter().map(|&(name, _)| name).chain(OTHERS);
+        names
+            .into_iter()
+            .any(|name| value.strip_prefix(name.as_bytes()).is_some_and(|rest| rest.starts_with(b"\"")))
+    })
+}
+
+/// The fault that was raised, or the parser's own, with the line.
+fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
+    let (line, column, category) = (error.line() as u64, error.column(), error.classify());
+    if let Some(fault) = fault {
+        return fault.at_line(line);
+    }
+    if category == Category::Io {
+        return std::io::Error::from(error).into();
+    }
+    let text = error.to_string();
+    let place = format!(" at line {line} column {column}");
+    let text = shortened(text.strip_suffix(&place).unwrap_or(&text));
+    Error::parse(format!("{text} (column {column})")).at_line(line).with_cure(match category {
+        Category::Eof => "the file was cut short: write it again",
+        _ => CURE,
+    })
+}
+
+/// A text from the file, safe and short enough for an error message.
+fn shortened(text: &str) -> String {
+    let start: String = text.chars().take(200).collect();
+    let dots = if start.len() < text.len() { "..." } else { "" };
+    let safe: String = start.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+    format!("{safe}{dots}")
+}
+
+/// Where geometries go.
+struct Sink<'a> {
+    drawing: &'a mut Drawing,
+    faults: &'a Faults,
+}
+
+/// What an object holds, whatever its type and the order of its keys.
+#[derive(Default)]
+struct Object {
+    kind: Option<String>,
+    coordinates: Option<Coordinates>,
+    geometries: Vec<Object>,
+    /// What stands under `"geometry"`, unless that is null.
+    geometry: Option<Box<Object>>,
+    has_features: bool,
+    name: Option<String>,
+    id: Option<String>,
+}
+
+impl Object {
+    /// Draws a feature or a geometry; the features of a collection have been drawn as they were read.
+    fn draw(self, drawing: &mut Drawing) -> Result<(), Error> {
+        let kind = self.kind.as_deref().unwrap_or_default();
+        if self.has_features && kind != "FeatureCollection" {
+            return Err(
+                Error::parse("an object has \"features\", but is no FeatureCollection").with_cure(CURE)
+            );
+        }
+        match kind {
+            "FeatureCollection" => Ok(()),
+            "Feature" => {
+                drawing.begin_feature(self.name.or(self.id));
+                let drawn = self.geometry.map_or(Ok(()), |geometry| geometry.draw_geometry(drawing));
+                drawing.begin_feature(None);
+                drawn
+            }
+            _ => self.draw_geometry(drawing),
+        }
+    }
+
+    fn draw_geometry(self, drawing: &mut Drawing) -> Result<(), Error> {
+        let Some(kind) = self.kind else {
+            return Err(Error::parse("an object has no \"type\"").with_cure(CURE));
+        };
+        if kind == "GeometryCollection" {
+            return self.geometries.into_iter().try_for_each(|geometry| geometry.draw_geometry(drawing));
+        }
+        let Some(&(name, level)) = LEVELS.iter().find(|(name, _)| *name == kind) else {
+            let fault = Error::parse(format!("\"{}\" is not a type of geometry", shortened(&kind)));
+            return Err(fault.with_cure(if kind == "Topology" {
+                "this is TopoJSON: convert it to GeoJSON first"
+            } else {
+                CURE
+            }));
+        };
+        let Some(coordinates) = self.coordinates else {
+            return Err(Error::parse(format!("a {name} has no \"coordinates\"")).with_cure(CURE));
+        };
+        draw(name, level, &coordinates, false, drawing)
+    }
+}
+
+/// Draws a geometry whose coordinates must have this level; rings of bare ones are closed.
+fn draw(
+    name: &str,
+    level: usize,
+    coordinates: &Coordinates,
+    is_bare: bool,
+    drawing: &mut Drawing,
+) -> Result<(), Error> {
+    let Some(found) = coordinates.level() else { return Ok(()) };
+    if found != level {
+        let what = match found {
+            0 => "a number",
+            1 => "a position",
+            2 => "a list of positions",
+            3 => "a list of lists of positions",
+            _ => "lists nested too deep",
+        };
+        let message = format!("the coordinates of a {name} are {what}");
+        let brackets = ["", "[0, 0]", "[[0, 0], [1, 0]]", "[[[0, 0], [1, 0]]]", "[[[[0, 0], [1, 0]]]]"];
+        return Err(Error::parse(message).with_cure(format!("write them as in {}", brackets[level])));
+    }
+    match name {
+        "Point" | "MultiPoint" => coordinates.draw_points(drawing),
+        "LineString" | "MultiLineString" => coordinates.draw_lines(drawing, &format!("a {name}")),
+        _ => coordinates.draw_polygons(drawing, &format!("a {name}"), is_bare)?,
+    }
+    Ok(())
+}
+
+/// The whole file.
+struct Root<'a, 'b>(&'a mut Sink<'b>);
+
+impl<'de> DeserializeSeed<'de> for Root<'_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Root<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<(), A::Error> {
+        Drawn(self.0).visit_map(map)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<(), A::Error> {
+        let coordinates = Nested::of_list(list)?;
+        let name = if coordinates.level() == Some(4) { "MultiPolygon" } else { "Polygon" };
+        let level = if coordinates.level() == Some(4) { 4 } else { 3 };
+        draw(name, level, &coordinates, true, self.0.drawing).map_err(|fault| self.0.faults.raise(fault))
+    }
+}
+
+/// An object that is drawn as soon as it has been read.
+struct Drawn<'a, 'b>(&'a mut Sink<'b>);
+
+impl<'de> DeserializeSeed<'de> for Drawn<'_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Drawn<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a feature or geometry, an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<(), A::Error> {
+        let object = Parsed(&mut *self.0).visit_map(map)?;
+        object.draw(self.0.drawing).map_err(|fault| self.0.faults.raise(fault))
+    }
+}
+
+/// An object that is kept, since its keys come in any order.
+struct Parsed<'a, 'b>(&'a mut Sink<'b>);
+
+impl<'de> DeserializeSeed<'de> for Parsed<'_, '_> {
+    type Value = Object;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Object, D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Parsed<'_, '_> {
+    type Value = Object;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Object, A::Error> {
+        let mut object = Object::default();
+        while let Some(key) = map.next_key::<String>()? {
+            match key.as_str() {
+                "type" => object.kind = Some(map.next_value()?),
+                "coordinates" => object.coordinates = Some(map.next_value_seed(Nested)?),
+                "geometry" => object.geometry = map.next_value_seed(Geometry(&mut *self.0))?,
+                "geometries" => map.next_value_seed(Geometries(&mut *self.0, &mut object.geometries))?,
+                "features" => {
+                    object.has_features = true;
+                    map.next_value_seed(Features(&mut *self.0))?;
+                }
+                "properties" => object.name = map.next_value_seed(Properties)?,
+                "id" => object.id = name_of(&map.next_value()?),
+                _ => {
+                    map.next_value::<IgnoredAny>()?;
+                }
+            }
+        }
+        Ok(object)
+    }
+}
+
+/// The name that a value is: a text or a number.
+fn name_of(value: &serde_json::Value) -> Option<String> {
+    match value {
+        serde_json::Value::String(name) => Some(name.clone()),
+        serde_json::Value::Number(number) => Some(number.to_string()),
+        _ => None,
+    }
+}
+
+/// A geometry or null.
+struct Geometry<'a, 'b>(&'a mut Sink<'b>);
+
+impl<'de> DeserializeSeed<'de> for Geometry<'_, '_> {
+    type Value = Option<Box<Object>>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Geometry<'_, '_> {
+    type Value = Option<Box<Object>>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a geometry or null")
+    }
+
+    fn visit_unit<E: serde::de::Error>(self) -> Result<Self::Value, E> {
+        Ok(None)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        Parsed(self.0).visit_map(map).map(|object| Some(Box::new(object)))
+    }
+}
+
+/// The list of geometries of a collection.
+struct Geometries<'a, 'b>(&'a mut Sink<'b>, &'a mut Vec<Object>);
+
+impl<'de> DeserializeSeed<'de> for Geometries<'_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Geometries<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of geometries")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+        while let Some(object) = list.next_element_seed(Parsed(&mut *self.0))? {
+            self.1.push(object);
+        }
+        Ok(())
+    }
+}
+
+/// The list of features of a collection.
+struct Features<'a, 'b>(&'a mut Sink<'b>);
+
+impl<'de> DeserializeSeed<'de> for Features<'_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Features<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of features")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+        while list.next_element_seed(Drawn(&mut *self.0))?.is_some() {}
+        Ok(())
+    }
+}
+
+/// The name in the properties, which may be null.
+struct Properties;
+
+impl<'de> DeserializeSeed<'de> for Properties {
+    type Value = Option<String>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Properties {
+    type Value = Option<String>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("properties, an object or null")
+    }
+
+    fn visit_unit<E: serde::de::Error>(self) -> Result<Self::Value, E> {
+        Ok(None)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut name = None;
+        while let Some(key) = map.next_key::<String>()? {
+            if name.is_none() && key.eq_ignore_ascii_case("name") {
+                name = name_of(&map.next_value()?);
+            } else {
+                map.next_value::<IgnoredAny>()?;
+            }
+        }
+        Ok(name)
+    }
+}

@@ -1,0 +1,176 @@
+//! Tests of both directions.
+
+use super::{read, write};
+use crate::{CellData, Group, GroupKind, Model, wkt};
+use coface_algebra::RaggedArray;
+use coface_algebra::{ErrorKind, VertexId};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+fn column(model: &Model, name: &str) -> Vec<i64> {
+    let data = model.data_named(name, GroupKind::Lines).unwrap();
+    (0..data.len()).flat_map(|i| data.integer_row(i).unwrap()).collect()
+}
+
+fn written(model: &Model) -> Vec<u8> {
+    let mut out = Vec::new();
+    write(model, &mut out).unwrap();
+    let value: Value = serde_json::from_slice(&out).unwrap();
+    assert_eq!(value["type"], "FeatureCollection");
+    out
+}
+
+#[test]
+fn a_collection_of_everything_is_read() {
+    // The type stands behind what it says of, and foreign members are passed over.
+    let text = r#"{"features": [
+        {"geometry": {"coordinates": [[0, 0], [1, 0], [1, 0], [1, 1]], "type": "LineString"},
+         "properties": {"Name": "ü \"way\"", "nested": {"name": [1]}}, "id": 3, "type": "Feature"},
+        {"type": "Feature", "properties": null, "geometry": null},
+        {"type": "Feature", "id": 17, "properties": {}, "geometry": {"type": "GeometryCollection", "geometries": [
+            {"type": "Polygon", "coordinates": [[[0,0],[4,0],[0,4],[0,0]], [[1,1],[1,2],[2,1],[1,1]]]},
+            {"type": "MultiPoint", "coordinates": [[1, 0], [8, 8]]},
+            {"type": "GeometryCollection", "geometries": []},
+            {"type": "MultiLineString", "coordinates": [[[8, 8], [9, 9]], []]}]}},
+        {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPolygon", "coordinates":
+            [[[[5,5],[6,5],[5,6],[5,5]]], [[[5,5],[4,5],[5,4],[5,5]]]]}}
+        ], "bbox": [0, 0, 9, 9], "type": "FeatureCollection"}"#;
+    let model = read(text.as_bytes()).unwrap();
+    model.check().unwrap();
+    let expected: [&[u32]; 6] =
+        [&[0, 1, 2], &[3, 4, 5, 3], &[6, 7, 8, 6], &[9, 10], &[11, 12, 13, 11], &[14, 15, 16, 14]];
+    assert_eq!(*model.lines(), RaggedArray::from_lists(expected));
+    assert_eq!(model.points(), [VertexId::new(1), VertexId::new(9)]);
+    assert_eq!(column(&model, "polygon"), [-1, 0, 0, -1, 1, 2]);
+    assert_eq!(column(&model, "ring"), [-1, 0, 1, -1, 0, 0]);
+    let groups = [
+        Group::new("17", GroupKind::Vertices, vec![1, 9]),
+        Group::new("ü \"way\"", GroupKind::Lines, vec![0]),
+        Group::new("17", GroupKind::Lines, vec![1, 2, 3]),
+    ];
+    assert_eq!(model.groups(), groups);
+    assert!(model.warnings().is_empty());
+    assert_eq!(read(&written(&model)[..]).unwrap(), model);
+}
+
+#[test]
+fn geometries_alone_and_bare_rings_are_read() {
+    let polygon = read(&br#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]}"#[..]).unwrap();
+    assert_eq!(read(&b"[[[0,0],[1,0],[0,1],[0,0]]]"[..]).unwrap(), polygon);
+    assert_eq!(read(&b"[[[0,0],[1,0],[0,1]]]"[..]).unwrap(), polygon);
+    assert_eq!(read(&b"[[[[0,0],[1,0],[0,1],[0,0]]]]"[..]).unwrap(), polygon);
+    for empty in [
+        r#"{"type":"Point","coordinates":[]}"#,
+        r#"{"type":"MultiPolygon","coordinates":[[],[[]]]}"#,
+        r#"{"type":"FeatureCollection","features":[]}"#,
+        r#"{"type":"GeometryCollection","geometries":[]}"#,
+    ] {
+        let model = read(empty.as_bytes()).unwrap();
+        assert_eq!((model.vertex_count(), model.data().len()), (0, 0), "{empty}");
+        assert_eq!(read(&written(&model)[..]).unwrap(), model);
+    }
+}
+
+#[test]
+fn heights_are_kept() {
+    let model = read(&br#"{"type":"LineString","coordinates":[[0,0,5],[1,0],[1,1,6,7]]}"#[..]).unwrap();
+    assert_eq!(model.positions().as_flat(), [0., 0., 5., 1., 0., 0., 1., 1., 6.]);
+    assert_eq!(model.warnings().len(), 2);
+    assert_eq!(read(&written(&model)[..]).unwrap(), model);
+}
+
+#[test]
+fn faults_have_a_line_and_a_cure() {
+    for (text, message) in [
+        (r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1]]]}"#, "begins at (0, 0) but ends at (0, 1)"),
+        (r#"{"type":"Polygon","coordinates":[[0,0],[1,0]]}"#, "a Polygon are a list of positions"),
+        (r#"{"type":"Point","coordinates":5}"#, "a Point are a number"),
+        (r#"{"type":"Point","coordinates":[5]}"#, "position 0 has one number"),
+        (r#"{"type":"LineString","coordinates":[[0,0],[1,[2]]]}"#, "stand in one list"),
+        (r#"{"type":"Point","coordinates":[[[[[1,2]]]]]}"#, "too deep"),
+        (r#"{"type":"Point","coordinates":[1,null]}"#, "null"),
+        (r#"{"type":"Point","coordinates":[1,1e999]}"#, "out of range"),
+        (r#"{"type":"Point"}"#, "no \"coordinates\""),
+        (r#"{"coordinates":[1,2]}"#, "no \"type\""),
+        (r#"{"type":"Feature","geometry":{"type":"Feature"}}"#, "\"Feature\" is not a type of geometry"),
+        (r#"{"type":"Point","features":[]}"#, "no FeatureCollection"),
+        (r#"{"type":"Topology","arcs":[]}"#, "TopoJSON"),
+        (r#"{"type":"FeatureCollection","features":{}}"#, "a list of features"),
+        (r#"{"type":"FeatureCollection","features":["#, "EOF"),
+        ("[[0,0],[1,0]]", "a Polygon are a list of positions"),
+        (&"[".repeat(100_000), "recursion"),
+    ] {
+        let error = read(format!("\n{text}").as_bytes()).unwrap_err();
+        assert!(error.to_string().contains(message), "{text}: {error}");
+        assert_eq!((error.line(), error.cure().is_some()), (Some(2), true), "{error}");
+        assert!(matches!(error.kind(), ErrorKind::Parse | ErrorKind::InvalidInput));
+    }
+}
+
+/// Positions on a small lattice, scaled.
+fn path(length: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[i8; 2]>> {
+    vec([0..5i8, 0..5i8], length)
+}
+
+#[derive(Clone, Debug)]
+enum Piece {
+    Line(Vec<[i8; 2]>),
+    Polygon(Vec<Vec<[i8; 2]>>),
+    Point([i8; 2]),
+}
+
+fn pieces() -> impl Strategy<Value = Vec<(u8, Vec<Piece>)>> {
+    let piece = prop_oneof![
+        path(1..5).prop_map(Piece::Line),
+        vec(path(1..5), 1..3).prop_map(Piece::Polygon),
+        [9..12i8, 0..5i8].prop_map(Piece::Point),
+    ];
+    vec((0..3u8, vec(piece, 0..4)), 0..6)
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back(features in pieces(), scale in 1e-9..1e9f64, height in any::<bool>()) {
+        let position = |p: &[i8; 2], named: u8| {
+            // Points of features of other names lie apart.
+            let x = f64::from(p[0]) + if p[0] > 8 { 10.0 * f64::from(named) } else { 0.0 };
+            let mut position = vec![x * scale, f64::from(p[1]) * scale];
+            if height {
+                position.push(1.5);
+            }
+            position
+        };
+        let features: Vec<Value> = features.iter().map(|(name, pieces)| {
+            let geometries: Vec<Value> = pieces.iter().map(|piece| match piece {
+                Piece::Line(path) => json!({"type": "LineString",
+                    "coordinates": path.iter().map(|p| position(p, *name)).collect::<Vec<_>>()}),
+                Piece::Polygon(rings) => json!({"type": "Polygon", "coordinates": rings.iter().map(|ring| {
+                    ring.iter().chain(ring.first()).map(|p| position(p, *name)).collect::<Vec<_>>()
+                }).collect::<Vec<_>>()}),
+                Piece::Point(p) => json!({"type": "Point", "coordinates": position(p, *name)}),
+            }).collect();
+            json!({"type": "Feature", "properties": if *name == 0 { Value::Null } else { json!({"name": name}) },
+                "geometry": {"type": "GeometryCollection", "geometries": geometries}})
+        }).collect();
+        let text = json!({"type": "FeatureCollection", "features": features}).to_string();
+        let model = read(text.as_bytes()).unwrap();
+        model.check().unwrap();
+        // A line that is a point may lie on points of other features, which then are in two groups.
+        prop_assume!(model.warnings().is_empty());
+        let again = read(&written(&model)[..]).unwrap();
+        prop_assert_eq!(&again, &model);
+        // WKT keeps all but the names, so that each line with one is a feature of its own there.
+        let mut out = Vec::new();
+        wkt::write(&model, &mut out).unwrap();
+        let from_wkt = wkt::read(&out[..]).unwrap();
+        prop_assert_eq!(from_wkt.lines(), model.lines());
+        prop_assert_eq!(from_wkt.points(), model.points());
+        prop_assert_eq!(from_wkt.positions(), model.positions());
+        let has_names = !model.groups().is_empty();
+        let told = |found: &Model| -> Vec<CellData> {
+            found.data().iter().filter(|data| !has_names || data.name() != "feature").cloned().collect()
+        };
+        prop_assert_eq!(told(&from_wkt), told(&model));
+    }
+}

@@ -1,0 +1,238 @@
+//! The outermost object or list.
+
+use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
+use super::curves::{CurveKeys, CurveList};
+use super::facets::{Facet, FacetList, HalfedgeList};
+use super::gluings::GluingList;
+use super::matrices::MatrixList;
+use super::points::{PointList, Points};
+use crate::yin::BoundaryDrawing;
+use coface_algebra::Error;
+use coface_algebra::{RaggedArray, SparseMatrix};
+use coface_complexes::simplicial::GluingTable;
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use std::cell::RefCell;
+use std::fmt;
+
+/// Where a fault with its kind and cure waits while the parser hands its own error up.
+#[derive(Default)]
+pub(crate) struct Faults(RefCell<Option<Error>>);
+
+impl Faults {
+    /// Keeps the fault and gives the error that stops the parser.
+    pub(crate) fn raise<E: serde::de::Error>(&self, fault: Error) -> E {
+        let stop = E::custom(fault.message());
+        self.0.borrow_mut().get_or_insert(fault);
+        stop
+    }
+
+    /// The fault that was raised.
+    pub(crate) fn take(&self) -> Option<Error> {
+        self.0.borrow_mut().take()
+    }
+}
+
+/// What one object describes.
+pub(super) enum Content {
+    Facets(RaggedArray),
+    Halfedges {
+        next: Vec<u32>,
+        twin: Option<Vec<u32>>,
+    },
+    Boundaries {
+        matrices: Vec<SparseMatrix>,
+        points: Option<PointList>,
+    },
+    /// Coboundary matrices with the degrees of their keys, in the order of the file.
+    Coboundaries {
+        matrices: Vec<(u32, Coboundary)>,
+        points: Option<PointList>,
+    },
+    Gluings(GluingTable),
+    Boundary(BoundaryDrawing),
+    /// None of these; some of the keys that stand there instead.
+    Unknown(Vec<String>),
+}
+
+/// What the file is.
+pub(super) enum Document {
+    One(Content),
+    /// A list of objects: their names, and those contents whose name was wanted.
+    List {
+        names: Vec<Option<String>>,
+        chosen: Vec<Content>,
+    },
+}
+
+/// The whole file; in a list, the objects named `wanted` are kept.
+pub(super) struct Root<'a> {
+    pub(super) wanted: Option<&'a str>,
+    pub(super) faults: &'a Faults,
+}
+
+impl<'de> DeserializeSeed<'de> for Root<'_> {
+    type Value = Document;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Document, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Root<'_> {
+    type Value = Document;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object or a list")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Document, A::Error> {
+        let (name, content) = visit_object(map, self.faults)?;
+        match self.wanted {
+            None => Ok(Document::One(content)),
+            Some(wanted) => {
+                let chosen = if name.as_deref() == Some(wanted) { vec![content] } else { Vec::new() };
+                Ok(Document::List { names: vec![name], chosen })
+            }
+        }
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Document, A::Error> {
+        let (mut facets, mut vertices) = (RaggedArray::new(), Vec::new());
+        let (mut names, mut chosen) = (Vec::new(), Vec::new());
+        while let Some(object) = list.next_element_seed(Element {
+            facet: Facet { facets: &mut facets, vertices: &mut vertices, faults: self.faults },
+        })? {
+            let Some((name, content)) = object else { continue };
+            if self.wanted.is_some() && name.as_deref() == self.wanted {
+                chosen.push(content);
+            }
+            names.push(name);
+        }
+        match (facets.is_empty(), names.is_empty()) {
+            (_, true) => Ok(Document::One(Content::Facets(facets))),
+            (true, false) => Ok(Document::List { names, chosen }),
+            (false, false) => Err(self.faults.raise(
+                Error::parse("the list holds facets as well as objects")
+                    .with_cure("keep to one: a list of facets, or a list of objects with names"),
+            )),
+        }
+    }
+}
+
+/// An element of the outermost list: a facet, or an object.
+struct Element<'a> {
+    facet: Facet<'a>,
+}
+
+impl<'de> DeserializeSeed<'de> for Element<'_> {
+    type Value = Option<(Option<String>, Content)>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Element<'_> {
+    type Value = Option<(Option<String>, Content)>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.facet.expecting(f)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {
+        self.facet.visit_seq(list).map(|()| None)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        visit_object(map, self.facet.faults).map(Some)
+    }
+}
+
+/// The name of an object and what it describes.
+fn visit_object<'de, A: MapAccess<'de>>(
+    mut map: A,
+    faults: &Faults,
+) -> Result<(Option<String>, Content), A::Error> {
+    let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
+    let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
+    let mut curves = CurveKeys::default();
+    while let Some(key) = map.next_key::<String>()? {
+        match key.as_str() {
+            "name" => name = map.next_value_seed(Name)?,
+            "facets" => facets = Some(map.next_value_seed(FacetList(faults))?),
+            "next" => next = Some(map.next_value_seed(HalfedgeList { name: "next", faults })?),
+            "twin" => twin = Some(map.next_value_seed(HalfedgeList { name: "twin", faults })?),
+            "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
+            "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
+            "order" => curves.order = Some(map.next_value()?),
+            "plane" => curves.plane = Some(map.next_value()?),
+            "next_vertex" => curves.next_vertex = Some(map.next_value()?),
+            "curves" => curves.curves = Some(map.next_value_seed(CurveList(faults))?),
+            "vertices" => {
+                points = Some(map.next_value_seed(Points)?);
+                others.push(key);
+            }
+            _ => {
+                if let Some(degree) = degree_of_key(&key) {
+                    coboundaries.push((degree, map.next_value_seed(CoboundaryOf { degree, faults })?));
+                    continue;
+                }
+                map.next_value::<IgnoredAny>()?;
+                if others.len() < 8 {
+                    others.push(key);
+                }
+            }
+        }
+    }
+    let is_other = facets.is_some() || next.is_some() || boundaries.is_some() || gluings.is_some();
+    if curves.is_some() && !is_other && coboundaries.is_empty() {
+        curves.others = others;
+        let drawing = curves.into_drawing().map_err(|fault| faults.raise(fault))?;
+        return Ok((name, Content::Boundary(drawing)));
+    }
+    let has_curves = curves.is_some();
+    let content = match (facets, next, boundaries, gluings, coboundaries.is_empty()) {
+        _ if has_curves => return Err(several(faults)),
+        (Some(facets), None, None, None, true) => Content::Facets(facets),
+        (None, Some(next), None, None, true) => Content::Halfedges { next, twin },
+        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points },
+        (None, None, None, Some(table), true) => Content::Gluings(table),
+        (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
+        (None, None, None, None, true) => Content::Unknown(others),
+        _ => return Err(several(faults)),
+    };
+    Ok((name, content))
+}
+
+/// The error of an object that is several things.
+fn several<E: serde::de::Error>(faults: &Faults) -> E {
+    faults.raise(
+        Error::parse(
+            "one object has more than one of \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\" and \"curves\"",
+        )
+        .with_cure("make them objects of their own, with names, in a list"),
+    )
+}
+
+/// A name; what is no text is none.
+struct Name;
+
+impl<'de> DeserializeSeed<'de> for Name {
+    type Value = Option<String>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_string(self)
+    }
+}
+
+impl Visitor<'_> for Name {
+    type Value = Option<String>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a name, a text")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<Self::Value, E> {
+        Ok(Some(name.to_owned()))
+    }
+}

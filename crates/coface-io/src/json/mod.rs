@@ -1,0 +1,40 @@
+//! Facet lists, halfedge permutations, chain complexes and gluing tables as JSON.
+//!
+//! A file is one of
+//! * `{"facets": [[0, 1, 2], ..]}`, or the bare list: simplices by their vertices, numbers from 0 to 2^32 - 1 that need
+//!   not be dense;
+//! * `{"next": [..], "twin": [..]}`: a surface as two permutations of its halfedges; without `twin`, halfedges 2i and
+//!   2i + 1 are twins;
+//! * `{"boundaries": [{"rows": m, "cols": n, "entries": [[row, column, value], ..]}, ..]}`: the boundary matrices of
+//!   degrees 1, 2, ..; values at one place are added;
+//! * `{"vertices": [[x, y, ..], ..], "d0": [[row, column, value], ..], "d1": .., ..}`: points, and the coboundary matrices of
+//!   degrees 0, 1, ..: the matrix of degree k has a row for each (k+1)-cell and a column for each k-cell. Instead of the
+//!   list there can be an object `{"rows": m, "cols": n, "coo": [..]}`, the list also called `"entries"`; where counts are
+//!   not given, there are as many vertices as points, and one more cell than the largest index. No place may have two values;
+//! * `{"gluings": [[[neighbor, [images of vertices]] or null, ..], ..]}`: a gluing table, a row for each simplex with an
+//!   entry for each facet, the one opposite to vertex 0 first; vertex k goes to vertex images\[k\] of the neighbor;
+//! * `{"order": 2, "curves": [{"points": [[x, y], ..], ..}, ..]}` or `{"plane": true}`: the boundary of a set in the plane, as
+//!   [`yin`](super::yin) says; in a model its curves are closed lines;
+//! * a list of such objects, each with a `"name"`, of which [`read_entry`] chooses one.
+//!
+//! Points under `"vertices"` can stand beside `"boundaries"` too. A matrix of few entries has at most 2^24 rows and columns, any
+//! other at most 16 times as many as entries: an index that a file merely names takes no memory.
+//!
+//! Other keys are passed over. Reading is a stream: memory is what the model takes.
+
+mod coboundaries;
+mod curves;
+mod document;
+mod facets;
+mod gluings;
+mod matrices;
+mod points;
+mod reading;
+#[cfg(test)]
+mod tests;
+mod writing;
+
+pub(crate) use document::Faults;
+pub use reading::{read, read_entry};
+pub(crate) use reading::{read_boundary, read_with};
+pub use writing::write;

@@ -1,0 +1,176 @@
+//! From a model to a stream.
+
+use crate::decimal::{flush, push_f64};
+use crate::{Model, Structure, segments};
+use coface_algebra::Error;
+use coface_algebra::SparseMatrix;
+use coface_algebra::chains::ChainComplex;
+use coface_complexes::cellular::{CellMesh, CellShape};
+use coface_complexes::simplicial::GluingTable;
+use coface_complexes::surface::PolygonMesh;
+use coface_geometry::Positions;
+use std::io::{BufWriter, Write};
+
+/// Writes a structure as JSON, one point, facet, matrix or simplex a line; a chain complex with its positions.
+///
+/// A mesh of simplices becomes its list of facets: positions and groups are not written, polylines become edges, isolated
+/// vertices become facets of their own. Any other mesh becomes its chain complex, with positions; which vertices a cell has is
+/// told by the boundary matrices then.
+///
+/// # Errors
+/// Those of [`CellMesh::new`] and [`PolygonMesh::new`] for a mesh that is not of simplices; [`coface_algebra::ErrorKind::Io`] from the
+/// output.
+///
+/// # Examples
+/// ```
+/// use coface_io::json;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = json::read(&b"[[0, 1, 2], [1, 2, 3]]"[..])?;
+/// let mut out = Vec::new();
+/// json::write(&model, &mut out)?;
+/// assert_eq!(out, b"{\"facets\":[\n[0,1,2],\n[1,2,3]\n]}\n");
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    match model.structure() {
+        Some(Structure::Facets(facets)) => write_facets(&mut out, facets.iter())?,
+        Some(Structure::Halfedges { next, twin }) => {
+            write!(out, "{{\"next\":")?;
+            write_list(&mut out, next)?;
+            write!(out, ",\n\"twin\":")?;
+            write_list(&mut out, twin)?;
+            writeln!(out, "}}")?;
+        }
+        Some(Structure::Chains(complex)) => write_chains(&mut out, complex, model.positions())?,
+        Some(Structure::Gluings(table)) => write_gluings(&mut out, table)?,
+        Some(Structure::Volume(volume)) => {
+            write_chains(&mut out, &volume.chain_complex()?, model.positions())?;
+        }
+        None => write_mesh(&mut out, model)?,
+    }
+    out.flush()?;
+    Ok(())
+}
+
+/// The chain complex of the cells of a mesh.
+fn mesh_complex(model: &Model) -> Result<ChainComplex, Error> {
+    let (count, segments) = (model.vertex_count(), segments(model.lines()));
+    if model.cells().is_empty() {
+        return Ok(PolygonMesh::new(count, model.polygons().clone(), &segments)?.into_chain_complex());
+    }
+    let (shapes, cells) = (model.shapes().to_vec(), model.cells().clone());
+    Ok(CellMesh::new(count, shapes, cells, model.polygons(), &segments)?.into_chain_complex())
+}
+
+/// A mesh of simplices: its cells, then the vertices that none of them has. Any other: its chain complex.
+fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
+    let is_simplicial = model.polygons().iter().all(|polygon| polygon.len() == 3)
+        && model.shapes().iter().all(|&shape| shape == CellShape::Tetrahedron);
+    if !is_simplicial {
+        return write_chains(out, &mesh_complex(model)?, model.positions());
+    }
+    let mut isolated = vec![true; model.vertex_count()];
+    for list in [model.cells(), model.polygons(), model.lines()] {
+        for &vertex in list.items() {
+            isolated[vertex as usize] = false;
+        }
+    }
+    let isolated: Vec<u32> = (0..model.vertex_count() as u32).filter(|&v| isolated[v as usize]).collect();
+    let edges = model.lines().iter().flat_map(|line| line.windows(2));
+    let simplices = model.cells().iter().chain(model.polygons().iter()).chain(edges);
+    write_facets(out, simplices.chain(isolated.chunks(1)))
+}
+
+fn write_facets<'a>(out: &mut impl Write, facets: impl Iterator<Item = &'a [u32]>) -> Result<(), Error> {
+    write!(out, "{{\"facets\":[")?;
+    for (i, facet) in facets.enumerate() {
+        out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+        write_list(out, facet)?;
+    }
+    writeln!(out, "\n]}}")?;
+    Ok(())
+}
+
+fn write_list(out: &mut impl Write, list: &[u32]) -> Result<(), Error> {
+    out.write_all(b"[")?;
+    for (i, number) in list.iter().enumerate() {
+        if i > 0 {
+            out.write_all(b",")?;
+        }
+        write!(out, "{number}")?;
+    }
+    out.write_all(b"]")?;
+    Ok(())
+}
+
+/// One simplex a line.
+fn write_gluings(out: &mut impl Write, table: &GluingTable) -> Result<(), Error> {
+    write!(out, "{{\"gluings\":[")?;
+    for (i, row) in table.rows().enumerate() {
+        out.write_all(if i == 0 { b"\n[" } else { b",\n[" })?;
+        for (facet, gluing) in row.iter().enumerate() {
+            out.write_all(if facet == 0 { b"" } else { b"," })?;
+            match gluing {
+                Some((neighbor, images)) => {
+                    write!(out, "[{neighbor},")?;
+                    write_list(out, images)?;
+                    out.write_all(b"]")?;
+                }
+                None => out.write_all(b"null")?,
+            }
+        }
+        out.write_all(b"]")?;
+    }
+    writeln!(out, "\n]}}")?;
+    Ok(())
+}
+
+fn write_points(out: &mut impl Write, positions: &Positions) -> Result<(), Error> {
+    let mut text = b"\"vertices\":[".to_vec();
+    for (i, point) in positions.as_flat().chunks_exact(positions.dimension()).enumerate() {
+        text.extend_from_slice(if i == 0 { b"\n[" } else { b",\n[" });
+        for (axis, &coordinate) in point.iter().enumerate() {
+            if axis > 0 {
+                text.push(b',');
+            }
+            push_f64(&mut text, coordinate);
+        }
+        text.push(b']');
+        flush(&mut text, out)?;
+    }
+    text.extend_from_slice(b"\n],\n");
+    out.write_all(&text)?;
+    Ok(())
+}
+
+/// A complex of points alone, without positions, is written as one matrix without columns. Positions come first, one point a line.
+fn write_chains(out: &mut impl Write, complex: &ChainComplex, positions: &Positions) -> Result<(), Error> {
+    out.write_all(b"{")?;
+    if !positions.is_empty() {
+        write_points(out, positions)?;
+    }
+    write!(out, "\"boundaries\":[")?;
+    let points = match complex.boundary_matrices() {
+        // Positions tell their number.
+        [] if positions.is_empty() && complex.degree_count() > 0 => {
+            Some(SparseMatrix::zero(complex.cell_count(0), 0)?)
+        }
+        _ => None,
+    };
+    for (i, matrix) in complex.boundary_matrices().iter().chain(&points).enumerate() {
+        out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+        write!(out, "{{\"rows\":{},\"cols\":{},\"entries\":[", matrix.row_count(), matrix.column_count())?;
+        let mut first = true;
+        for (j, column) in matrix.columns().enumerate() {
+            for (row, entry) in column.iter() {
+                out.write_all(if first { b"" } else { b"," })?;
+                first = false;
+                write!(out, "[{row},{j},{entry}]")?;
+            }
+        }
+        out.write_all(b"]}")?;
+    }
+    writeln!(out, "\n]}}")?;
+    Ok(())
+}

@@ -1,0 +1,64 @@
+//! Doors: one file a format, and [`Model`], what a file can hold.
+//!
+//! A reader takes bytes and gives a whole [`Model`] or an error that names the line or byte; it never allocates by a
+//! count that a file merely claims. Indices in a model are 0-based whatever the format does. [`read_path`] and
+//! [`write_path`] find out the format by themselves.
+
+mod assembly;
+mod blocks;
+pub mod container;
+mod data;
+mod decimal;
+mod diagram;
+mod doors;
+mod drawing;
+mod format;
+mod generated;
+pub mod geojson;
+pub mod isosig;
+pub mod json;
+mod limits;
+pub mod lines_text;
+mod lists;
+pub mod matrix_market;
+pub mod medit;
+#[cfg(test)]
+mod mesh_tests;
+mod model;
+pub mod msh;
+mod numbers;
+pub mod obj;
+pub mod off;
+mod output;
+pub mod ply;
+#[cfg(test)]
+mod samples;
+mod scanner;
+mod scratch_mesh;
+pub mod stl;
+pub mod svg;
+mod values;
+pub mod volume;
+pub mod vtk;
+mod watching;
+pub mod wkt;
+pub mod yin;
+
+pub use data::CellData;
+pub use diagram::{DiagramFormat, write_diagram};
+#[doc(hidden)]
+pub use doors::stream_mesh;
+pub use doors::{
+    ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
+    read_path, read_path_with, read_unknown, read_with, write, write_path,
+};
+pub use drawing::{Shape, shapes};
+#[doc(hidden)]
+pub use drawing::Features;
+pub use format::Format;
+pub use model::{Group, GroupKind, Model, Structure};
+pub use model::repeated_vertex;
+#[doc(hidden)]
+pub use model::segments;
+pub use output::{abandon_files, replace_file};
+pub use volume::{VolumeReading, VolumeStream, VoxelRule};

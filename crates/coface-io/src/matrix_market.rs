@@ -1,0 +1,338 @@
+//! Sparse matrices in the coordinate format of Matrix Market.
+//!
+//! A first line `%%MatrixMarket matrix coordinate integer general`, or `pattern` for matrices whose entries are all 1;
+//! comments after `%`; a line `rows columns entries`; then a line `row column entry` for each entry, counted from 1, without
+//! the entry in a pattern.
+//!
+//! # References
+//! R. F. Boisvert, R. Pozo, K. A. Remington, *The Matrix Market exchange formats: initial design* (1996).
+
+use super::decimal::push_natural;
+use super::scanner::{Scanner, parse_i64, quoted};
+use coface_algebra::SparseMatrix;
+use coface_algebra::{Error, ErrorKind};
+use std::io::{BufWriter, Read, Write};
+
+/// A matrix without many entries may still have so many rows and columns.
+const FREE_COUNT: u64 = 1 << 24;
+
+/// What stands in a Matrix Market file for each entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MatrixField {
+    /// Its value.
+    Integer,
+    /// Its place only.
+    Pattern,
+}
+
+/// Writes a matrix in the coordinate format of Matrix Market, column by column; as a pattern the places alone.
+///
+/// # Errors
+/// [`ErrorKind::Io`] from the output.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::SparseMatrix;
+/// use coface_io::matrix_market;
+/// use coface_io::matrix_market::MatrixField;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let edge = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+/// let mut out = Vec::new();
+/// matrix_market::write(&edge, MatrixField::Integer, &mut out)?;
+/// assert_eq!(out, b"%%MatrixMarket matrix coordinate integer general\n2 1 2\n1 1 -1\n2 1 1\n");
+/// assert_eq!(matrix_market::read(&out[..])?, edge);
+/// # Ok(()) }
+/// ```
+pub fn write(matrix: &SparseMatrix, field: MatrixField, out: impl Write) -> Result<(), Error> {
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    let name = match field {
+        MatrixField::Integer => "integer",
+        MatrixField::Pattern => "pattern",
+    };
+    writeln!(out, "%%MatrixMarket matrix coordinate {name} general")?;
+    writeln!(out, "{} {} {}", matrix.row_count(), matrix.column_count(), matrix.entry_count())?;
+    let mut line = Vec::new();
+    for (j, column) in matrix.columns().enumerate() {
+        for (i, entry) in column.iter() {
+            line.clear();
+            push_natural(&mut line, i as u64 + 1);
+            line.push(b' ');
+            push_natural(&mut line, j as u64 + 1);
+            if field == MatrixField::Integer {
+                line.push(b' ');
+                if entry < 0 {
+                    line.push(b'-');
+                }
+                push_natural(&mut line, entry.unsigned_abs().into());
+            }
+            line.push(b'\n');
+            out.write_all(&line)?;
+        }
+    }
+    out.flush()?;
+    Ok(())
+}
+
+/// Reads a matrix in the coordinate format of Matrix Market: `integer` or `pattern`, `general`. Entries of a pattern are 1;
+/// entries at one place are added, and zeros are left out.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] with the line where the text breaks the rules of the format, or says other counts than there are;
+/// [`ErrorKind::UnsupportedFormat`] for arrays, real and complex entries and symmetric matrices;
+/// [`ErrorKind::TooLarge`] for values beyond 32 bits, and for many more rows or columns than entries;
+/// [`ErrorKind::Io`] from the input.
+///
+/// # Complexity
+/// $O(m \log m)$ for m entries; memory grows with what is read, not with what the header says.
+pub fn read(input: impl Read) -> Result<SparseMatrix, Error> {
+    let mut scanner = Scanner::new(input);
+    let field = read_header(&mut scanner)?;
+    let [rows, columns, count] = read_counts(&mut scanner)?;
+    let limit_line = scanner.line_number();
+    let mut entries = Vec::new();
+    loop {
+        let line = scanner.next_line()?;
+        let Some(line) = line else { break };
+        match parse_entry(line, field, rows, columns) {
+            Ok(None) => {}
+            Ok(Some(entry)) => entries.push(entry),
+            Err(error) => return Err(error.at_line(scanner.line_number())),
+        }
+        if entries.len() as u64 > count {
+            return Err(scanner.error(format!("there are more than the {count} entries that the file says")));
+        }
+    }
+    if (entries.len() as u64) < count {
+        return Err(Error::parse(format!(
+            "the file ends after {} entries; it says that there are {count}",
+            entries.len()
+        ))
+        .at_line(scanner.line_number()));
+    }
+    let limit = FREE_COUNT.max(16 * entries.len() as u64);
+    if rows.max(columns) > limit {
+        return Err(Error::new(
+            ErrorKind::TooLarge,
+            format!("the matrix has {rows} rows and {columns} columns, but only {} entries", entries.len()),
+        )
+        .at_line(limit_line)
+        .with_cure("check the counts"));
+    }
+    // Both counts are at most 2^36 here, and triples are within them.
+    SparseMatrix::from_entries(rows as usize, columns as usize, entries)
+}
+
+/// The first line.
+fn read_header<R: Read>(scanner: &mut Scanner<R>) -> Result<MatrixField, Error> {
+    let words: Vec<String> = match scanner.next_line()? {
+        Some(line) => line
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty())
+            .take(6)
+            .map(|word| String::from_utf8_lossy(&word[..word.len().min(64)]).to_ascii_lowercase())
+            .collect(),
+        None => return Err(Error::parse("the file is empty").at_line(1)),
+    };
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let [banner, object, format, field, symmetry] = words[..] else {
+        return Err(scanner
+            .error("the first line is not that of a Matrix Market file")
+            .with_cure("begin with %%MatrixMarket matrix coordinate integer general"));
+    };
+    if banner != "%%matrixmarket" {
+        return Err(scanner
+            .error(format!("{banner:?} is not %%MatrixMarket"))
+            .with_cure("begin with %%MatrixMarket matrix coordinate integer general"));
+    }
+    let unsupported = |what: String, cure: &str| {
+        Err(Error::new(ErrorKind::UnsupportedFormat, what).at_line(1).with_cure(cure))
+    };
+    if (object, format) != ("matrix", "coordinate") {
+        return unsupported(
+            format!("the file has a {object:?} in {format:?} form"),
+            "write a sparse matrix in coordinate form",
+        );
+    }
+    if symmetry != "general" {
+        return unsupported(format!("a {symmetry:?} matrix is not read"), "write all entries, as general");
+    }
+    match field {
+        "integer" => Ok(MatrixField::Integer),
+        "pattern" => Ok(MatrixField::Pattern),
+        _ => unsupported(format!("{field:?} entries are not read"), "write integers, or a pattern"),
+    }
+}
+
+/// The line of counts, after comments.
+fn read_counts<R: Read>(scanner: &mut Scanner<R>) -> Result<[u64; 3], Error> {
+    loop {
+        let Some(line) = scanner.next_line()? else {
+            let error = Error::parse("the file ends before the line of counts");
+            return Err(error.at_line(scanner.line_number()));
+        };
+        match parse_counts(line) {
+            Ok(None) => {}
+            Ok(Some(counts)) => return Ok(counts),
+            Err(error) => return Err(error.at_line(scanner.line_number())),
+        }
+    }
+}
+
+/// The numbers of rows, columns and entries that a line holds; none in an empty line or comment.
+fn parse_counts(line: &[u8]) -> Result<Option<[u64; 3]>, Error> {
+    let words: Vec<&[u8]> = words_of(line).take(4).collect();
+    match words[..] {
+        [] => Ok(None),
+        [rows, columns, count] => Ok(Some([
+            natural(rows, "the number of rows")?,
+            natural(columns, "the number of columns")?,
+            natural(count, "the number of entries")?,
+        ])),
+        _ => Err(Error::parse("a line of three counts is expected: rows, columns, entries")),
+    }
+}
+
+/// The entry that a line holds, counted from 0; none in an empty line or comment.
+fn parse_entry(
+    line: &[u8],
+    field: MatrixField,
+    rows: u64,
+    columns: u64,
+) -> Result<Option<(usize, usize, i64)>, Error> {
+    let mut words = words_of(line);
+    let Some(row) = words.next() else { return Ok(None) };
+    let place = |word: &[u8], what: &str, count: u64| match natural(word, what)? {
+        place if place >= 1 && place <= count => Ok(place as usize - 1),
+        place => {
+            Err(Error::parse(format!("{what} is {place}; the matrix has {count}")).with_cure("count from 1"))
+        }
+    };
+    let row = place(row, "the row", rows)?;
+    let Some(column) = words.next() else { return Err(Error::parse("the column is missing")) };
+    let column = place(column, "the column", columns)?;
+    let value = match (field, words.next()) {
+        (MatrixField::Pattern, None) => 1,
+        (MatrixField::Integer, Some(word)) => parse_i64(word, "the entry")?,
+        (MatrixField::Integer, None) => return Err(Error::parse("the entry is missing")),
+        (MatrixField::Pattern, Some(word)) => {
+            return Err(Error::parse(format!("{} stands after the place of a pattern", quoted(word))));
+        }
+    };
+    match words.next() {
+        Some(word) => Err(Error::parse(format!("{} stands after the entry", quoted(word)))),
+        None => Ok(Some((row, column, value))),
+    }
+}
+
+/// The words of a line before its comment.
+fn words_of(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let end = line.iter().position(|&byte| byte == b'%').unwrap_or(line.len());
+    line[..end].split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
+}
+
+fn natural(word: &[u8], what: &str) -> Result<u64, Error> {
+    let value = parse_i64(word, what)?;
+    u64::try_from(value).map_err(|_| Error::parse(format!("{what} is {value}; it cannot be negative")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn error(text: &str) -> String {
+        read(text.as_bytes()).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn faults_have_their_line() {
+        let header = "%%MatrixMarket matrix coordinate integer general\n";
+        for (text, message) in [
+            ("1 1 1\n1 1 7\n1 1 1\n", "line 4: there are more than the 1 entries that the file says"),
+            ("% c\n\n1 1 1\n0 1 7\n", "line 5: the row is 0; the matrix has 1; count from 1"),
+            ("1 1 1\n1 2 7\n", "line 3: the column is 2; the matrix has 1; count from 1"),
+            ("1 1 1\n1 1\n", "line 3: the entry is missing"),
+            ("1 1 1\n1\n", "line 3: the column is missing"),
+            ("1 1 1\n1 1 1.5\n", "line 3: \"1.5\" is not an integer, as the entry must be"),
+            ("1 1 1\n1 1 1 1\n", "line 3: \"1\" stands after the entry"),
+            ("1 1\n", "line 2: a line of three counts is expected: rows, columns, entries"),
+            ("1 -1 1\n", "line 2: the number of columns is -1; it cannot be negative"),
+            ("", "line 1: the file ends before the line of counts"),
+        ] {
+            assert_eq!(error(&format!("{header}{text}")), message);
+        }
+        assert!(error(&format!("{header}1 1 2\n1 1 1\n")).contains("the file ends after 1 entries"));
+        assert!(error("").contains("empty"));
+        assert!(error("hello\n").contains("first line"));
+        assert!(error("%%MatrixMarket matrix array real general\n").contains("\"array\""));
+        assert!(error("%%MatrixMarket matrix coordinate real general\n").contains("\"real\""));
+        assert!(error("%%MatrixMarket matrix coordinate integer symmetric\n").contains("\"symmetric\""));
+    }
+
+    #[test]
+    fn claimed_counts_take_no_memory() {
+        let text = "%%MatrixMarket matrix coordinate pattern general\n";
+        let kind = |counts: &str| read(format!("{text}{counts}").as_bytes()).unwrap_err().kind();
+        assert_eq!(kind("4000000000 4000000000 0\n"), ErrorKind::TooLarge);
+        assert_eq!(kind("1 9000000000000000000 0\n"), ErrorKind::TooLarge);
+        assert_eq!(kind("1 1 9000000000000000000\n"), ErrorKind::Parse);
+        let wide =
+            format!("{text}1 1 1\n1 1\n").replace("pattern", "integer").replace("1 1\n", "1 1 4294967296\n");
+        assert_eq!(read(wide.as_bytes()).unwrap_err().kind(), ErrorKind::Parse);
+    }
+
+    #[test]
+    fn what_other_programs_write_is_read() {
+        let text = "%%MatrixMarket MATRIX Coordinate Integer general\r\n% by hand\r\n 3 2 4 \r\n1 1 +2\r\n\r\n3 2 -1\r\n3 2 1\r\n2 1 0 % zero\r\n";
+        let matrix = read(text.as_bytes()).unwrap();
+        assert_eq!(matrix, SparseMatrix::from_entries(3, 2, [(0, 0, 2)]).unwrap());
+        let pattern = "%%MatrixMarket matrix coordinate pattern general\n2 2 1\n2 1";
+        assert_eq!(read(pattern.as_bytes()).unwrap().entry(1, 0), 1);
+    }
+
+    fn matrices() -> impl Strategy<Value = SparseMatrix> {
+        prop::collection::vec((0usize..7, 0usize..5, any::<i32>()), 0..20).prop_map(|places| {
+            let places: std::collections::BTreeMap<(usize, usize), i64> =
+                places.into_iter().map(|(i, j, x)| ((i, j), i64::from(x.max(-i32::MAX)))).collect();
+            SparseMatrix::from_entries(7, 5, places.into_iter().map(|((i, j), x)| (i, j, x))).unwrap()
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn write_then_read_gives_the_matrix(matrix in matrices()) {
+            let mut text = Vec::new();
+            write(&matrix, MatrixField::Integer, &mut text).unwrap();
+            prop_assert_eq!(&read(&text[..]).unwrap(), &matrix);
+            prop_assert_eq!(String::from_utf8(text).unwrap(), matrix.to_string());
+            let mut text = Vec::new();
+            write(&matrix, MatrixField::Pattern, &mut text).unwrap();
+            let pattern = read(&text[..]).unwrap();
+            prop_assert_eq!(pattern.rows(), matrix.rows());
+            prop_assert!(pattern.entries().iter().all(|&entry| entry == 1));
+        }
+
+        /// A file cut short or with a byte changed gives a matrix or an error.
+        #[test]
+        fn no_bytes_make_the_reader_panic(
+            matrix in matrices(),
+            cut in any::<prop::sample::Index>(),
+            changed in any::<prop::sample::Index>(),
+            byte in any::<u8>(),
+            noise in prop::collection::vec(any::<u8>(), 0..80),
+        ) {
+            let mut text = Vec::new();
+            write(&matrix, MatrixField::Integer, &mut text).unwrap();
+            let _ = read(&text[..cut.index(text.len())]);
+            let at = changed.index(text.len());
+            text[at] = byte;
+            if let Ok(read) = read(&text[..]) {
+                prop_assert!(read.entry_count() <= matrix.entry_count());
+            }
+            let _ = read(&noise[..]);
+            let mut with_header = b"%%MatrixMarket matrix coordinate integer general\n".to_vec();
+            with_header.extend(noise);
+            let _ = read(&with_header[..]);
+        }
+    }
+}

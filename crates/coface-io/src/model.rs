@@ -1,0 +1,572 @@
+//! What a file held.
+
+use super::numbers::Numbers;
+use super::{CellData, Format};
+use coface_algebra::RaggedArray;
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{Error, VertexId};
+use coface_complexes::cellular::{CellShape, CubicalVolume};
+use coface_complexes::simplicial::GluingTable;
+use coface_geometry::Positions;
+use std::fmt;
+
+/// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, named data, or
+/// an abstract [`Structure`] instead of all these.
+///
+/// Every index is below the vertex count, no polygon or cell repeats a vertex, and coordinates are finite: the
+/// readers, and [`Model::check`], see to it. Vertices that nothing uses are kept: they are isolated vertices.
+///
+/// Two models are equal when they hold the same; the format they came from and the warnings do not matter.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    #[doc(hidden)]
+    pub format: Option<Format>,
+    #[doc(hidden)]
+    pub vertex_count: usize,
+    #[doc(hidden)]
+    pub positions: Positions,
+    #[doc(hidden)]
+    pub polygons: RaggedArray,
+    #[doc(hidden)]
+    pub shapes: Vec<CellShape>,
+    #[doc(hidden)]
+    pub cells: RaggedArray,
+    #[doc(hidden)]
+    pub lines: RaggedArray,
+    #[doc(hidden)]
+    pub points: Vec<VertexId>,
+    #[doc(hidden)]
+    pub groups: Vec<Group>,
+    #[doc(hidden)]
+    pub data: Vec<CellData>,
+    #[doc(hidden)]
+    pub structure: Option<Structure>,
+    #[doc(hidden)]
+    pub warnings: Vec<String>,
+}
+
+/// An abstract structure that a file can hold instead of vertices, polygons and cells.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Structure {
+    /// Simplices of any dimension by their vertices; all faces are meant to be there too.
+    Facets(RaggedArray),
+    /// A surface as two permutations of its halfedges `0..next.len()`.
+    Halfedges {
+        /// The next halfedge around the face.
+        next: Vec<u32>,
+        /// The other halfedge of the edge.
+        twin: Vec<u32>,
+    },
+    /// Boundary matrices.
+    Chains(ChainComplex),
+    /// Simplices with facets glued in pairs.
+    Gluings(GluingTable),
+    /// Voxels that are set, with their faces.
+    Volume(CubicalVolume),
+}
+
+/// A named set of things of one kind: an OBJ group, a physical group of Gmsh, a reference number of MEDIT.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    pub(crate) name: String,
+    pub(crate) kind: GroupKind,
+    pub(crate) members: Vec<u32>,
+}
+
+/// What the members of a [`Group`] are, and what [`CellData`] are on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum GroupKind {
+    /// Vertices.
+    Vertices,
+    /// Lines.
+    Lines,
+    /// Polygons.
+    Polygons,
+    /// 3-cells.
+    Cells,
+}
+
+impl fmt::Display for GroupKind {
+    /// The plural: `vertices`, `lines`, `polygons`, `cells`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Vertices => "vertices",
+            Self::Lines => "lines",
+            Self::Polygons => "polygons",
+            Self::Cells => "cells",
+        })
+    }
+}
+
+impl Group {
+    /// A group with these members.
+    pub fn new(name: impl Into<String>, kind: GroupKind, members: Vec<u32>) -> Self {
+        Self { name: name.into(), kind, members }
+    }
+
+    /// The name, or the number, that the file gives it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the members are.
+    pub fn kind(&self) -> GroupKind {
+        self.kind
+    }
+
+    /// The positions of the members among the vertices, lines, polygons or cells of the model.
+    pub fn members(&self) -> &[u32] {
+        &self.members
+    }
+}
+
+impl Model {
+    /// A model of polygons on these positions.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    pub fn from_polygons(positions: Positions, polygons: RaggedArray) -> Result<Self, Error> {
+        let model = Self { vertex_count: positions.len(), positions, polygons, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
+    /// A model of 3-cells on these positions: cell i has the shape `shapes[i]` and the vertices `cells.list(i)`.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    pub fn from_cells(
+        positions: Positions,
+        shapes: Vec<CellShape>,
+        cells: RaggedArray,
+    ) -> Result<Self, Error> {
+        let model = Self { vertex_count: positions.len(), positions, shapes, cells, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
+    /// A model of everything that has vertices: polygons, 3-cells of these shapes, polylines and single points. Without positions only
+    /// numbers are known.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// A triangle and a segment without positions.
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_geometry::Positions;
+    /// use coface_io::Model;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let (triangle, segment) = (RaggedArray::from_lists([[0, 1, 2]]), RaggedArray::from_lists([[2, 3]]));
+    /// let solids = (Vec::new(), RaggedArray::new());
+    /// let model = Model::from_parts(4, Positions::default(), triangle, solids, segment, Vec::new())?;
+    /// assert_eq!((model.vertex_count(), model.lines().len()), (4, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn from_parts(
+        vertex_count: usize,
+        positions: Positions,
+        polygons: RaggedArray,
+        (shapes, cells): (Vec<CellShape>, RaggedArray),
+        lines: RaggedArray,
+        points: Vec<VertexId>,
+    ) -> Result<Self, Error> {
+        let model =
+            Self { vertex_count, positions, polygons, shapes, cells, lines, points, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
+    /// A model of polylines on these positions; a closed line has its first vertex again at its end.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    pub fn from_lines(positions: Positions, lines: RaggedArray) -> Result<Self, Error> {
+        let model = Self { vertex_count: positions.len(), positions, lines, ..Self::default() };
+        model.check()?;
+        Ok(model)
+    }
+
+    /// The model with these polylines instead of its own; data on those and groups of them go.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let model = triangle.with_lines(RaggedArray::from_lists([[0, 1, 2, 0]]))?;
+    /// assert_eq!((model.lines().len(), model.polygons().len()), (1, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn with_lines(mut self, lines: RaggedArray) -> Result<Self, Error> {
+        self.lines = lines;
+        self.data.retain(|data| data.kind() != GroupKind::Lines);
+        self.groups.retain(|group| group.kind() != GroupKind::Lines);
+        self.check()?;
+        Ok(self)
+    }
+
+    /// The model with one more group.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] if a member is none of the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::{Format, Group, GroupKind};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let model = triangle.with_group(Group::new("rim", GroupKind::Polygons, vec![0]))?;
+    /// assert_eq!(model.groups()[0].name(), "rim");
+    /// assert!(model.with_group(Group::new("far", GroupKind::Polygons, vec![1])).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn with_group(mut self, group: Group) -> Result<Self, Error> {
+        let count = self.count_of(group.kind);
+        if let Some(member) = group.members.iter().find(|&&member| member as usize >= count) {
+            return Err(Error::invalid(format!(
+                "the group \"{}\" has the member {member}, but there are {count} {}",
+                group.name, group.kind
+            )));
+        }
+        self.groups.push(group);
+        Ok(self)
+    }
+
+    /// The model with one more array of numbers.
+    ///
+    /// # Errors
+    /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::{CellData, Format, GroupKind};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let model = triangle.with_data(CellData::reals("x", GroupKind::Vertices, 1, vec![0.0, 1.0, 0.0])?)?;
+    /// assert!(model.with_data(CellData::reals("y", GroupKind::Polygons, 1, vec![0.0, 1.0])?).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn with_data(mut self, data: CellData) -> Result<Self, Error> {
+        self.check_data(&data, &self.data)?;
+        self.data.push(data);
+        Ok(self)
+    }
+
+    /// The model without the array of this name on vertices, lines, polygons or cells, if there is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::{CellData, Format, GroupKind};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let point = io::read(&b"v 0 0 0\np 1\n"[..], Format::Obj)?;
+    /// let model = point.with_data(CellData::reals("x", GroupKind::Vertices, 1, vec![0.5])?)?;
+    /// assert!(model.without_data("x", GroupKind::Vertices).data().is_empty());
+    /// # Ok(()) }
+    /// ```
+    pub fn without_data(mut self, name: &str, kind: GroupKind) -> Self {
+        self.data.retain(|data| data.kind() != kind || data.name() != name);
+        self
+    }
+
+    /// A model that is an abstract structure.
+    pub fn from_structure(structure: Structure) -> Self {
+        Self { structure: Some(structure), ..Self::default() }
+    }
+
+    /// A chain complex whose cells of degree 0 are at these positions.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] unless there are as many positions as cells of degree 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_geometry::Positions;
+    /// use coface_io::Model;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let ends = Positions::from_flat(1, vec![0.0, 1.0])?;
+    /// assert_eq!(Model::from_chains(ChainComplex::of_points(2), ends.clone())?.vertex_count(), 2);
+    /// assert!(Model::from_chains(ChainComplex::of_points(3), ends).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn from_chains(complex: ChainComplex, positions: Positions) -> Result<Self, Error> {
+        let (points, vertices) = (positions.len(), complex.cell_count(0));
+        if points != vertices {
+            return Err(Error::invalid(format!("there are {points} points for {vertices} vertices"))
+                .with_cure("give each cell of degree 0 one point"));
+        }
+        let structure = Some(Structure::Chains(complex));
+        Ok(Self { vertex_count: points, positions, structure, ..Self::default() })
+    }
+
+    /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
+    /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), that there are as
+    /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first culprit.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.positions.dimension() > 0 && self.positions.len() != self.vertex_count {
+            return Err(Error::invalid(format!(
+                "{} positions for {} vertices",
+                self.positions.len(),
+                self.vertex_count
+            )));
+        }
+        if self.shapes.len() != self.cells.len() {
+            return Err(Error::invalid(format!(
+                "{} shapes for {} cells",
+                self.shapes.len(),
+                self.cells.len()
+            )));
+        }
+        for (i, polygon) in self.polygons.iter().enumerate() {
+            self.check_vertices("polygon", i, polygon)?;
+            check_size("polygon", i, polygon, 3)?;
+        }
+        for (i, (cell, shape)) in self.cells.iter().zip(&self.shapes).enumerate() {
+            self.check_vertices(shape.name(), i, cell)?;
+            if cell.len() != shape.vertex_count() {
+                return Err(Error::invalid(format!(
+                    "cell {i}, a {}, has {} vertices",
+                    shape.name(),
+                    cell.len()
+                )));
+            }
+        }
+        for (i, line) in self.lines.iter().enumerate() {
+            for &vertex in line {
+                self.check_vertex("line", i, vertex)?;
+            }
+            check_size("line", i, line, 2)?;
+            if let Some(pair) = line.windows(2).find(|pair| pair[0] == pair[1]) {
+                return Err(Error::invalid(format!("line {i} repeats vertex {}", pair[0])));
+            }
+        }
+        for (i, vertex) in self.points.iter().enumerate() {
+            self.check_vertex("point", i, vertex.to_u32())?;
+        }
+        for (i, data) in self.data.iter().enumerate() {
+            self.check_data(data, &self.data[..i])?;
+        }
+        Ok(())
+    }
+
+    /// That data have a row for each thing that they are on, and not the name of others on the same.
+    fn check_data(&self, data: &CellData, others: &[CellData]) -> Result<(), Error> {
+        let (name, kind) = (data.name(), data.kind());
+        let count = self.count_of(kind);
+        if data.len() != count {
+            let message = format!("the data \"{name}\" on {kind} have {} rows, not {count}", data.len());
+            return Err(Error::invalid(message).with_cure("give each of them one row"));
+        }
+        if others.iter().any(|other| other.kind() == kind && other.name() == name) {
+            return Err(Error::invalid(format!("there are two arrays \"{name}\" on {kind}"))
+                .with_cure("rename one of them"));
+        }
+        Ok(())
+    }
+
+    /// The number of vertices, lines, polygons or 3-cells.
+    #[doc(hidden)]
+    pub fn count_of(&self, kind: GroupKind) -> usize {
+        match kind {
+            GroupKind::Vertices => self.vertex_count,
+            GroupKind::Lines => self.lines.len(),
+            GroupKind::Polygons => self.polygons.len(),
+            GroupKind::Cells => self.cells.len(),
+        }
+    }
+
+    fn check_vertices(&self, what: &str, i: usize, vertices: &[u32]) -> Result<(), Error> {
+        for &vertex in vertices {
+            self.check_vertex(what, i, vertex)?;
+        }
+        if let Some(vertex) = repeated_vertex(vertices) {
+            return Err(Error::invalid(format!("{what} {i} repeats vertex {vertex}"))
+                .with_cure("remove it, or leave the repeated vertex out"));
+        }
+        Ok(())
+    }
+
+    fn check_vertex(&self, what: &str, i: usize, vertex: u32) -> Result<(), Error> {
+        if (vertex as usize) < self.vertex_count {
+            return Ok(());
+        }
+        Err(Error::invalid(format!(
+            "{what} {i} names vertex {vertex}, but there are {} vertices, numbered from 0",
+            self.vertex_count
+        )))
+    }
+
+    /// The format that [`read_path`](super::read_path) and its neighbors read the model from; `None` for a model made
+    /// otherwise.
+    pub fn format(&self) -> Option<Format> {
+        self.format
+    }
+
+    pub(crate) fn with_format(self, format: Format) -> Self {
+        Self { format: Some(format), ..self }
+    }
+
+    /// The number of vertices, isolated ones included.
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// The positions of the vertices; empty when the file has none.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The polygons as cycles of vertices.
+    pub fn polygons(&self) -> &RaggedArray {
+        &self.polygons
+    }
+
+    /// The shapes of the 3-cells.
+    pub fn shapes(&self) -> &[CellShape] {
+        &self.shapes
+    }
+
+    /// The 3-cells by their vertices, in the order that [`CellShape`] describes.
+    pub fn cells(&self) -> &RaggedArray {
+        &self.cells
+    }
+
+    /// The polylines: each runs through its vertices in order.
+    pub fn lines(&self) -> &RaggedArray {
+        &self.lines
+    }
+
+    /// The vertices that the file lists as points of their own.
+    pub fn points(&self) -> &[VertexId] {
+        &self.points
+    }
+
+    /// The named groups.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// The named numbers on vertices, lines, polygons and cells.
+    pub fn data(&self) -> &[CellData] {
+        &self.data
+    }
+
+    /// The colors of the vertices: data `red`, `green` and `blue` on vertices, a byte each.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Model;
+    /// assert!(Model::default().vertex_colors().is_none());
+    /// ```
+    pub fn vertex_colors(&self) -> Option<[&CellData; 3]> {
+        let part = |name| {
+            self.data_named(name, GroupKind::Vertices)
+                .filter(|data| data.components() == 1 && matches!(data.numbers(), Numbers::UInt8(_)))
+        };
+        Some([part("red")?, part("green")?, part("blue")?])
+    }
+
+    /// The array of this name on vertices, lines, polygons or cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::{Format, GroupKind};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty uchar red\nend_header\n0 255\n";
+    /// let model = io::read(text.as_bytes(), Format::Ply)?;
+    /// let red = model.data_named("red", GroupKind::Vertices).ok_or(coface_algebra::Error::invalid("no color"))?;
+    /// assert_eq!(red.integer_row(0), Some(vec![255]));
+    /// # Ok(()) }
+    /// ```
+    pub fn data_named(&self, name: &str, kind: GroupKind) -> Option<&CellData> {
+        self.data.iter().find(|data| data.kind() == kind && data.name() == name)
+    }
+
+    /// The abstract structure, if the file holds one instead of a mesh.
+    pub fn structure(&self) -> Option<&Structure> {
+        self.structure.as_ref()
+    }
+
+    /// What the reader found odd but could read: one sentence each.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}
+
+impl PartialEq for Model {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertex_count == other.vertex_count
+            && self.positions == other.positions
+            && self.polygons == other.polygons
+            && self.shapes == other.shapes
+            && self.cells == other.cells
+            && self.lines == other.lines
+            && self.points == other.points
+            && self.groups == other.groups
+            && self.data == other.data
+            && self.structure == other.structure
+    }
+}
+
+/// The first vertex that stands twice in a list; short lists are compared pairwise, long ones sorted.
+pub fn repeated_vertex(vertices: &[u32]) -> Option<u32> {
+    if vertices.len() <= 16 {
+        return vertices.iter().enumerate().find(|(i, v)| vertices[..*i].contains(v)).map(|(_, &v)| v);
+    }
+    let mut sorted = vertices.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+}
+
+fn check_size(what: &str, i: usize, vertices: &[u32], least: usize) -> Result<(), Error> {
+    if vertices.len() < least {
+        return Err(Error::invalid(format!("{what} {i} has {} vertices; it needs {least}", vertices.len())));
+    }
+    Ok(())
+}
+
+/// The segments of polylines.
+pub fn segments(lines: &RaggedArray) -> Vec<[u32; 2]> {
+    lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plane(count: usize) -> Positions {
+        Positions::from_flat(2, (0..2 * count).map(|i| i as f64).collect()).unwrap()
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let fault = |polygon: Vec<u32>| {
+            Model::from_polygons(plane(4), RaggedArray::from_lists([polygon])).unwrap_err().to_string()
+        };
+        assert!(fault(vec![0, 1, 4]).contains("names vertex 4, but there are 4"));
+        assert!(fault(vec![0, 1, 0]).contains("polygon 0 repeats vertex 0"));
+        assert!(fault(vec![0, 1]).contains("needs 3"));
+    }
+
+    #[test]
+    fn repeated_vertices_are_found_in_long_lists() {
+        let mut long: Vec<u32> = (0..40).collect();
+        assert_eq!(repeated_vertex(&long), None);
+        long.push(17);
+        assert_eq!(repeated_vertex(&long), Some(17));
+    }
+}

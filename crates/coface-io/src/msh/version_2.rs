@@ -1,0 +1,61 @@
+//! Nodes and elements of version 2: each element carries its tags, the first of which is its physical group.
+
+use super::reading::Reader;
+use crate::values::NumberType;
+use coface_algebra::Error;
+use std::io::Read;
+
+pub(super) fn read_nodes<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
+    let count = reader.values.scanner.expect_u64("the count of nodes")?;
+    reader.values.end_line()?;
+    for _ in 0..count {
+        let tag = reader.values.integer(NumberType::Int32, "the number of a node")?;
+        reader.nodes.add(tag).map_err(|fault| reader.values.located(fault))?;
+        let mut point = [0.0; 3];
+        for coordinate in &mut point {
+            *coordinate = reader.values.float(NumberType::Float64, "a coordinate")?;
+        }
+        reader.assembly.add_vertex(&point).map_err(|fault| reader.values.located(fault))?;
+    }
+    Ok(())
+}
+
+/// In a binary file elements of one type stand together behind a header; in a text each has its own.
+pub(super) fn read_elements<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
+    const INT: NumberType = NumberType::Int32;
+    let count = reader.values.scanner.expect_u64("the count of elements")?;
+    reader.values.end_line()?;
+    let mut left = count;
+    while left > 0 {
+        let is_ascii = reader.values.is_ascii();
+        if is_ascii {
+            reader.values.integer(INT, "the number of an element")?;
+        }
+        let number = reader.values.integer(INT, "the type of an element")?;
+        let element = reader.element_type(number)?;
+        let together = if is_ascii { 1 } else { reader.values.count(INT, "the count of a block")? };
+        if together == 0 || together > left {
+            return Err(reader
+                .values
+                .error(format!("a block has {together} elements, but {left} are left"))
+                .with_cure("the file is damaged: write it again"));
+        }
+        let tag_count = reader.values.count(INT, "the count of tags")?;
+        for _ in 0..together {
+            if !is_ascii {
+                reader.values.integer(INT, "the number of an element")?;
+            }
+            let mut physical = 0;
+            for i in 0..tag_count {
+                let tag = reader.values.integer(INT, "a tag of an element")?;
+                if i == 0 {
+                    physical = tag.saturating_abs();
+                }
+            }
+            let groups = [physical];
+            reader.read_element(element, INT, if physical == 0 { &[] } else { &groups })?;
+        }
+        left -= together;
+    }
+    Ok(())
+}

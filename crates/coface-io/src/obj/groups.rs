@@ -1,0 +1,139 @@
+//! Names for sets of polygons while a file is read.
+
+use crate::{Group, GroupKind};
+use coface_algebra::{Error, ErrorKind};
+use std::collections::BTreeMap;
+
+/// The most names that one `g` may give: each polygon is a member of all of them.
+pub(super) const MOST_NAMES: usize = 64;
+
+/// The statement that gives a name to the polygons that follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Statement {
+    Group,
+    Object,
+    Material,
+}
+
+impl Statement {
+    pub(super) const fn keyword(self) -> &'static str {
+        match self {
+            Self::Group => "g",
+            Self::Object => "o",
+            Self::Material => "usemtl",
+        }
+    }
+}
+
+/// A change of names in front of a polygon.
+#[derive(Debug)]
+pub(super) struct Change {
+    pub(super) statement: Statement,
+    pub(super) names: Vec<String>,
+}
+
+impl Change {
+    /// What the rest of a statement says: any number of names behind `g`, one name with its blanks otherwise.
+    pub(super) fn new(statement: Statement, rest: &[u8]) -> Result<Self, Error> {
+        let rest = String::from_utf8_lossy(rest);
+        let names: Vec<String> = match statement {
+            Statement::Group => rest.split_whitespace().map(str::to_owned).collect(),
+            _ => Some(rest.trim().to_owned()).filter(|name| !name.is_empty()).into_iter().collect(),
+        };
+        if names.len() > MOST_NAMES {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("{} groups in one statement; the limit is {MOST_NAMES}", names.len()),
+            )
+            .with_cure("give the polygons fewer names"));
+        }
+        Ok(Self { statement, names })
+    }
+}
+
+/// The groups so far and those that the next polygon belongs to.
+#[derive(Debug, Default)]
+pub(super) struct Groups {
+    known: BTreeMap<(Statement, String), usize>,
+    members: Vec<Vec<u32>>,
+    active: Vec<(Statement, usize)>,
+    /// The polygons before this one have been given to their groups.
+    settled: u32,
+}
+
+impl Groups {
+    /// The names change in front of this polygon.
+    pub(super) fn change(&mut self, change: Change, polygon: u32) {
+        self.settle(polygon);
+        self.active.retain(|&(statement, _)| statement != change.statement);
+        for name in change.names {
+            let next = self.members.len();
+            let group = *self.known.entry((change.statement, name)).or_insert(next);
+            if group == next {
+                self.members.push(Vec::new());
+            }
+            if !self.active.contains(&(change.statement, group)) {
+                self.active.push((change.statement, group));
+            }
+        }
+    }
+
+    fn settle(&mut self, polygon: u32) {
+        for &(_, group) in &self.active {
+            self.members[group].extend(self.settled..polygon);
+        }
+        self.settled = polygon;
+    }
+
+    /// The groups in the order of their first statement. Where two statements give one name, the same members are one
+    /// group, and other members have the keyword put in front of the name.
+    pub(super) fn finish(mut self, polygon_count: u32) -> Vec<Group> {
+        self.settle(polygon_count);
+        let mut keys: Vec<((Statement, String), usize)> = self.known.into_iter().collect();
+        keys.sort_unstable_by_key(|&(_, group)| group);
+        let mut first_of_name: BTreeMap<String, usize> = BTreeMap::new();
+        let mut groups: Vec<Group> = Vec::with_capacity(keys.len());
+        for ((statement, name), index) in keys {
+            let members = std::mem::take(&mut self.members[index]);
+            match first_of_name.get(&name) {
+                Some(&first) if groups[first].members == members => {}
+                Some(_) => {
+                    let qualified = format!("{}:{name}", statement.keyword());
+                    groups.push(Group::new(qualified, GroupKind::Polygons, members));
+                }
+                None => {
+                    first_of_name.insert(name.clone(), groups.len());
+                    groups.push(Group::new(name, GroupKind::Polygons, members));
+                }
+            }
+        }
+        groups
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_hold_until_the_same_statement_comes_again() {
+        let mut groups = Groups::default();
+        let change = |statement, rest: &[u8]| Change::new(statement, rest).unwrap();
+        groups.change(change(Statement::Object, b" car \n"), 0);
+        groups.change(change(Statement::Group, b"left front"), 1);
+        groups.change(change(Statement::Material, b"front"), 2);
+        groups.change(change(Statement::Group, b""), 3);
+        let groups = groups.finish(4);
+        let found: Vec<(&str, &[u32])> = groups.iter().map(|g| (g.name(), g.members())).collect();
+        assert_eq!(
+            found,
+            [("car", &[0, 1, 2, 3][..]), ("left", &[1, 2]), ("front", &[1, 2]), ("usemtl:front", &[2, 3])]
+        );
+    }
+
+    #[test]
+    fn too_many_names_are_refused() {
+        assert!(Change::new(Statement::Group, "a ".repeat(65).as_bytes()).is_err());
+        assert!(Change::new(Statement::Object, "a ".repeat(65).as_bytes()).is_ok());
+    }
+}

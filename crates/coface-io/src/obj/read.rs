@@ -1,0 +1,380 @@
+//! Reading OBJ.
+
+use super::groups::{Change, Groups, Statement};
+use crate::Model;
+use crate::blocks::{Block, Blocks};
+use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
+use crate::lists::Elements;
+use crate::model::repeated_vertex;
+use crate::scanner::{parse_f64, parse_i64, quoted};
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_geometry::Positions;
+use std::borrow::Cow;
+use std::io::Read;
+
+/// Reads a model in OBJ.
+///
+/// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a statement that is none, a number that is none
+/// or not finite, a face of fewer than three vertices, one that repeats a vertex, index 0 or an index of a vertex that
+/// the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
+/// stream fails.
+///
+/// # Complexity
+/// Linear in the file; memory is the model and a few blocks of text.
+///
+/// # References
+/// Wavefront Technologies, *Advanced Visualizer Manual*, appendix B1, "Object files" (1992).
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng sheet\nf 1/1 2/2 3/3 -1/4\n";
+/// let square = coface_io::obj::read(text.as_bytes())?;
+/// assert_eq!(square.polygons().list(0), [0, 1, 2, 3]);
+/// assert_eq!(square.groups()[0].name(), "sheet");
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    let mut coordinates: Vec<f64> = Vec::new();
+    let mut elements = Elements::default();
+    let mut groups = Groups::default();
+    let mut ahead: Vec<(u32, u64)> = Vec::new();
+    let mut seen = false;
+    Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
+        count_vertices,
+        parse_block,
+        |piece| {
+            let before = elements.polygons.len() as u32;
+            coordinates.extend_from_slice(&piece.coordinates);
+            elements.append(&piece.elements)?;
+            ahead.extend(piece.ahead);
+            seen |= piece.seen;
+            for (polygon, change) in piece.changes {
+                groups.change(change, before + polygon);
+            }
+            piece.fault.map_or(Ok(()), Err)
+        },
+    )?;
+    if !seen {
+        return Err(Error::parse("the file is empty")
+            .at_line(1)
+            .with_cure("an OBJ file has a line \"v x y z\" for each vertex"));
+    }
+    let vertex_count = coordinates.len() / 3;
+    if let Some(&(vertex, line)) = ahead.iter().find(|&&(vertex, _)| vertex as usize >= vertex_count) {
+        return Err(out_of_range(i64::from(vertex) + 1, vertex_count as u64).at_line(line));
+    }
+    let Elements { polygons, lines, points } = elements;
+    let groups = groups.finish(polygons.len() as u32);
+    let model = Model {
+        vertex_count,
+        positions: Positions::from_flat(3, coordinates)?,
+        polygons: polygons.into_ragged()?,
+        lines: lines.into_ragged()?,
+        points,
+        groups,
+        ..Model::default()
+    };
+    debug_assert!(model.check().is_ok(), "the reader has checked what it read");
+    Ok(model)
+}
+
+/// What was read of a block, up to the fault.
+#[derive(Default)]
+struct Piece {
+    coordinates: Vec<f64>,
+    elements: Elements,
+    /// Changes of names, each with the number of polygons of this piece before it.
+    changes: Vec<(u32, Change)>,
+    /// Vertices that were named before they came, each larger than those before, with the line.
+    ahead: Vec<(u32, u64)>,
+    /// Whether there was anything but blanks.
+    seen: bool,
+    fault: Option<Error>,
+}
+
+impl Piece {
+    /// Notes the largest of the vertices if it stands further down, if at all; `count` stand before.
+    fn look_ahead(&mut self, vertices: &[u32], count: u64, line: u64) {
+        for &vertex in vertices {
+            if u64::from(vertex) >= count && self.ahead.last().is_none_or(|&(largest, _)| vertex > largest) {
+                self.ahead.push((vertex, line));
+            }
+        }
+    }
+}
+
+/// The number of vertices that statements in a text give.
+fn count_vertices(text: &[u8]) -> u64 {
+    let mut count = 0;
+    let mut start = 0;
+    let mut continued = false;
+    for end in memchr::memchr_iter(b'\n', text) {
+        let mut at = start;
+        if text[at] != b'v' {
+            at = skip_blanks(text, at);
+        }
+        count += u64::from(!continued && text[at] == b'v' && text.get(at + 1).is_some_and(|&b| ends_word(b)));
+        continued = is_continued(&text[start..end]);
+        start = end + 1;
+    }
+    count
+}
+
+fn ends_word(byte: u8) -> bool {
+    byte == b'\n' || byte == b'\\' || is_blank(byte)
+}
+
+/// Whether a line, given without its line feed, is joined to the next one.
+fn is_continued(line: &[u8]) -> bool {
+    matches!(line, [.., b'\\'] | [.., b'\\', b'\r'])
+}
+
+fn parse_block(block: &Block) -> Piece {
+    let mut piece = Piece::default();
+    let text = &block.text;
+    let (mut at, mut line) = (0, block.line);
+    while at < text.len() {
+        let next = match (text[at], text.get(at + 1)) {
+            (b'v', Some(b' ')) => plain_vertex(text, at + 2, &mut piece),
+            (b'f', Some(b' ')) => plain_face(text, at + 2, block.record, line, &mut piece),
+            _ => None,
+        };
+        if let Some(next) = next {
+            at = next;
+            line += 1;
+            continue;
+        }
+        let (statement, next, lines) = statement(text, at);
+        if let Err(error) = read_statement(&statement, block.record, line, &mut piece) {
+            piece.fault = Some(error.at_line(line));
+            break;
+        }
+        at = next;
+        line += lines;
+    }
+    piece.seen |= piece.elements.polygons.len() > 0 || !piece.coordinates.is_empty();
+    piece
+}
+
+/// The position behind a line on which nothing is to be read any more; `None` if the line is continued.
+fn end_of_line(text: &[u8], at: usize) -> Option<usize> {
+    if text[at] == b'\n' {
+        return Some(at + 1);
+    }
+    let end = memchr::memchr(b'\n', &text[at..])? + at;
+    (!is_continued(&text[at..end])).then_some(end + 1)
+}
+
+/// Reads a vertex whose numbers are short; gives the position behind the line, or `None` and changes nothing.
+fn plain_vertex(text: &[u8], at: usize, piece: &mut Piece) -> Option<usize> {
+    let (x, at) = short_decimal(text, skip_blanks(text, at))?;
+    let (y, at) = short_decimal(text, skip_blanks(text, at))?;
+    let (z, at) = short_decimal(text, skip_blanks(text, at))?;
+    let next = end_of_line(text, at)?;
+    piece.coordinates.extend_from_slice(&[x, y, z]);
+    Some(next)
+}
+
+/// Reads a face without anything unusual; gives the position behind the line, or `None` and changes nothing.
+fn plain_face(text: &[u8], at: usize, before: u64, line: u64, piece: &mut Piece) -> Option<usize> {
+    let count = before + piece.coordinates.len() as u64 / 3;
+    let next = face_vertices(text, at, count, piece.elements.polygons.items_mut());
+    let face = piece.elements.polygons.open();
+    let distinct = match *face {
+        [a, b, c] => a != b && b != c && c != a,
+        _ => face.len() > 3 && repeated_vertex(face).is_none(),
+    };
+    if next.is_none() || !distinct {
+        piece.elements.polygons.abandon();
+        return None;
+    }
+    if face.iter().any(|&vertex| u64::from(vertex) >= count) {
+        let face = face.to_vec();
+        piece.look_ahead(&face, count, line);
+    }
+    piece.elements.polygons.finish();
+    next
+}
+
+/// Pushes the vertices up to the end of the line; gives the position behind it.
+fn face_vertices(text: &[u8], mut at: usize, count: u64, vertices: &mut Vec<u32>) -> Option<usize> {
+    loop {
+        at = skip_blanks(text, at);
+        let byte = text[at];
+        if byte == b'\n' {
+            return Some(at + 1);
+        }
+        let (number, next) = short_natural(text, at + usize::from(byte == b'-'))?;
+        let vertex = if byte == b'-' {
+            count.checked_sub(u64::from(number))?
+        } else {
+            u64::from(number).checked_sub(1)?
+        };
+        if number == 0 {
+            return None;
+        }
+        vertices.push(vertex as u32);
+        at = next;
+        if text[at] == b'/' {
+            // Texture and normal are read over.
+            while matches!(text[at], b'/' | b'-' | b'0'..=b'9') {
+                at += 1;
+            }
+        }
+        if text[at] != b'\n' && !is_blank(text[at]) {
+            return None;
+        }
+    }
+}
+
+/// The statement at `at` with its continued lines joined, the position behind it and the number of its lines.
+fn statement(text: &[u8], at: usize) -> (Cow<'_, [u8]>, usize, u64) {
+    let end_from = |at: usize| memchr::memchr(b'\n', &text[at..]).map_or(text.len(), |found| at + found);
+    let mut end = end_from(at);
+    if !is_continued(&text[at..end]) {
+        return (Cow::Borrowed(&text[at..end]), end + 1, 1);
+    }
+    let mut joined = Vec::new();
+    let (mut start, mut lines) = (at, 1);
+    while is_continued(&text[start..end]) {
+        let line = text[start..end].trim_ascii_end();
+        joined.extend_from_slice(&line[..line.len() - 1]);
+        joined.push(b' ');
+        if end + 1 >= text.len() {
+            return (Cow::Owned(joined), text.len(), lines);
+        }
+        start = end + 1;
+        end = end_from(start);
+        lines += 1;
+    }
+    joined.extend_from_slice(&text[start..end]);
+    (Cow::Owned(joined), end + 1, lines)
+}
+
+/// Reads any statement, or says what is wrong with it.
+fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -> Result<(), Error> {
+    let statement = statement.trim_ascii();
+    if statement.is_empty() {
+        return Ok(());
+    }
+    piece.seen = true;
+    if statement[0] == b'#' {
+        return Ok(());
+    }
+    let length = statement.iter().position(|&byte| is_blank(byte)).unwrap_or(statement.len());
+    let (keyword, rest) = statement.split_at(length);
+    let count = before + piece.coordinates.len() as u64 / 3;
+    match keyword {
+        b"v" => read_vertex(rest, piece),
+        b"f" => {
+            let face = read_vertices(rest, count)?;
+            if face.len() < 3 {
+                return Err(Error::invalid(format!("a face with {} vertices; it needs 3", face.len()))
+                    .with_cure("remove it, or write a line as \"l\" and a point as \"p\""));
+            }
+            if let Some(vertex) = repeated_vertex(&face) {
+                return Err(Error::invalid(format!(
+                    "a face of {} vertices repeats vertex {}",
+                    face.len(),
+                    vertex + 1
+                ))
+                .with_cure("remove the face, or leave the repeated vertex out"));
+            }
+            piece.elements.polygons.push(&face);
+            piece.look_ahead(&face, count, line);
+            Ok(())
+        }
+        b"l" => {
+            let path = read_vertices(rest, count)?;
+            if path.len() < 2 {
+                return Err(Error::invalid(format!("a line with {} vertices; it needs 2", path.len()))
+                    .with_cure("remove it, or write a point as \"p\""));
+            }
+            if let Some(pair) = path.windows(2).find(|pair| pair[0] == pair[1]) {
+                return Err(Error::invalid(format!("a line repeats vertex {}", pair[0] + 1))
+                    .with_cure("leave the repeated vertex out"));
+            }
+            piece.elements.lines.push(&path);
+            piece.look_ahead(&path, count, line);
+            Ok(())
+        }
+        b"p" => {
+            let points = read_vertices(rest, count)?;
+            if points.is_empty() {
+                return Err(Error::invalid("a point statement without a vertex").with_cure("remove it"));
+            }
+            piece.elements.points.extend(points.iter().map(|&vertex| VertexId::from_u32(vertex)));
+            piece.look_ahead(&points, count, line);
+            Ok(())
+        }
+        b"g" => read_names(Statement::Group, rest, piece),
+        b"o" => read_names(Statement::Object, rest, piece),
+        b"usemtl" => read_names(Statement::Material, rest, piece),
+        _ if is_keyword(keyword) => Ok(()),
+        _ => Err(Error::parse(format!("{} is not an OBJ statement", quoted(keyword)))
+            .with_cure("correct the line, or tell the format if this is no OBJ file")),
+    }
+}
+
+/// Whether a word could be the keyword of a statement that is read over.
+fn is_keyword(word: &[u8]) -> bool {
+    word.first().is_some_and(u8::is_ascii_alphabetic)
+        && word.iter().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-'))
+}
+
+fn read_names(statement: Statement, rest: &[u8], piece: &mut Piece) -> Result<(), Error> {
+    piece.changes.push((piece.elements.polygons.len() as u32, Change::new(statement, rest)?));
+    Ok(())
+}
+
+/// The words of a statement up to a comment.
+fn words(rest: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let end = memchr::memchr(b'#', rest).unwrap_or(rest.len());
+    rest[..end].split(|&byte| is_blank(byte)).filter(|word| !word.is_empty())
+}
+
+fn read_vertex(rest: &[u8], piece: &mut Piece) -> Result<(), Error> {
+    let mut words = words(rest);
+    let mut point = [0.0; 3];
+    for (i, coordinate) in point.iter_mut().enumerate() {
+        let Some(word) = words.next() else {
+            return Err(Error::parse(format!("a vertex with {i} coordinates; it needs 3"))
+                .with_cure("write \"v x y z\""));
+        };
+        *coordinate = parse_f64(word, "a coordinate")?;
+    }
+    piece.coordinates.extend_from_slice(&point);
+    Ok(())
+}
+
+/// The vertices that a statement names, from 0, when `count` vertices stand before it.
+fn read_vertices(rest: &[u8], count: u64) -> Result<Vec<u32>, Error> {
+    words(rest)
+        .map(|word| {
+            let length = memchr::memchr(b'/', word).unwrap_or(word.len());
+            let index = parse_i64(&word[..length], "a vertex index")?;
+            let vertex = match index {
+                0 => {
+                    return Err(Error::invalid("vertex index 0; they are numbered from 1")
+                        .with_cure("correct the index"));
+                }
+                1.. => index as u64 - 1,
+                _ => count.checked_sub(index.unsigned_abs()).ok_or_else(|| out_of_range(index, count))?,
+            };
+            u32::try_from(vertex).map_err(|_| out_of_range(index, count))
+        })
+        .collect()
+}
+
+fn out_of_range(index: i64, count: u64) -> Error {
+    let message = if index < 0 {
+        format!("vertex index {index} counts back over the {count} vertices before it")
+    } else {
+        format!("vertex index {index}, but there are {count} vertices, numbered from 1")
+    };
+    Error::new(ErrorKind::InvalidInput, message).with_cure("correct the index or add the vertices")
+}

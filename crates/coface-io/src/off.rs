@@ -1,0 +1,539 @@
+//! OFF, the object file format of Geomview, with its relatives.
+//!
+//! The keyword is `[ST][C][N][4][n]OFF`, and may be missing: texture coordinates, colors and normals at the vertices are
+//! read over, `4` means four coordinates a vertex, `n` that the dimension stands before the counts (`4nOFF`: one
+//! coordinate more than that). A face is a number of vertices and their indices, from 0; what follows on its line, a
+//! color, is read over. A face of two vertices is a line, one of one vertex a point. `#` starts a comment. In the text
+//! form each vertex and each face has a line of its own; `OFF BINARY` is big-endian, with single precision.
+
+use super::Model;
+use super::blocks::{Block, Blocks};
+use super::decimal::{flush, is_blank, push_f64, push_natural, short_decimal, short_natural, skip_blanks};
+use super::limits::require_mesh;
+use super::lists::Elements;
+use super::model::repeated_vertex;
+use super::scanner::{Scanner, parse_f64, parse_i64, quoted};
+use coface_algebra::{Error, ErrorKind};
+use coface_geometry::Positions;
+use std::io::{Read, Write};
+
+/// What the keyword and the counts say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Header {
+    /// The number of coordinates of a vertex.
+    dimension: usize,
+    /// The numbers that follow the coordinates of a vertex: normal, color, texture coordinates.
+    attributes: usize,
+    vertices: u64,
+    faces: u64,
+}
+
+/// What the letters before `OFF` ask for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Keyword {
+    texture: bool,
+    color: bool,
+    normal: bool,
+    four: bool,
+    any_dimension: bool,
+}
+
+impl Keyword {
+    /// The keyword that a token spells; `None` if it is none.
+    fn parse(token: &[u8]) -> Option<Self> {
+        let mut rest = token.strip_suffix(b"OFF")?;
+        let mut keyword = Self::default();
+        while let Some(&letter) = rest.first() {
+            let (flag, length) = match letter {
+                b'S' if rest.starts_with(b"ST") => (&mut keyword.texture, 2),
+                b'C' => (&mut keyword.color, 1),
+                b'N' => (&mut keyword.normal, 1),
+                b'4' => (&mut keyword.four, 1),
+                b'n' => (&mut keyword.any_dimension, 1),
+                _ => return None,
+            };
+            if *flag {
+                return None;
+            }
+            *flag = true;
+            rest = &rest[length..];
+        }
+        Some(keyword)
+    }
+
+    /// The number of coordinates and of further numbers at each vertex.
+    fn widths(self, dimension: usize) -> (usize, usize) {
+        let attributes = if self.normal { dimension } else { 0 }
+            + if self.color { 4 } else { 0 }
+            + if self.texture { 2 } else { 0 };
+        (dimension, attributes)
+    }
+}
+
+/// Reads a model in OFF, text or binary.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line (or the byte, in the binary form): text that is no
+/// OFF, a number that is none or not finite, an index out of range, a face that repeats a vertex, fewer vertices or
+/// faces than the counts promise; [`ErrorKind::Io`] if the stream fails.
+///
+/// # Complexity
+/// Linear in the file; memory is the model and a few blocks of text, whatever the counts claim.
+///
+/// # References
+/// Geomview manual, section "OFF Files".
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3  0.5 0.5 0.5\n";
+/// let square = coface_io::off::read(text.as_bytes())?;
+/// assert_eq!(square.vertex_count(), 4);
+/// assert_eq!(square.polygons().list(0), [0, 1, 2, 3]);
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    let mut blocks = Blocks::new(input);
+    match read_header(&mut blocks)? {
+        Start::Text(header) => read_text(blocks, header),
+        Start::Binary(keyword) => read_binary(blocks.into_scanner(), keyword),
+    }
+}
+
+/// How the data go on behind the header.
+enum Start {
+    Text(Header),
+    Binary(Keyword),
+}
+
+/// Reads words line by line up to the counts.
+fn read_header<R: Read>(blocks: &mut Blocks<R>) -> Result<Start, Error> {
+    let mut keyword = None;
+    let mut dimension = None;
+    let mut counts: Vec<u64> = Vec::new();
+    let mut last = 1;
+    while let Some((line, number)) = blocks.next_line()? {
+        last = number;
+        let mut words = words(&line).peekable();
+        if words.peek().is_none() {
+            continue;
+        }
+        if counts.len() == 2 {
+            // The number of edges, alone on its line, is not needed; anything else is the first vertex.
+            let alone = words.next().is_some_and(|word| word.iter().all(u8::is_ascii_digit))
+                && words.next().is_none();
+            if !alone {
+                blocks.put_back(&line);
+            }
+            break;
+        }
+        if keyword.is_none() {
+            let word = words.peek().copied().unwrap_or_default();
+            keyword = Some(match Keyword::parse(word) {
+                Some(keyword) => {
+                    words.next();
+                    keyword
+                }
+                None if word.iter().all(u8::is_ascii_digit) => Keyword::default(),
+                None => {
+                    return Err(Error::parse(format!("{} is neither OFF nor a count", quoted(word)))
+                        .at_line(number)
+                        .with_cure(
+                            "an OFF file begins with OFF and the numbers of vertices, faces and edges",
+                        ));
+                }
+            });
+            if words.peek().is_some_and(|word| *word == b"BINARY") {
+                return Ok(Start::Binary(keyword.unwrap_or_default()));
+            }
+        }
+        let any_dimension = keyword.is_some_and(|keyword| keyword.any_dimension);
+        for word in words {
+            let what = match counts.len() {
+                _ if any_dimension && dimension.is_none() => "the dimension",
+                0 => "the number of vertices",
+                1 => "the number of faces",
+                2 => "the number of edges",
+                _ => {
+                    return Err(Error::parse(format!("{} stands behind the counts", quoted(word)))
+                        .at_line(number)
+                        .with_cure("begin a new line for the first vertex"));
+                }
+            };
+            let value = parse_i64(word, what).map_err(|error| error.at_line(number))?;
+            let value = u64::try_from(value).map_err(|_| {
+                Error::parse(format!("{what} is {value}; it cannot be negative")).at_line(number)
+            })?;
+            if any_dimension && dimension.is_none() {
+                dimension = Some(value);
+            } else {
+                counts.push(value);
+            }
+        }
+        if counts.len() == 3 {
+            break;
+        }
+    }
+    let keyword = keyword.ok_or_else(|| {
+        Error::parse("the file is empty")
+            .at_line(last)
+            .with_cure("an OFF file begins with OFF and three counts")
+    })?;
+    let &[vertices, faces, ..] = counts.as_slice() else {
+        return Err(Error::parse("the file ends before the numbers of vertices and faces").at_line(last));
+    };
+    header(keyword, dimension.unwrap_or(3), vertices, faces)
+        .map(Start::Text)
+        .map_err(|error| error.at_line(last))
+}
+
+/// The words of a line up to a comment.
+fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let end = memchr::memchr(b'#', line).unwrap_or(line.len());
+    line[..end].split(|&byte| is_blank(byte) || byte == b'\n').filter(|word| !word.is_empty())
+}
+
+/// The header, with the limits of a model checked.
+fn header(keyword: Keyword, dimension: u64, vertices: u64, faces: u64) -> Result<Header, Error> {
+    let dimension = match (keyword.any_dimension, keyword.four) {
+        (true, four) => dimension.saturating_add(u64::from(four)),
+        (false, four) => 3 + u64::from(four),
+    };
+    if dimension == 0 || dimension > 1 << 16 {
+        return Err(Error::invalid(format!("the dimension is {dimension}; it must be from 1 to 65536"))
+            .with_cure("write the number of coordinates that a vertex has"));
+    }
+    if vertices > u64::from(u32::MAX) {
+        return Err(Error::new(ErrorKind::TooLarge, format!("{vertices} vertices; the limit is 2^32 - 1"))
+            .with_cure("write the number of vertices that are there, or divide the model"));
+    }
+    let (dimension, attributes) = keyword.widths(dimension as usize);
+    Ok(Header { dimension, attributes, vertices, faces })
+}
+
+/// What was read of a block, up to the fault.
+#[derive(Default)]
+struct Piece {
+    coordinates: Vec<f64>,
+    elements: Elements,
+    records: u64,
+    /// The lines behind the last face.
+    surplus: u64,
+    fault: Option<Error>,
+}
+
+fn read_text<R: Read>(blocks: Blocks<R>, header: Header) -> Result<Model, Error> {
+    let mut whole = Piece::default();
+    blocks.parse(
+        count_records,
+        |block| parse_block(block, header),
+        |piece| {
+            whole.coordinates.extend_from_slice(&piece.coordinates);
+            whole.elements.append(&piece.elements)?;
+            whole.records += piece.records;
+            whole.surplus += piece.surplus;
+            piece.fault.map_or(Ok(()), Err)
+        },
+    )?;
+    if whole.records < header.vertices + header.faces {
+        let (what, promised, found) = if whole.records < header.vertices {
+            ("vertices", header.vertices, whole.records)
+        } else {
+            ("faces", header.faces, whole.records - header.vertices)
+        };
+        return Err(Error::parse(format!(
+            "the header promises {promised} {what}, but the file ends after {found}"
+        ))
+        .with_cure("write each vertex and each face on a line of its own, or correct the counts"));
+    }
+    model(header, whole)
+}
+
+fn model(header: Header, whole: Piece) -> Result<Model, Error> {
+    let Elements { polygons, lines, points } = whole.elements;
+    let mut warnings = Vec::new();
+    if whole.surplus > 0 {
+        warnings.push(format!(
+            "{} lines behind the last face that the header promises are left out",
+            whole.surplus
+        ));
+    }
+    let model = Model {
+        vertex_count: header.vertices as usize,
+        positions: Positions::from_flat(header.dimension, whole.coordinates)?,
+        polygons: polygons.into_ragged()?,
+        lines: lines.into_ragged()?,
+        points,
+        warnings,
+        ..Model::default()
+    };
+    debug_assert!(model.check().is_ok(), "the reader has checked what it read");
+    Ok(model)
+}
+
+/// The number of lines that hold more than blanks and a comment.
+fn count_records(text: &[u8]) -> u64 {
+    let mut start = 0;
+    let mut count = 0;
+    for end in memchr::memchr_iter(b'\n', text) {
+        let at = skip_blanks(text, start);
+        count += u64::from(at < end && text[at] != b'#');
+        start = end + 1;
+    }
+    count
+}
+
+fn parse_block(block: &Block, header: Header) -> Piece {
+    let mut piece = Piece::default();
+    let text = &block.text;
+    let mut line = block.line;
+    let mut at = 0;
+    while at < text.len() {
+        let start = skip_blanks(text, at);
+        let record = block.record + piece.records;
+        if text[start] == b'\n' || text[start] == b'#' {
+            at = line_end(text, start);
+        } else if record >= header.vertices + header.faces {
+            piece.surplus += 1;
+            at = line_end(text, start);
+        } else {
+            let next = if record < header.vertices {
+                vertex(text, start, header, &mut piece.coordinates)
+            } else {
+                face(text, start, header, &mut piece.elements)
+            };
+            match next {
+                Ok(next) => at = line_end(text, next),
+                Err(error) => {
+                    piece.fault = Some(error.at_line(line));
+                    return piece;
+                }
+            }
+            piece.records += 1;
+        }
+        line += 1;
+    }
+    piece
+}
+
+/// The position behind the end of the line that `at` is on.
+fn line_end(text: &[u8], at: usize) -> usize {
+    if text.get(at) == Some(&b'\n') {
+        return at + 1;
+    }
+    memchr::memchr(b'\n', &text[at..]).map_or(text.len(), |found| at + found + 1)
+}
+
+/// The word that starts at `at`; empty at the end of the line or at a comment.
+fn word(text: &[u8], at: usize) -> &[u8] {
+    let length = text[at..].iter().position(|&byte| is_blank(byte) || byte == b'\n' || byte == b'#');
+    &text[at..at + length.unwrap_or(text.len() - at)]
+}
+
+/// Reads the coordinates of a vertex; gives the position behind them.
+fn vertex(text: &[u8], mut at: usize, header: Header, coordinates: &mut Vec<f64>) -> Result<usize, Error> {
+    for i in 0..header.dimension {
+        at = skip_blanks(text, at);
+        if let Some((value, next)) = short_decimal(text, at) {
+            coordinates.push(value);
+            at = next;
+            continue;
+        }
+        let word = word(text, at);
+        if word.is_empty() {
+            return Err(Error::parse(format!(
+                "a vertex with {i} coordinates; it needs {}",
+                header.dimension
+            ))
+            .with_cure("write each vertex on a line of its own with all its coordinates"));
+        }
+        coordinates.push(parse_f64(word, "a coordinate")?);
+        at += word.len();
+    }
+    Ok(at)
+}
+
+/// Reads the number of vertices of a face and the vertices; gives the position behind them.
+fn face(text: &[u8], at: usize, header: Header, elements: &mut Elements) -> Result<usize, Error> {
+    let (size, mut at) = natural(text, at, "the number of vertices of a face")?;
+    for i in 0..size {
+        at = skip_blanks(text, at);
+        if text[at] == b'\n' || text[at] == b'#' {
+            return Err(Error::parse(format!("a face of {size} vertices names only {i}"))
+                .with_cure("write each face on a line of its own"));
+        }
+        let (vertex, next) = natural(text, at, "a vertex of a face")?;
+        elements.polygons.items_mut().push(checked_vertex(vertex, header.vertices)?);
+        at = next;
+    }
+    finish_face(elements)?;
+    Ok(at)
+}
+
+/// The index if there is such a vertex.
+fn checked_vertex(vertex: i64, count: u64) -> Result<u32, Error> {
+    if u64::try_from(vertex).is_ok_and(|vertex| vertex < count) {
+        return Ok(vertex as u32);
+    }
+    Err(Error::invalid(format!(
+        "a face names vertex {vertex}, but there are {count} vertices, numbered from 0"
+    ))
+    .with_cure("correct the index"))
+}
+
+/// Ends the open face, which must have a vertex and repeat none.
+fn finish_face(elements: &mut Elements) -> Result<(), Error> {
+    let face = elements.polygons.open();
+    if face.is_empty() {
+        return Err(Error::invalid("a face without vertices").with_cure("remove it"));
+    }
+    if let Some(vertex) = repeated_vertex(face) {
+        return Err(Error::invalid(format!("a face of {} vertices repeats vertex {vertex}", face.len()))
+            .with_cure("remove the face, or leave the repeated vertex out"));
+    }
+    elements.finish();
+    Ok(())
+}
+
+/// The integer that starts at `at`, and the position behind it.
+fn natural(text: &[u8], at: usize, what: &str) -> Result<(i64, usize), Error> {
+    if let Some((value, next)) = short_natural(text, at)
+        && text.get(next).is_none_or(|&byte| byte == b'\n' || is_blank(byte))
+    {
+        return Ok((i64::from(value), next));
+    }
+    let word = word(text, at);
+    Ok((parse_i64(word, what)?, at + word.len()))
+}
+
+fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword) -> Result<Model, Error> {
+    let dimension = if keyword.any_dimension { count(&mut input, "the dimension")? } else { 3 };
+    let vertices = count(&mut input, "the number of vertices")?;
+    let faces = count(&mut input, "the number of faces")?;
+    count(&mut input, "the number of edges")?;
+    let header =
+        header(keyword, dimension, vertices, faces).map_err(|error| error.at_byte(input.byte_offset()))?;
+    let mut whole = Piece::default();
+    for i in 0..vertices {
+        let promised = |error: Error| promise(&error, "vertex", i, vertices);
+        for _ in 0..header.dimension {
+            let value = f64::from(f32::from_bits(u32::from_be_bytes(
+                four(&mut input, "a vertex").map_err(promised)?,
+            )));
+            if !value.is_finite() {
+                return Err(Error::parse(format!(
+                    "a coordinate of vertex {i} is {value}, not a finite number"
+                ))
+                .at_byte(input.byte_offset() - 4)
+                .with_cure("remove the point or give it finite coordinates"));
+            }
+            whole.coordinates.push(value);
+        }
+        for _ in 0..header.attributes {
+            four(&mut input, "a vertex").map_err(promised)?;
+        }
+    }
+    for i in 0..faces {
+        let promised = |error: Error| promise(&error, "face", i, faces);
+        let start = input.byte_offset();
+        let size = count(&mut input, "the number of vertices of a face").map_err(promised)?;
+        for _ in 0..size {
+            let vertex = i32::from_be_bytes(four(&mut input, "a face").map_err(promised)?);
+            let vertex = checked_vertex(i64::from(vertex), vertices).map_err(|error| error.at_byte(start))?;
+            whole.elements.polygons.items_mut().push(vertex);
+        }
+        finish_face(&mut whole.elements).map_err(|error| error.at_byte(start))?;
+        let colors = count(&mut input, "the number of color components").map_err(promised)?;
+        for _ in 0..colors {
+            four(&mut input, "a color").map_err(promised)?;
+        }
+    }
+    model(header, whole)
+}
+
+/// The error, which happened inside this item, with how many of them were promised.
+fn promise(error: &Error, what: &str, i: u64, count: u64) -> Error {
+    let message = format!("{} ({what} {i} of the {count} that the header promises)", error.message());
+    let promised = Error::parse(message).with_cure("correct the count or complete the file");
+    match error.byte() {
+        Some(byte) => promised.at_byte(byte),
+        None => promised,
+    }
+}
+
+fn four<R: Read>(input: &mut Scanner<R>, what: &str) -> Result<[u8; 4], Error> {
+    let mut bytes = [0; 4];
+    input.read_exact(&mut bytes, what)?;
+    Ok(bytes)
+}
+
+/// A 32-bit integer that is not negative.
+fn count<R: Read>(input: &mut Scanner<R>, what: &str) -> Result<u64, Error> {
+    let value = i32::from_be_bytes(four(input, what)?);
+    u64::try_from(value).map_err(|_| {
+        Error::parse(format!("{what} is {value}; it cannot be negative")).at_byte(input.byte_offset() - 4)
+    })
+}
+
+/// Writes a model in OFF: `OFF` in dimension 3, `4OFF` in dimension 4, `nOFF` in others.
+///
+/// Coordinates are written so that they read back bit for bit. Lines become faces of two vertices (a polyline its
+/// segments) and points faces of one, behind the polygons. OFF has no names: groups are left out.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has 3-cells, no positions, or is an abstract
+/// structure; [`ErrorKind::Io`] if the stream fails.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0.5 0\n3 0 1 2\n";
+/// let triangle = coface_io::off::read(text.as_bytes())?;
+/// let mut written = Vec::new();
+/// coface_io::off::write(&triangle, &mut written)?;
+/// assert_eq!(written, text.as_bytes());
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
+    require_mesh(model, "OFF", "MEDIT, MSH or VTK")?;
+    let mut text = Vec::new();
+    let dimension = model.positions.dimension();
+    match dimension {
+        0 | 3 => text.extend_from_slice(b"OFF\n"),
+        4 => text.extend_from_slice(b"4OFF\n"),
+        _ => text.extend_from_slice(format!("nOFF\n{dimension}\n").as_bytes()),
+    }
+    let segments = model.lines.item_count() - model.lines.len();
+    let faces = model.polygons.len() + segments + model.points.len();
+    text.extend_from_slice(format!("{} {faces} 0\n", model.vertex_count).as_bytes());
+    for point in model.positions.as_flat().chunks_exact(dimension.max(1)) {
+        for (i, &value) in point.iter().enumerate() {
+            if i > 0 {
+                text.push(b' ');
+            }
+            push_f64(&mut text, value);
+        }
+        text.push(b'\n');
+        flush(&mut text, &mut output)?;
+    }
+    for face in model.polygons.iter().chain(model.lines.iter().flat_map(|line| line.windows(2))) {
+        push_face(&mut text, face);
+        flush(&mut text, &mut output)?;
+    }
+    for point in &model.points {
+        push_face(&mut text, &[point.to_u32()]);
+        flush(&mut text, &mut output)?;
+    }
+    output.write_all(&text)?;
+    output.flush()?;
+    Ok(())
+}
+
+fn push_face(text: &mut Vec<u8>, face: &[u32]) {
+    push_natural(text, face.len() as u64);
+    for &vertex in face {
+        text.push(b' ');
+        push_natural(text, u64::from(vertex));
+    }
+    text.push(b'\n');
+}

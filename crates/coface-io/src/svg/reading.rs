@@ -1,0 +1,311 @@
+//! From a stream to a model.
+
+use super::curves::{Curves, Fault, Pen, Subpath};
+use super::elements::{self, FillRule};
+use super::regions::FilledPath;
+use super::transformation::Transformation;
+use crate::drawing::{Drawing, Place};
+use crate::{CellData, GroupKind, Model};
+use coface_algebra::{Error, ErrorKind};
+use roxmltree::{Document, Node, ParsingOptions};
+use std::io::Read;
+
+/// The longest file that is read.
+const LONGEST: u64 = 1 << 30;
+/// Elements in elements; the parser itself allows more.
+const DEEPEST: usize = 256;
+const CURE: &str = "the file must be SVG, as drawing programs write it";
+
+/// Reads the lines and rings of a drawing without curves: see [what becomes of what](crate::svg).
+///
+/// # Errors
+/// As [`read_flattened`]; and [`ErrorKind::InvalidInput`] naming the first curve, with its line.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h2v2h-2z"/><line x2="1" y2="1"/></svg>"#;
+/// let model = coface_io::svg::read(text.as_bytes())?;
+/// assert_eq!(model.lines().list(0), [0, 1, 2, 3, 0]);
+/// assert_eq!(model.lines().len(), 2);
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, None)
+}
+
+/// The same with curves replaced by chords that are within a tolerance of them, in the unit of the user after all
+/// transformations.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] with the line for what is no XML or no SVG, or has a value that is none; [`ErrorKind::InvalidInput`] if the
+/// tolerance is not positive; [`ErrorKind::TooLarge`] beyond 2^30 bytes, 2^32 - 2 corners, a million chords of a curve or
+/// 256 elements in each other; [`ErrorKind::Io`] if the stream fails.
+///
+/// # Complexity
+/// $O(n \log n)$ for n corners, chords included, to find equal ones; memory is the file and the model.
+///
+/// # References
+/// W3C, *Scalable Vector Graphics (SVG) 2* (2018), chapters 8 to 10.
+///
+/// # Examples
+/// A circle of radius 1 as a polygon that is within 0.01 of it.
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>"#;
+/// let model = coface_io::svg::read_flattened(text.as_bytes(), 0.01)?;
+/// assert_eq!((model.lines().len(), model.vertex_count()), (1, 23));
+/// assert!(coface_io::svg::read(text.as_bytes()).is_err());
+/// # Ok(()) }
+/// ```
+pub fn read_flattened(input: impl Read, tolerance: f64) -> Result<Model, Error> {
+    check_tolerance(tolerance)?;
+    read_with(input, Some(tolerance))
+}
+
+/// `InvalidInput` unless this is a distance of chords from curves.
+pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
+    if tolerance > 0.0 && tolerance.is_finite() {
+        return Ok(());
+    }
+    Err(Error::invalid(format!("{tolerance} is no distance of chords from curves"))
+        .with_cure("give a finite length above 0, in the unit of the drawing"))
+}
+
+pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {
+    let curves = tolerance.map_or(Curves::Refused, Curves::Chords);
+    let mut reader = Reader::new(curves);
+    reader.read(input)?;
+    let Reader { drawing, fill_rules, passed_over, .. } = reader;
+    let mut model = drawing.finish()?;
+    if passed_over > 0 {
+        let what = if passed_over == 1 { "element is" } else { "elements are" };
+        model
+            .warnings
+            .push(format!("{passed_over} {what} no lines or shapes and passed over: text, images or copies"));
+    }
+    if model.data_named("ring", GroupKind::Lines).is_none() {
+        return Ok(model);
+    }
+    model.with_data(CellData::integers("fill_rule", GroupKind::Lines, 1, fill_rules)?)
+}
+
+/// The shapes of a drawing with their curves.
+pub(super) struct ShapePaths {
+    pub(super) filled: Vec<FilledPath>,
+    /// Shapes that are drawn as outlines only.
+    pub(super) outlines: Vec<FilledPath>,
+    /// How many other elements are passed over.
+    pub(super) passed_over: usize,
+}
+
+/// The shapes of a drawing with their curves.
+pub(super) fn read_paths(input: impl Read) -> Result<ShapePaths, Error> {
+    let mut reader = Reader::new(Curves::Kept);
+    reader.read(input)?;
+    let Reader { paths, outlines, passed_over, .. } = reader;
+    Ok(ShapePaths { filled: paths, outlines, passed_over })
+}
+
+/// The whole stream, which must be text.
+fn text_of(input: impl Read) -> Result<String, Error> {
+    let mut bytes = Vec::new();
+    let mut input = input.take(LONGEST + 1);
+    loop {
+        let start = bytes.len();
+        input.by_ref().take(1 << 20).read_to_end(&mut bytes)?;
+        if bytes.len() == start {
+            break;
+        }
+        if let Some(at) = memchr::memchr(0, &bytes[start..]) {
+            return Err(Error::parse("a zero byte stands in the text")
+                .at_byte((start + at) as u64)
+                .with_cure(CURE));
+        }
+    }
+    if bytes.len() as u64 > LONGEST {
+        return Err(
+            Error::new(ErrorKind::TooLarge, "the file is longer than 2^30 bytes").with_cure("divide it")
+        );
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        Error::parse("the text is not UTF-8")
+            .at_byte(error.utf8_error().valid_up_to() as u64)
+            .with_cure("save it as UTF-8")
+    })
+}
+
+fn line_of(node: Node<'_, '_>) -> u64 {
+    u64::from(node.document().text_pos_at(node.range().start).row)
+}
+
+/// A text from the file, safe and short enough for an error message.
+fn shortened(text: &str) -> String {
+    let start: String = text.chars().take(120).collect();
+    let dots = if start.len() < text.len() { "..." } else { "" };
+    let safe: String = start.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+    format!("{safe}{dots}")
+}
+
+/// How shapes are filled where nothing else is said.
+#[derive(Clone, Copy)]
+struct Painting {
+    rule: FillRule,
+    is_filled: bool,
+}
+
+struct Reader {
+    curves: Curves,
+    /// What is drawn, unless curves are kept.
+    drawing: Drawing,
+    /// What is drawn, if they are.
+    paths: Vec<FilledPath>,
+    outlines: Vec<FilledPath>,
+    /// The rule of each line that the drawing keeps.
+    fill_rules: Vec<i64>,
+    passed_over: usize,
+}
+
+impl Reader {
+    fn new(curves: Curves) -> Self {
+        Self {
+            curves,
+            drawing: Drawing::default(),
+            paths: Vec::new(),
+            outlines: Vec::new(),
+            fill_rules: Vec::new(),
+            passed_over: 0,
+        }
+    }
+
+    fn read(&mut self, input: impl Read) -> Result<(), Error> {
+        let text = text_of(input)?;
+        let options = ParsingOptions { allow_dtd: true, nodes_limit: u32::MAX, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(&text, options).map_err(|error| {
+            Error::parse(shortened(&error.to_string())).at_line(u64::from(error.pos().row)).with_cure(CURE)
+        })?;
+        let root = document.root_element();
+        if root.tag_name().name() != "svg" {
+            let message =
+                format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
+            return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
+        }
+        let painting = Painting { rule: FillRule::Nonzero, is_filled: true };
+        self.element(root, &Transformation::IDENTITY, painting, 0)
+    }
+
+    fn element(
+        &mut self,
+        node: Node<'_, '_>,
+        map: &Transformation,
+        painting: Painting,
+        depth: usize,
+    ) -> Result<(), Error> {
+        if depth > DEEPEST {
+            let message = format!("elements are nested deeper than {DEEPEST}");
+            return Err(Error::new(ErrorKind::TooLarge, message)
+                .at_line(line_of(node))
+                .with_cure("nest them less"));
+        }
+        let name = node.tag_name().name();
+        if elements::is_definition(name) || elements::style_of(node, "display") == Some("none") {
+            return Ok(());
+        }
+        if matches!(name, "text" | "image" | "use" | "foreignObject") {
+            self.passed_over += 1;
+            return Ok(());
+        }
+        let fault = |text: String| {
+            Error::parse(format!("<{}>: {}", shortened(name), shortened(&text)))
+                .at_line(line_of(node))
+                .with_cure(CURE)
+        };
+        let map = match node.attribute("transform") {
+            None => *map,
+            Some(text) => map.after(&Transformation::parse(text).map_err(fault)?),
+        };
+        let rule = match elements::style_of(node, "fill-rule") {
+            Some("evenodd") => FillRule::EvenOdd,
+            Some("nonzero") => FillRule::Nonzero,
+            _ => painting.rule,
+        };
+        let is_filled = match elements::style_of(node, "fill") {
+            None | Some("inherit") => painting.is_filled,
+            Some(paint) => paint != "none",
+        };
+        let mut pen = Pen::new(map, self.curves);
+        match elements::draw(node, &mut pen) {
+            Ok(()) => {}
+            Err(Fault::Text(text)) => return Err(fault(text)),
+            Err(Fault::Curve) => {
+                return Err(Error::invalid(format!("<{name}> has a curve, and lines are straight here"))
+                    .at_line(line_of(node))
+                    .with_cure(
+                        "say how far chords may be from curves, in the unit of the drawing: --flatten LENGTH",
+                    ));
+            }
+        }
+        let is_finite = |subpath: &Subpath| {
+            let inner = subpath.cubics.iter().flat_map(|(_, controls)| controls);
+            subpath.corners.iter().chain(inner).flatten().all(|x| x.is_finite())
+        };
+        if !pen.subpaths.iter().all(is_finite) {
+            return Err(fault("a transformed coordinate is not finite".to_owned()));
+        }
+        if self.curves == Curves::Kept && !pen.subpaths.is_empty() {
+            let path = FilledPath {
+                line: line_of(node),
+                element: shortened(name),
+                name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
+                rule: rule.inside(),
+                is_exterior: node.attribute("data-unbounded") == Some("true"),
+                subpaths: pen.subpaths,
+            };
+            match (name == "line", is_filled) {
+                (true, _) => self.passed_over += 1,
+                (false, true) => self.paths.push(path),
+                (false, false) => self.outlines.push(path),
+            }
+        } else if !pen.subpaths.is_empty() {
+            self.drawing.begin_feature(node.attribute("id").map(str::to_owned));
+            self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
+            self.drawing.begin_feature(None);
+        }
+        for child in node.children().filter(Node::is_element) {
+            self.element(child, &map, Painting { rule, is_filled }, depth + 1)?;
+        }
+        Ok(())
+    }
+
+    /// The closed subpaths are rings of one polygon, the others lines.
+    fn subpaths(&mut self, subpaths: &[Subpath], rule: FillRule, node: Node<'_, '_>) -> Result<(), Error> {
+        let name = || format!("a part of <{}> in line {}", node.tag_name().name(), line_of(node));
+        // A path that comes back to its first point is closed, whether it says so or not; a polyline is a line.
+        let is_path = node.tag_name().name() == "path";
+        let is_ring = |subpath: &Subpath| {
+            subpath.is_closed
+                || is_path && subpath.corners.len() > 3 && subpath.corners.first() == subpath.corners.last()
+        };
+        self.drawing.begin_polygon();
+        for subpath in subpaths.iter().filter(|subpath| is_ring(subpath)) {
+            for &[x, y] in subpath.corners.iter().chain(subpath.corners.first()) {
+                self.drawing.corner(Place { x, y, z: None });
+            }
+            if self.drawing.end_ring(name)? {
+                self.fill_rules.push(match rule {
+                    FillRule::Nonzero => 0,
+                    FillRule::EvenOdd => 1,
+                });
+            }
+        }
+        for subpath in subpaths.iter().filter(|subpath| !is_ring(subpath)) {
+            for &[x, y] in &subpath.corners {
+                self.drawing.corner(Place { x, y, z: None });
+            }
+            if self.drawing.end_line(name) {
+                self.fill_rules.push(-1);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,190 @@
+//! Tests of both directions.
+
+use super::{read, read_flattened, write};
+use crate::{GroupKind, Model};
+use coface_algebra::ErrorKind;
+use coface_algebra::RaggedArray;
+
+fn svg(inner: &str) -> String {
+    format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{inner}</svg>")
+}
+
+fn parsed(inner: &str) -> Model {
+    let model = read(svg(inner).as_bytes()).unwrap();
+    model.check().unwrap();
+    model
+}
+
+fn column(model: &Model, name: &str) -> Vec<i64> {
+    let data = model.data_named(name, GroupKind::Lines).unwrap();
+    (0..data.len()).flat_map(|i| data.integer_row(i).unwrap()).collect()
+}
+
+/// The signed area of the rings of a model.
+fn area(model: &Model) -> f64 {
+    let flat = model.positions().as_flat();
+    let at = |v: u32| [flat[2 * v as usize], flat[2 * v as usize + 1]];
+    let sides = model.lines().iter().flat_map(|line| line.windows(2));
+    sides.map(|s| (at(s[0]), at(s[1]))).map(|(p, q)| (p[0] * q[1] - p[1] * q[0]) / 2.0).sum()
+}
+
+#[test]
+fn commands_are_read_absolute_and_relative() {
+    let square = parsed("<path d='M1 1 L3 1 L3 3 L1 3 Z'/>");
+    for data in [
+        "M1,1 3,1 3,3 1,3z",
+        "m1 1 2 0 0 2-2 0z",
+        "M1 1H3V3H1Z",
+        "m1 1h2v2h-2z",
+        "M1 1H3V3H1V1",
+        "  M\n1e0\t+1.L3.0.1e1 3 3,1 3 Z ",
+        "M0 0M1 1H3V3H1Z M5 5",
+    ] {
+        let model = parsed(&format!("<path d='{data}'/>"));
+        assert_eq!((model.lines(), model.positions()), (square.lines(), square.positions()), "{data}");
+        assert_eq!(column(&model, "polygon"), [0]);
+    }
+    let shapes = ["<polygon points='1 1,3 1 3,3,1 3'/>", "<rect x='1' y='1px' width='2' height='2'/>"];
+    for shape in shapes {
+        assert_eq!(parsed(shape), square, "{shape}");
+    }
+    // After Z the pen is where the subpath began.
+    let two = parsed("<path d='M1 1h2v2h-2z l-1 0 0-1z'/>");
+    assert_eq!(column(&two, "polygon"), [0, 0]);
+    assert_eq!(column(&two, "ring"), [0, 1]);
+    assert_eq!(two.positions().as_flat()[8..], [1., 1., 0., 1., 0., 0.]);
+}
+
+#[test]
+fn lines_names_and_rules_are_read() {
+    let model = parsed(
+        "<defs><path d='M0 0h1'/></defs><text>no</text><g fill-rule='evenodd'><path id='p' d='M0 0h9v9zM1 1h1v1z M5 5h1'/>\
+         <path style='fill: red; fill-rule: nonzero' d='M0 0h9v9z'/></g><polyline points='0 0 1 0 1 1 0 0'/>\
+         <g display='none'><line x2='7'/></g>",
+    );
+    assert_eq!(column(&model, "polygon"), [0, 0, -1, 1, -1]);
+    assert_eq!(column(&model, "ring"), [0, 1, -1, 0, -1]);
+    assert_eq!(column(&model, "fill_rule"), [1, 1, -1, 0, -1]);
+    assert_eq!((model.groups()[0].name(), model.groups()[0].members()), ("p", &[0, 1, 2][..]));
+    assert_eq!(model.warnings().len(), 1);
+    assert!(model.warnings()[0].starts_with("1 element is"));
+    let lines = parsed("<line x1='1' y1='2' x2='3' y2='4'/><line x1='3' y1='4'/>");
+    assert_eq!(*lines.lines(), RaggedArray::from_lists([[0, 1], [1, 2]]));
+    assert!(lines.data().is_empty());
+}
+
+#[test]
+fn transformations_are_applied() {
+    for (transform, expected) in [
+        ("translate(1 2)", [2., 2., 1., 3.]),
+        ("translate(1)", [2., 0., 1., 1.]),
+        ("scale(2,3)", [2., 0., 0., 3.]),
+        ("rotate(90)", [0., 1., -1., 0.]),
+        ("rotate(-180 1 1)", [1., 2., 2., 1.]),
+        ("matrix(1 2 3 4 5 6)", [6., 8., 8., 10.]),
+        ("translate(1,0) , scale(2)", [3., 0., 1., 2.]),
+        ("skewX(0) skewY(0)", [1., 0., 0., 1.]),
+    ] {
+        let model = parsed(&format!("<g transform='{transform}'><line x1='1' y2='1'/></g>"));
+        assert_eq!(model.positions().as_flat(), expected, "{transform}");
+    }
+    let nested = parsed("<g transform='translate(1 0)'><line transform='scale(2)' x1='1' y2='1'/></g>");
+    assert_eq!(nested.positions().as_flat(), [3., 0., 1., 2.]);
+}
+
+#[test]
+fn curves_are_as_near_as_asked() {
+    use std::f64::consts::PI;
+    for (shape, truth) in [
+        ("<circle cx='5' cy='6' r='2'/>", 4.0 * PI),
+        ("<ellipse cx='5' rx='2' ry='1'/>", 2.0 * PI),
+        ("<circle r='1' transform='rotate(30) scale(3 2)'/>", 6.0 * PI),
+        ("<rect width='4' height='3' rx='1'/>", 12.0 - (4.0 - PI)),
+        ("<path d='M2 0A2 2 0 0 1 -2 0A2 2 0 0 1 2 0Z'/>", 4.0 * PI),
+        ("<path d='M2 0a2 2 0 112-2z'/>", 3.0 * PI + 2.0),
+        ("<path d='M0 0A1 1 0 0 0 4 0Z'/>", -2.0 * PI),
+        // Areas under parabolas: two thirds of the box of the control points' height.
+        ("<path d='M0 0Q1 2 2 0Z'/>", -4.0 / 3.0),
+        ("<path d='M0 0C0 2 2 2 2 0Z'/>", -2.4),
+        ("<path d='M0 0Q1 2 2 0T4 0Z'/>", 0.0),
+        ("<path d='M0 0c0 2 2 2 2 0s2-2 2 0z'/>", 0.0),
+    ] {
+        let mut last = f64::INFINITY;
+        for tolerance in [1e-2, 1e-4, 1e-6] {
+            let model = read_flattened(svg(shape).as_bytes(), tolerance).unwrap();
+            let off = (area(&model) - truth).abs();
+            // Not farther off than the length of the curve, at most 40, times the tolerance.
+            assert!(
+                off <= 40.0 * tolerance && off <= last + 1e-12,
+                "{shape} {tolerance}: {} for {truth}",
+                area(&model)
+            );
+            last = off;
+        }
+        let error = read(svg(&format!("\n{shape}")).as_bytes()).unwrap_err();
+        assert_eq!((error.kind(), error.line()), (ErrorKind::InvalidInput, Some(2)), "{error}");
+        assert!(error.to_string().contains("has a curve") && error.to_string().contains("--flatten"));
+    }
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(read_flattened(svg("").as_bytes(), bad).is_err());
+    }
+    let error = read_flattened(svg("<circle r='1e9'/>").as_bytes(), 1e-9).unwrap_err();
+    assert!(error.to_string().contains("chords"), "{error}");
+}
+
+#[test]
+fn faults_have_a_line_and_a_cure() {
+    for (inner, message) in [
+        ("<path d='L1 1'/>", "begin with M"),
+        ("<path d='M1 1 2'/>", "number is missing"),
+        ("<path d='M1 1 X2'/>", "'X' is not a command"),
+        ("<path d='M1 1 L2 2 Z 3'/>", "behind Z"),
+        ("<path d='M1 1A1 1 0 2 0 1 1'/>", "flag"),
+        ("<path d='M1 nan'/>", "number is missing"),
+        ("<path d='M1 1e999'/>", "number is missing"),
+        ("<polygon points='1 1 2'/>", "number is missing"),
+        ("<rect width='5%' height='1'/>", "\"5%\" is no length"),
+        ("<g transform='turn(5)'/>", "not a transformation"),
+        ("<g transform='scale(1'/>", "not closed"),
+        ("<g transform='scale(x)'/>", "not all numbers"),
+        ("<line x1='1e308' transform='scale(1e9)'/>", "not finite"),
+        ("<g>", "expected"),
+        ("&nothing;", "nothing"),
+    ] {
+        let error = read(svg(&format!("\n{inner}")).as_bytes()).unwrap_err();
+        assert!(
+            error.to_string().to_lowercase().contains(message.to_lowercase().as_str()),
+            "{inner}: {error}"
+        );
+        assert!(error.line().is_some() && error.cure().is_some(), "{error}");
+    }
+    let error = read(&b"<html xmlns='a'></html>"[..]).unwrap_err().to_string();
+    assert!(error.contains("<html>, not <svg>"), "{error}");
+    let deep = "<g>".repeat(100_000);
+    assert!(read(svg(&deep).as_bytes()).is_err());
+    let nested = format!("{}{}", "<g>".repeat(300), "</g>".repeat(300));
+    assert_eq!(read(svg(&nested).as_bytes()).unwrap_err().kind(), ErrorKind::TooLarge);
+}
+
+#[test]
+fn what_is_written_reads_back() {
+    for inner in [
+        "<path d='M0 0h9v9zM1 .5h1v1z'/><path fill-rule='evenodd' d='M0 0h9v9z'/><polyline points='0 0 1 0.1 1e-9 1 0 0'/>",
+        "<path fill-rule='evenodd' d='M0 0h9v9zM1 .5h1v1z'/><line x2='-5e300'/>",
+        "",
+        "<polyline points='3 3 3 3'/>",
+    ] {
+        let model = parsed(inner);
+        let mut text = Vec::new();
+        write(&model, &mut text).unwrap();
+        assert_eq!(read(&text[..]).unwrap(), model, "{}", String::from_utf8_lossy(&text));
+    }
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 0\nf 1 2 3\n";
+    let model = crate::obj::read(text.as_bytes()).unwrap();
+    let mut written = Vec::new();
+    write(&model, &mut written).unwrap();
+    let back = read(&written[..]).unwrap();
+    assert_eq!((back.lines().list(0), back.points().len()), (&[0, 1, 2, 0][..], 1));
+    let steep = crate::obj::read(&b"v 0 0 1\nv 1 0 0\nl 1 2\n"[..]).unwrap();
+    assert_eq!(write(&steep, &mut Vec::new()).unwrap_err().kind(), ErrorKind::UnsupportedFormat);
+}

@@ -1,0 +1,579 @@
+//! Volume files read voxel by voxel.
+
+use super::header::{Encoding, Skip, VolumeHeader, unreadable, up_to};
+use super::numbers::{Test, Words};
+use super::rule::{VolumeReading, VoxelRule};
+use super::{nifti, npy, nrrd};
+use crate::Format;
+use crate::watching::{name_of, reading};
+use coface_algebra::{Error, ErrorKind};
+use coface_complexes::cellular::{CubicalVolume, VoxelBoxes, VoxelWindow};
+use flate2::read::MultiGzDecoder;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::{Path, PathBuf};
+
+/// The mark of gzip.
+pub(super) const GZIP: &[u8] = b"\x1f\x8b";
+/// No more numbers than this are held at once.
+const CHUNK: usize = 1 << 14;
+
+/// What is called with the first voxel of a run and which voxels of the run are set.
+type Visit<'v> = dyn FnMut(&[u32], &[bool]) -> Result<(), Error> + 'v;
+
+/// A volume file whose header has been read, and whose numbers have not.
+///
+/// # Examples
+/// ```
+/// use coface_io::{Format, VolumeReading, VolumeStream};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 3\nencoding: ascii\n\n1 1 1  1 0 1  1 1 nan";
+/// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+/// assert_eq!(stream.shape(), [3, 3]);
+/// let (volume, _) = stream.read(&VolumeReading::default())?;
+/// assert!(volume.is_set(&[0, 2]) && !volume.is_set(&[1, 1]) && !volume.is_set(&[2, 2]));
+/// # Ok(()) }
+/// ```
+pub struct VolumeStream<'r> {
+    header: VolumeHeader,
+    input: Box<dyn Read + 'r>,
+    /// Where the input begins in its file; `None` for what is unpacked.
+    first_byte: Option<u64>,
+    /// The file of the numbers.
+    name: Option<String>,
+    files: Vec<PathBuf>,
+}
+
+impl VolumeStream<'static> {
+    /// Opens a file of this format, or the one that its name and content tell; of `.hdr` and `.img`, and of `.nhdr`, the other file too.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`] where a file cannot be read; [`ErrorKind::UnsupportedFormat`] for what is no volume, or one of numbers that are not
+    /// read; [`ErrorKind::Parse`] for a damaged header, and one that says more numbers than the file has. All name the file.
+    pub fn open(path: &Path, format: Format) -> Result<Self, Error> {
+        let path = header_path(path);
+        let opened = Self::open_here(&path, format);
+        let mut stream = opened.map_err(|error| error.in_file(path.display().to_string()))?;
+        stream.files.insert(0, path);
+        Ok(stream)
+    }
+
+    fn open_here(path: &Path, format: Format) -> Result<Self, Error> {
+        let file = open(path)?;
+        let size = file.metadata().ok().filter(|metadata| metadata.is_file()).map(|metadata| metadata.len());
+        let file = reading(&name_of(path), file, size.unwrap_or(0));
+        let (header, input, first_byte) = begin(Box::new(BufReader::with_capacity(1 << 18, file)), format)?;
+        let Some(data_file) = header.data_file.clone() else {
+            let left = first_byte.and_then(|first| size?.checked_sub(first));
+            return Self::positioned(header, input, left, first_byte, None);
+        };
+        let data_path = match format {
+            Format::Nifti => image_path(path),
+            _ => path.parent().unwrap_or(Path::new("")).join(data_file),
+        };
+        let name = data_path.display().to_string();
+        let in_data = |error: Error| error.in_file(name.clone());
+        let file = open(&data_path).map_err(in_data)?;
+        let size = file.metadata().ok().filter(|metadata| metadata.is_file()).map(|metadata| metadata.len());
+        let mut file = reading(&name_of(&data_path), file, size.unwrap_or(0));
+        let start = up_to(&mut file, 2).map_err(in_data)?;
+        let is_packed = format == Format::Nifti && start == GZIP;
+        let input = BufReader::with_capacity(1 << 18, std::io::Cursor::new(start).chain(file));
+        if is_packed {
+            let unpacked = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
+            let mut stream = Self::positioned(header, unpacked, None, None, Some(name))?;
+            stream.files.push(data_path);
+            return Ok(stream);
+        }
+        let mut stream = Self::positioned(header, Box::new(input), size, Some(0), Some(name))?;
+        stream.files.push(data_path);
+        Ok(stream)
+    }
+}
+
+impl<'r> VolumeStream<'r> {
+    /// Reads the header of a stream.
+    ///
+    /// # Errors
+    /// As [`Self::open`]; [`ErrorKind::InvalidInput`] where the numbers are in another file.
+    pub fn new(input: impl Read + 'r, format: Format) -> Result<Self, Error> {
+        let (header, input, first_byte) = begin(Box::new(input), format)?;
+        if let Some(file) = &header.data_file {
+            let what = if file.as_os_str().is_empty() {
+                "an .img file".to_owned()
+            } else {
+                file.display().to_string()
+            };
+            return Err(Error::invalid(format!("the numbers are in {what}, not behind the header"))
+                .with_cure("give the path of the header, beside which the other file lies"));
+        }
+        Self::positioned(header, input, None, first_byte, None)
+    }
+
+    /// The same, once what comes before the numbers is skipped.
+    fn positioned(
+        header: VolumeHeader,
+        mut input: Box<dyn Read + 'r>,
+        mut size: Option<u64>,
+        mut first_byte: Option<u64>,
+        name: Option<String>,
+    ) -> Result<Self, Error> {
+        let in_data = |error: Error| match &name {
+            Some(name) => error.in_file(name.clone()),
+            None => error,
+        };
+        let needed = header
+            .shape
+            .iter()
+            .try_fold(header.number_type.size() as u64, |bytes, &length| bytes.checked_mul(length.into()));
+        let Some(needed) = needed else {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("an array of shape {:?} has no size", header.shape),
+            )
+            .with_cure("the header is damaged: write the file again"));
+        };
+        let (lines, bytes) = match header.skip {
+            Skip::Ahead { lines, bytes } => (lines, bytes),
+            Skip::FromEnd => {
+                let size = size.ok_or_else(|| {
+                    Error::invalid("the numbers begin so many bytes before the end, but the end is not known")
+                        .with_cure("give the file by its path")
+                })?;
+                (0, size.saturating_sub(needed))
+            }
+        };
+        let skipped = skip_lines(&mut input, lines).map_err(in_data)?;
+        if header.encoding == Encoding::Gzip {
+            input = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
+            (size, first_byte) = (None, None);
+        }
+        let passed = std::io::copy(&mut input.by_ref().take(bytes), &mut std::io::sink());
+        let passed = passed.map_err(|error| in_data(unreadable(&error)))?;
+        first_byte = first_byte.map(|first| first + skipped + passed);
+        size = size.map(|size| size.saturating_sub(skipped + passed));
+        if header.encoding == Encoding::Raw
+            && let Some(size) = size.filter(|&size| size < needed)
+        {
+            return Err(in_data(
+                Error::parse(format!(
+                    "the header says an array of shape {:?}, {needed} bytes, but {size} bytes are left for it",
+                    header.shape
+                ))
+                .at_byte(first_byte.unwrap_or(0))
+                .with_cure("the file is cut short or its header damaged: copy or write it again"),
+            ));
+        }
+        Ok(Self { header, input, first_byte, name, files: Vec::new() })
+    }
+
+    /// The number of voxels along each axis of the file.
+    pub fn shape(&self) -> &[u32] {
+        &self.header.shape
+    }
+
+    /// The files that are read: that of the header, and that of the numbers if it is another; none for a stream without a name.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// The axis that runs fastest in the file: the last one or the first.
+    pub fn fastest_axis(&self) -> usize {
+        if self.header.is_first_fastest { 0 } else { self.header.shape.len() - 1 }
+    }
+
+    /// Goes through all voxels in the order of the file: calls with the first voxel of a run along [`Self::fastest_axis`] and which voxels of
+    /// the run are set. Gives warnings.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`] and [`ErrorKind::Parse`] where numbers cannot be read, or end too early; what `visit` says.
+    ///
+    /// # Complexity
+    /// Linear in the file; some thousand numbers are held.
+    pub fn for_each_run(
+        self,
+        rule: VoxelRule,
+        mut visit: impl FnMut(&[u32], &[bool]) -> Result<(), Error>,
+    ) -> Result<Vec<String>, Error> {
+        rule.check()?;
+        let name = self.name.clone();
+        self.runs(rule, &mut visit).map_err(|error| match name {
+            Some(name) if error.kind() != ErrorKind::InvalidInput => error.in_file(name),
+            _ => error,
+        })
+    }
+
+    fn runs(self, rule: VoxelRule, visit: &mut Visit<'_>) -> Result<Vec<String>, Error> {
+        let fastest = self.fastest_axis();
+        let VolumeHeader { shape, is_first_fastest, number_type, is_big_endian, encoding, scale, .. } =
+            self.header;
+        let test = Test::new(rule, number_type, scale);
+        let total: u128 = shape.iter().map(|&length| u128::from(length)).product();
+        let mut numbers = match encoding {
+            Encoding::Ascii => Numbers::Words(Words::new(self.input)),
+            _ => Numbers::Bytes {
+                input: self.input,
+                size: number_type.size(),
+                is_big_endian,
+                buffer: Vec::new(),
+            },
+        };
+        // The axes but the fastest, the next fastest last.
+        let mut outer: Vec<usize> = (0..shape.len()).filter(|&axis| axis != fastest).collect();
+        if is_first_fastest {
+            outer.reverse();
+        }
+        let mut voxel = vec![0u32; shape.len()];
+        let mut is_set = Vec::with_capacity(CHUNK.min(shape[fastest] as usize));
+        let mut done: u128 = 0;
+        loop {
+            voxel[fastest] = 0;
+            while voxel[fastest] < shape[fastest] {
+                let count = (shape[fastest] - voxel[fastest]).min(CHUNK as u32);
+                is_set.clear();
+                numbers.read(count as usize, &test, &mut is_set).map_err(|fault| match fault {
+                    Fault::Error(error) => error,
+                    Fault::End(early) => {
+                        let error = Error::parse(format!(
+                            "the numbers end after {} of {total}, those of shape {shape:?}",
+                            done + early as u128
+                        ));
+                        let error =
+                            error.with_cure("the file is cut short or its header damaged: write it again");
+                        match self.first_byte {
+                            Some(first) if encoding == Encoding::Raw => error
+                                .at_byte(first + (done as u64 + early as u64) * number_type.size() as u64),
+                            _ => error,
+                        }
+                    }
+                })?;
+                visit(&voxel, &is_set)?;
+                voxel[fastest] += count;
+                done += u128::from(count);
+            }
+            let next = outer.iter().rev().find(|&&axis| {
+                voxel[axis] += 1;
+                let fits = voxel[axis] < shape[axis];
+                if !fits {
+                    voxel[axis] = 0;
+                }
+                fits
+            });
+            if next.is_none() {
+                break;
+            }
+        }
+        Ok(if numbers.goes_on()? {
+            vec![format!("the file goes on behind the {total} numbers of shape {shape:?}")]
+        } else {
+            Vec::new()
+        })
+    }
+
+    /// Reads the whole volume: its axes are those of the file. Gives warnings too.
+    ///
+    /// # Errors
+    /// Those of [`Self::for_each_run`]; [`ErrorKind::InvalidInput`] for a periodic axis that there is not; [`ErrorKind::TooLarge`] beyond
+    /// 2^63 places of cells.
+    ///
+    /// # Complexity
+    /// Linear in the file; two bits a voxel are held.
+    pub fn read(self, how: &VolumeReading) -> Result<(CubicalVolume, Vec<String>), Error> {
+        let shape = self.header.shape.clone();
+        let is_first_fastest = self.header.is_first_fastest;
+        let is_periodic = how.periodic_axes(shape.len())?;
+        // Grown as numbers come: what the header says may be a lie.
+        let (mut words, mut word, mut count) = (Vec::new(), 0u64, 0usize);
+        let warnings = self.for_each_run(how.rule, |_, is_set| {
+            for &is_set in is_set {
+                word |= u64::from(is_set) << (count % 64);
+                count += 1;
+                if count % 64 == 0 {
+                    words.push(std::mem::take(&mut word));
+                }
+            }
+            Ok(())
+        })?;
+        if count % 64 != 0 {
+            words.push(word);
+        }
+        let volume = if is_first_fastest {
+            CubicalVolume::from_words_first_fastest(&shape, &is_periodic, &words)?
+        } else {
+            CubicalVolume::from_words(&shape, &is_periodic, words)?
+        };
+        Ok((volume, warnings))
+    }
+
+    /// Reads the volume into windows of the boxes that it is cut into, each given as soon as it is complete. Every box is given once, with its
+    /// number. Gives warnings.
+    ///
+    /// # Errors
+    /// Those of [`Self::for_each_run`]; [`ErrorKind::Shape`] for boxes of a volume of another shape; what `give` says.
+    ///
+    /// # Complexity
+    /// Linear in the file, times the boxes that a voxel is in or beside. The windows that a slab meets are held, a bit a voxel.
+    pub fn for_each_window(
+        self,
+        rule: VoxelRule,
+        boxes: &VoxelBoxes,
+        mut give: impl FnMut(u32, VoxelWindow) -> Result<(), Error>,
+    ) -> Result<Vec<String>, Error> {
+        if boxes.shape() != self.shape() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("boxes of a volume of shape {:?} for one of shape {:?}", boxes.shape(), self.shape()),
+            ));
+        }
+        let slowest = if self.header.is_first_fastest { self.header.shape.len() - 1 } else { 0 };
+        let mut windows = OpenWindows::new(boxes, self.fastest_axis(), slowest)?;
+        let warnings = self.for_each_run(rule, |voxel, is_set| {
+            windows.advance(voxel[slowest], &mut give)?;
+            windows.insert(voxel, is_set)
+        })?;
+        windows.advance(u32::MAX, &mut give)?;
+        Ok(warnings)
+    }
+}
+
+/// The windows of boxes that have been begun and are not complete.
+struct OpenWindows<'b> {
+    boxes: &'b VoxelBoxes,
+    fastest: usize,
+    /// For each axis, for each box along it, where its window begins and how many voxels it has.
+    spans: Vec<Vec<(u32, u32)>>,
+    /// The boxes by the voxel along the slowest axis with which they are complete.
+    ends: Vec<(u32, u32)>,
+    given: usize,
+    open: BTreeMap<u32, VoxelWindow>,
+    chosen: Vec<u32>,
+}
+
+impl<'b> OpenWindows<'b> {
+    fn new(boxes: &'b VoxelBoxes, fastest: usize, slowest: usize) -> Result<Self, Error> {
+        let axis_count = boxes.shape().len();
+        let mut spans = Vec::new();
+        for axis in 0..axis_count {
+            let stride: u32 = boxes.counts()[axis + 1..].iter().product();
+            let along = (0..boxes.counts()[axis]).map(|at| boxes.window_along(axis, at * stride));
+            spans.push(along.collect::<Vec<_>>());
+        }
+        let slow = boxes.shape()[slowest];
+        let mut ends: Vec<(u32, u32)> = (0..boxes.count())
+            .map(|number| {
+                let (start, length) = boxes.window_along(slowest, number);
+                let end = u64::from(start) + u64::from(length) - 1;
+                (end.min(u64::from(slow) - 1) as u32, number)
+            })
+            .collect();
+        ends.sort_unstable();
+        Ok(Self { boxes, fastest, spans, ends, given: 0, open: BTreeMap::new(), chosen: Vec::new() })
+    }
+
+    /// Gives what is complete before this voxel along the slowest axis.
+    fn advance(
+        &mut self,
+        slow: u32,
+        give: &mut impl FnMut(u32, VoxelWindow) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        while let Some(&(end, number)) = self.ends.get(self.given).filter(|(end, _)| *end < slow) {
+            debug_assert!(end < slow, "a window is given when its last slab has come");
+            let window = match self.open.remove(&number) {
+                Some(window) => window,
+                None => self.empty(number)?,
+            };
+            self.given += 1;
+            give(number, window)?;
+        }
+        Ok(())
+    }
+
+    fn empty(&self, number: u32) -> Result<VoxelWindow, Error> {
+        VoxelWindow::empty(self.boxes.shape(), self.boxes.is_periodic(), &self.boxes.voxels(number))
+    }
+
+    fn insert(&mut self, voxel: &[u32], is_set: &[bool]) -> Result<(), Error> {
+        if !is_set.contains(&true) {
+            return Ok(());
+        }
+        // The boxes along each axis whose windows the run meets.
+        let mut chosen = std::mem::take(&mut self.chosen);
+        chosen.clear();
+        chosen.push(0);
+        for (axis, spans) in self.spans.iter().enumerate() {
+            let length = self.boxes.shape()[axis];
+            let run = if axis == self.fastest { is_set.len() as u32 } else { 1 };
+            let before = chosen.len();
+            for (at, &(start, count)) in spans.iter().enumerate() {
+                if meets(start, count, length, voxel[axis], run) {
+                    for i in 0..before {
+                        chosen.push(chosen[i] * spans.len() as u32 + at as u32);
+                    }
+                }
+            }
+            chosen.drain(..before);
+        }
+        for &number in &chosen {
+            if !self.open.contains_key(&number) {
+                let window = self.empty(number)?;
+                self.open.insert(number, window);
+            }
+            let window = self.open.get_mut(&number).expect("the window was put in");
+            window.insert_run(voxel, self.fastest, is_set);
+        }
+        self.chosen = chosen;
+        Ok(())
+    }
+}
+
+/// Whether `count` voxels from `start` on, around the end of an axis, meet `run` voxels from `first` on.
+fn meets(start: u32, count: u32, length: u32, first: u32, run: u32) -> bool {
+    let (start, count, length) = (u64::from(start), u64::from(count), u64::from(length));
+    let (first, end) = (u64::from(first), u64::from(first) + u64::from(run));
+    start < end && first < start + count || first + length < start + count
+}
+
+enum Fault {
+    Error(Error),
+    /// The stream ended after so many numbers.
+    End(usize),
+}
+
+enum Numbers<'r> {
+    Words(Words<Box<dyn Read + 'r>>),
+    Bytes { input: Box<dyn Read + 'r>, size: usize, is_big_endian: bool, buffer: Vec<u8> },
+}
+
+impl Numbers<'_> {
+    /// Says of the next numbers whether they set their voxels.
+    fn read(&mut self, count: usize, test: &Test, is_set: &mut Vec<bool>) -> Result<(), Fault> {
+        match self {
+            Self::Words(words) => {
+                for done in 0..count {
+                    let word = words.next().map_err(Fault::Error)?.ok_or(Fault::End(done))?;
+                    is_set.push(test.of_word(word).map_err(Fault::Error)?);
+                }
+            }
+            Self::Bytes { input, size, is_big_endian, buffer } => {
+                buffer.clear();
+                let wanted = count * *size;
+                let read = input.by_ref().take(wanted as u64).read_to_end(buffer);
+                read.map_err(|error| Fault::Error(unreadable(&error)))?;
+                if buffer.len() < wanted {
+                    return Err(Fault::End(buffer.len() / *size));
+                }
+                test.of_bytes(buffer, *is_big_endian, is_set);
+            }
+        }
+        Ok(())
+    }
+
+    fn goes_on(&mut self) -> Result<bool, Error> {
+        match self {
+            Self::Words(words) => Ok(words.next()?.is_some()),
+            Self::Bytes { input, .. } => {
+                let mut rest = Vec::new();
+                input.by_ref().take(1).read_to_end(&mut rest).map_err(|error| unreadable(&error))?;
+                Ok(!rest.is_empty())
+            }
+        }
+    }
+}
+
+/// Reads the header; gives what comes behind it, and at which byte of the file that is.
+#[expect(clippy::type_complexity, reason = "used twice here")]
+fn begin<'r>(
+    mut input: Box<dyn Read + 'r>,
+    format: Format,
+) -> Result<(VolumeHeader, Box<dyn Read + 'r>, Option<u64>), Error> {
+    let mut is_packed = false;
+    if format == Format::Nifti {
+        let start = up_to(&mut input, 2)?;
+        is_packed = start == GZIP;
+        input = Box::new(std::io::Cursor::new(start).chain(input));
+        if is_packed {
+            input = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
+        }
+    }
+    let header = match format {
+        Format::Npy => npy::read_header(&mut input)?,
+        Format::Nrrd => nrrd::read_header(&mut input)?,
+        Format::Nifti => {
+            let (mut header, is_single) = nifti::read_header(&mut input)?;
+            if !is_single {
+                header.data_file = Some(PathBuf::new());
+            }
+            header
+        }
+        _ => {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                format!("{} holds no volume", format.title()),
+            )
+            .with_cure("give a volume as .npy, NRRD or NIfTI"));
+        }
+    };
+    let first_byte = (!is_packed).then_some(header.length);
+    Ok((header, input, first_byte))
+}
+
+fn skip_lines(input: &mut impl Read, lines: u64) -> Result<u64, Error> {
+    let (mut left, mut skipped, mut byte) = (lines, 0, [0]);
+    while left > 0 {
+        if input.read(&mut byte).map_err(|error| unreadable(&error))? == 0 {
+            return Err(Error::parse(format!("the file has not the {lines} lines that are to be skipped")));
+        }
+        skipped += 1;
+        left -= u64::from(byte[0] == b'\n');
+    }
+    Ok(skipped)
+}
+
+fn open(path: &Path) -> Result<File, Error> {
+    let fault = |error: std::io::Error| {
+        Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}")).with_cure("check the path")
+    };
+    let file = File::open(path).map_err(fault)?;
+    if file.metadata().map_err(fault)?.is_dir() {
+        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
+    }
+    Ok(file)
+}
+
+/// The header of a pair, of which either file may be named.
+pub(crate) fn header_path(path: &Path) -> PathBuf {
+    let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    let stem = if name.ends_with(".img") {
+        path.with_extension("")
+    } else if name.ends_with(".img.gz") {
+        path.with_extension("").with_extension("")
+    } else {
+        return path.to_owned();
+    };
+    let headers = ["hdr", "HDR", "hdr.gz"].map(|extension| with_added(&stem, extension));
+    headers.into_iter().find(|path| path.is_file()).unwrap_or_else(|| path.to_owned())
+}
+
+/// The numbers of a pair.
+fn image_path(header: &Path) -> PathBuf {
+    let mut stem = header.with_extension("");
+    if stem.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("hdr")) {
+        stem = stem.with_extension("");
+    }
+    let [plain, upper, packed] = ["img", "IMG", "img.gz"].map(|extension| with_added(&stem, extension));
+    if !plain.is_file() && upper.is_file() {
+        upper
+    } else if !plain.is_file() && packed.is_file() {
+        packed
+    } else {
+        plain
+    }
+}
+
+fn with_added(stem: &Path, extension: &str) -> PathBuf {
+    let mut name = stem.as_os_str().to_owned();
+    name.push(".");
+    name.push(extension);
+    PathBuf::from(name)
+}

@@ -1,0 +1,85 @@
+//! The points and cells of a mesh as they are read, whatever the encoding.
+
+use super::cell_types::CellType;
+use super::data::Cells;
+use crate::assembly::{Assembly, Kind};
+use coface_algebra::Error;
+
+/// A mesh in the making, and what each cell of the file became.
+#[derive(Debug)]
+pub(super) struct Elements {
+    pub(super) assembly: Assembly,
+    /// What the cells became, for the data on them.
+    pub(super) cells: Cells,
+}
+
+impl Elements {
+    pub(super) fn new() -> Self {
+        Self { assembly: Assembly::new(3), cells: Cells::default() }
+    }
+
+    /// Adds what a cell of this type in a section becomes; the file numbers points from `first_point` on.
+    pub(super) fn add_cell(
+        &mut self,
+        section: usize,
+        cell_type: CellType,
+        vertices: &[u32],
+        first_point: u32,
+    ) -> Result<(), Error> {
+        let count = vertices.len();
+        let has_too_few = |least: usize, what: &str| {
+            Error::invalid(format!("a {what} has {count} points; it needs {least}")).with_cure("remove it")
+        };
+        let number = |vertex: u32| u64::from(vertex.saturating_sub(first_point));
+        let mut elements = 1;
+        let (kind, first) = match cell_type {
+            CellType::Empty => (Kind::Point, 0),
+            CellType::Points => {
+                for vertex in vertices {
+                    self.assembly.add(Kind::Point, 1, &[*vertex], number)?;
+                }
+                (Kind::Point, 0)
+            }
+            CellType::Polyline if count < 2 => return Err(has_too_few(2, "polyline")),
+            CellType::Polyline => (Kind::Line, self.assembly.add(Kind::Line, count, vertices, number)?),
+            CellType::Strip if count < 3 => return Err(has_too_few(3, "triangle strip")),
+            CellType::Strip => {
+                elements = count as u32 - 2;
+                let mut last = 0;
+                for (i, triangle) in vertices.windows(3).enumerate() {
+                    let [a, b, c] = [triangle[i % 2], triangle[1 - i % 2], triangle[2]];
+                    last = self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
+                }
+                (Kind::Polygon, last + 1 - elements)
+            }
+            CellType::Polygon if count < 3 => return Err(has_too_few(3, "polygon")),
+            CellType::Polygon => (Kind::Polygon, self.assembly.add(Kind::Polygon, count, vertices, number)?),
+            CellType::QuadraticPolygon if count < 6 || !count.is_multiple_of(2) => {
+                return Err(has_too_few(6, "quadratic polygon (an even number of points)"));
+            }
+            CellType::QuadraticPolygon => {
+                (Kind::Polygon, self.assembly.add(Kind::Polygon, count / 2, vertices, number)?)
+            }
+            CellType::Fixed { vertex_count, .. } if count != vertex_count => {
+                return Err(Error::invalid(format!(
+                    "a cell has {count} points, but its type needs {vertex_count}"
+                ))
+                .with_cure("give it another type, or the points that are missing"));
+            }
+            CellType::Fixed { kind, corners, .. } => {
+                let mut ordered = [0; 27];
+                ordered[..count].copy_from_slice(vertices);
+                for (place, &corner) in ordered.iter_mut().zip(corners) {
+                    *place = vertices[corner];
+                }
+                (kind, self.assembly.add(kind, corners.len(), &ordered[..count], number)?)
+            }
+        };
+        match kind {
+            // Points have no data of their own.
+            Kind::Point => self.cells.add(section, None, 0, 0),
+            kind => self.cells.add(section, Some(kind.group_kind()), first, elements),
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,31 @@
+//! Legacy VTK, text and binary, and VTK XML (`.vtu`, `.vtp`).
+//!
+//! Unstructured grids, polygonal data, and structured, rectilinear and uniform grids, which become hexahedra,
+//! quadrangles or lines. Cells of higher order are read by their corners, with a warning. Data on points and cells are
+//! kept whatever their keyword (`SCALARS`, `VECTORS`, `FIELD`, ..) but for lookup tables and strings. The wedge of VTK has its bottom triangle the other way round than [`CellShape`] does, so
+//! its vertices are exchanged in reading and writing.
+//!
+//! XML files are read in every encoding: text, base64 within the XML or appended, appended bytes, with lengths of 32 or 64 bits, in both byte
+//! orders, as they are or compressed by zlib; several pieces become one mesh.
+//!
+//! [`CellShape`]: coface_complexes::cellular::CellShape
+
+mod cell_types;
+mod data;
+mod elements;
+mod grids;
+mod lists;
+mod reading;
+#[cfg(test)]
+mod tests;
+mod writing;
+mod xml_arrays;
+mod xml_reading;
+#[cfg(test)]
+mod xml_tests;
+mod xml_writing;
+
+pub use reading::read;
+pub use writing::{Encoding, write};
+pub use xml_reading::read_xml;
+pub use xml_writing::{XmlKind, write_xml};

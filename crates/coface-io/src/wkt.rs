@@ -1,0 +1,556 @@
+//! Well-known text: points, lines and polygons with holes.
+//!
+//! A file holds geometries one after the other, on lines of their own or with `;` between them: `POINT`, `LINESTRING`,
+//! `LINEARRING`, `POLYGON`, `TRIANGLE`, the `MULTI` forms, `POLYHEDRALSURFACE`, `TIN` and `GEOMETRYCOLLECTION`, in any
+//! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front. Heights are kept, measures and reference systems passed over.
+//!
+//! Rings of polygons become closed lines with the integers `polygon` and `ring`, as in [`geojson`](super::geojson), and with `feature`, the
+//! number of the geometry, where one has several polygons.
+
+use super::Model;
+use super::decimal::flush;
+use super::drawing::{
+    Drawing, Features, Place, Shape, closed, push_list, push_place, shapes, written_dimension,
+};
+use super::scanner::{Scanner, parse_f64, quoted};
+use coface_algebra::{Error, ErrorKind};
+use std::io::{Read, Write};
+
+/// The longest word that is read.
+const LONGEST: usize = 1 << 12;
+/// Collections in collections.
+const DEEPEST: usize = 64;
+/// How a list begins, what is between its things, and how it ends.
+const LIST: [&[u8]; 3] = [b"(", b", ", b")"];
+const CURE: &str = "write it as in POLYGON ((0 0, 1 0, 0 1, 0 0))";
+
+/// The kinds of geometry, by their names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Point,
+    Line,
+    Polygon,
+    Points,
+    Lines,
+    Polygons,
+    Collection,
+}
+
+const KINDS: [(&str, Kind); 11] = [
+    ("POINT", Kind::Point),
+    ("LINESTRING", Kind::Line),
+    ("LINEARRING", Kind::Line),
+    ("POLYGON", Kind::Polygon),
+    ("TRIANGLE", Kind::Polygon),
+    ("MULTIPOINT", Kind::Points),
+    ("MULTILINESTRING", Kind::Lines),
+    ("MULTIPOLYGON", Kind::Polygons),
+    ("POLYHEDRALSURFACE", Kind::Polygons),
+    ("TIN", Kind::Polygons),
+    ("GEOMETRYCOLLECTION", Kind::Collection),
+];
+
+/// The numbers of a position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Axes {
+    /// What their number tells: x y, x y z or x y z m.
+    Counted,
+    Z,
+    M,
+    Zm,
+}
+
+/// The kind and axes that a word names, as in `POINT` or `PointZ`.
+fn kind_of(word: &[u8]) -> Option<(Kind, Axes)> {
+    let word = word.to_ascii_uppercase();
+    KINDS.iter().find_map(|&(name, kind)| {
+        let axes = axes_of(word.strip_prefix(name.as_bytes())?)?;
+        Some((kind, axes))
+    })
+}
+
+fn axes_of(word: &[u8]) -> Option<Axes> {
+    match word {
+        b"" => Some(Axes::Counted),
+        b"Z" => Some(Axes::Z),
+        b"M" => Some(Axes::M),
+        b"ZM" => Some(Axes::Zm),
+        _ => None,
+    }
+}
+
+/// Whether a line begins as a geometry does.
+pub(super) fn is_geometry(line: &[u8]) -> bool {
+    let upper = line[..line.len().min(64)].to_ascii_uppercase();
+    if let Some(rest) = upper.strip_prefix(b"SRID=") {
+        return rest.first().is_some_and(u8::is_ascii_digit);
+    }
+    let length = upper.iter().position(|byte| !byte.is_ascii_alphabetic()).unwrap_or(upper.len());
+    let rest = upper[length..].trim_ascii_start();
+    let rest = [&b"ZM"[..], b"Z", b"M"].iter().find_map(|&axes| rest.strip_prefix(axes)).unwrap_or(rest);
+    let rest = rest.trim_ascii_start();
+    kind_of(&upper[..length]).is_some() && (rest.is_empty() || rest[0] == b'(' || rest.starts_with(b"EMPTY"))
+}
+
+/// Reads geometries.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a word that is none, a ring that is not closed, a
+/// parenthesis that is missing, a number that is none or not finite, curves; [`ErrorKind::TooLarge`] for collections
+/// nested deeper than 64 or beyond 2^32 - 2 corners; [`ErrorKind::Io`] if the stream fails.
+///
+/// # Complexity
+/// $O(n \log n)$ for n corners, to find equal ones.
+///
+/// # References
+/// ISO 19125-1 (2004), *Simple feature access*, section 7.
+///
+/// # Examples
+/// ```
+/// use coface_io::{GroupKind, wkt};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = "POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 1 2, 2 1, 1 1))\nPOINT (5 5)\n";
+/// let model = wkt::read(text.as_bytes())?;
+/// assert_eq!(model.lines().list(1), [3, 4, 5, 3]);
+/// let ring = model.data_named("ring", GroupKind::Lines).ok_or(coface_algebra::Error::invalid("no rings"))?;
+/// assert_eq!(ring.integer_row(1), Some(vec![1]));
+/// assert_eq!(model.points().len(), 1);
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    let mut reader =
+        Reader { scanner: Scanner::new(input), line: 1, word: Vec::new(), drawing: Drawing::default() };
+    let mut seen = false;
+    while let Some(byte) = reader.peek()? {
+        if byte == b';' {
+            reader.scanner.consume(1);
+            continue;
+        }
+        seen = true;
+        reader.drawing.begin_feature(None);
+        reader.geometry(0)?;
+    }
+    if !seen {
+        return Err(Error::parse("the file has no geometry").at_line(reader.line).with_cure(CURE));
+    }
+    reader.drawing.finish()
+}
+
+struct Reader<R> {
+    scanner: Scanner<R>,
+    line: u64,
+    word: Vec<u8>,
+    drawing: Drawing,
+}
+
+impl<R: Read> Reader<R> {
+    fn fault(&self, message: impl Into<String>) -> Error {
+        Error::parse(message).at_line(self.line).with_cure(CURE)
+    }
+
+    /// The next byte that is neither white space nor in a comment, still unread.
+    fn peek(&mut self) -> Result<Option<u8>, Error> {
+        let mut in_comment = false;
+        loop {
+            let bytes = self.scanner.available(1)?;
+            if bytes.is_empty() {
+                return Ok(None);
+            }
+            let mut passed = 0;
+            let mut found = None;
+            for &byte in bytes {
+                if byte == b'\n' {
+                    self.line += 1;
+                    in_comment = false;
+                } else if byte == b'#' {
+                    in_comment = true;
+                } else if !in_comment && !byte.is_ascii_whitespace() {
+                    found = Some(byte);
+                    break;
+                }
+                passed += 1;
+            }
+            self.scanner.consume(passed);
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+    }
+
+    /// Takes a word of letters, digits, signs and points; it is empty where there is none.
+    fn word(&mut self) -> Result<(), Error> {
+        self.word.clear();
+        self.peek()?;
+        let mut length = 0;
+        loop {
+            let bytes = self.scanner.available(length + 1)?;
+            let is_part =
+                |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'+' | b'-' | b'.' | b'_');
+            let more = bytes[length.min(bytes.len())..]
+                .iter()
+                .take(LONGEST + 1)
+                .take_while(|&byte| is_part(byte))
+                .count();
+            length += more;
+            if length > LONGEST {
+                return Err(self.fault("a word or number is too long"));
+            }
+            if more == 0 || length < bytes.len() {
+                self.word.extend_from_slice(&bytes[..length]);
+                self.scanner.consume(length);
+                return Ok(());
+            }
+        }
+    }
+
+    /// Takes this byte, which must come next.
+    fn expect(&mut self, byte: u8) -> Result<(), Error> {
+        match self.peek()? {
+            Some(next) if next == byte => {
+                self.scanner.consume(1);
+                Ok(())
+            }
+            next => Err(self.unexpected(next, &format!("\"{}\"", char::from(byte)))),
+        }
+    }
+
+    fn unexpected(&self, next: Option<u8>, wanted: &str) -> Error {
+        match next {
+            Some(next) => self.fault(format!("{} stands where {wanted} should be", quoted(&[next]))),
+            None => self.fault(format!("the file ends where {wanted} should be")),
+        }
+    }
+
+    fn geometry(&mut self, depth: usize) -> Result<(), Error> {
+        self.word()?;
+        if depth == 0 && self.word.eq_ignore_ascii_case(b"SRID") {
+            self.expect(b'=')?;
+            self.word()?;
+            self.expect(b';')?;
+            self.word()?;
+        }
+        if self.word.is_empty() {
+            let next = self.peek()?;
+            return Err(self.unexpected(next, "the name of a geometry"));
+        }
+        let Some((kind, mut axes)) = kind_of(&self.word) else {
+            let name = quoted(&self.word);
+            let upper = self.word.to_ascii_uppercase();
+            if upper.windows(5).any(|part| part == b"CURVE" || part == b"CIRCU") {
+                return Err(self
+                    .fault(format!("{name} has curved sides"))
+                    .with_cure("write it with straight lines"));
+            }
+            return Err(self.fault(format!("{name} is not a geometry")));
+        };
+        if self.peek()? != Some(b'(') {
+            self.word()?;
+            if let Some(named) =
+                axes_of(&self.word.to_ascii_uppercase()).filter(|&named| named != Axes::Counted)
+            {
+                axes = named;
+                if self.peek()? != Some(b'(') {
+                    self.word()?;
+                } else {
+                    self.word.clear();
+                }
+            }
+            if self.word.eq_ignore_ascii_case(b"EMPTY") {
+                return Ok(());
+            }
+            if !self.word.is_empty() {
+                return Err(
+                    self.fault(format!("{} stands where \"(\" or EMPTY should be", quoted(&self.word)))
+                );
+            }
+        }
+        match kind {
+            Kind::Point => {
+                self.expect(b'(')?;
+                let place = self.place(axes)?;
+                self.drawing.point(place);
+                self.expect(b')')
+            }
+            Kind::Line => self.path(axes, false),
+            Kind::Polygon => self.polygon(axes),
+            Kind::Points => self.list(|reader| {
+                let nested = reader.peek()? == Some(b'(');
+                if nested {
+                    reader.expect(b'(')?;
+                }
+                let place = reader.place(axes)?;
+                reader.drawing.point(place);
+                if nested { reader.expect(b')') } else { Ok(()) }
+            }),
+            Kind::Lines => self.list(|reader| reader.path(axes, false)),
+            Kind::Polygons => self.list(|reader| reader.polygon(axes)),
+            Kind::Collection if depth == DEEPEST => {
+                let message = format!("collections are nested deeper than {DEEPEST}");
+                Err(Error::new(ErrorKind::TooLarge, message).at_line(self.line).with_cure("nest them less"))
+            }
+            Kind::Collection => self.list(|reader| reader.geometry(depth + 1)),
+        }
+    }
+
+    /// Things in parentheses with commas between them; each may be EMPTY.
+    fn list(&mut self, mut item: impl FnMut(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
+        self.expect(b'(')?;
+        loop {
+            if !self.empty()? {
+                item(self)?;
+            }
+            match self.peek()? {
+                Some(b',') => self.scanner.consume(1),
+                Some(b')') => {
+                    self.scanner.consume(1);
+                    return Ok(());
+                }
+                next => return Err(self.unexpected(next, "\",\" or \")\"")),
+            }
+        }
+    }
+
+    /// Takes the word EMPTY if it comes next.
+    fn empty(&mut self) -> Result<bool, Error> {
+        if self.peek()?.is_none_or(|byte| !byte.eq_ignore_ascii_case(&b'E')) {
+            return Ok(false);
+        }
+        let is_empty =
+            self.scanner.available(5)?.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"EMPTY"));
+        if is_empty {
+            self.scanner.consume(5);
+        }
+        Ok(is_empty)
+    }
+
+    fn polygon(&mut self, axes: Axes) -> Result<(), Error> {
+        self.drawing.begin_polygon();
+        self.list(|reader| reader.path(axes, true))
+    }
+
+    /// A list of positions: a line, or a ring of a polygon.
+    fn path(&mut self, axes: Axes, is_ring: bool) -> Result<(), Error> {
+        self.list(|reader| {
+            let place = reader.place(axes)?;
+            reader.drawing.corner(place);
+            Ok(())
+        })?;
+        let line = self.line;
+        if is_ring {
+            let end = self.drawing.end_ring(|| format!("the ring that ends in line {line}"));
+            return end.map(drop).map_err(|fault| fault.at_line(line));
+        }
+        self.drawing.end_line(|| format!("the line string that ends in line {line}"));
+        Ok(())
+    }
+
+    /// One position.
+    fn place(&mut self, axes: Axes) -> Result<Place, Error> {
+        let mut numbers = [0.0; 4];
+        let mut count = 0;
+        while self
+            .peek()?
+            .is_some_and(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'+' | b'-' | b'.'))
+        {
+            self.word()?;
+            if count == 4 {
+                return Err(self.fault("a position has more than four numbers"));
+            }
+            numbers[count] =
+                parse_f64(&self.word, "a coordinate").map_err(|fault| fault.at_line(self.line))?;
+            count += 1;
+        }
+        if count == 0 {
+            let next = self.peek()?;
+            return Err(self.unexpected(next, "a number"));
+        }
+        let (least, most) = match axes {
+            Axes::Counted => (2, 4),
+            Axes::Z | Axes::M => (3, 3),
+            Axes::Zm => (4, 4),
+        };
+        if count < least || count > most {
+            let s = if count == 1 { "" } else { "s" };
+            return Err(self.fault(format!("a position has {count} number{s}; here it needs {least}")));
+        }
+        if axes == Axes::M || count == 4 {
+            self.drawing.note_surplus();
+        }
+        let z = (axes != Axes::M && count > 2).then_some(numbers[2]);
+        Ok(Place { x: numbers[0], y: numbers[1], z })
+    }
+}
+
+/// Writes one geometry a line: `LINESTRING` for lines, `POLYGON` for the rings of each polygon and for polygons of a mesh, `POINT`
+/// for points and for vertices that nothing uses; what follows each other with one number in `feature` is one geometry, `MULTI` or a
+/// `GEOMETRYCOLLECTION`. Three coordinates are written if a vertex lies outside the plane z = 0.
+/// Names and data are not kept.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] if the model has 3-cells, no positions or more than three coordinates a vertex, or is
+/// an abstract structure; [`ErrorKind::Io`] if the stream fails.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::{Format, wkt};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+/// let mut written = Vec::new();
+/// wkt::write(&triangle, &mut written)?;
+/// assert_eq!(written, b"POLYGON ((0 0, 1 0, 0 1, 0 0))\n");
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
+    let writer = Writer { model, dimension: written_dimension(model, "WKT")? };
+    let mut text = Vec::new();
+    let shapes = shapes(model);
+    if shapes.is_empty() {
+        text.extend_from_slice(b"GEOMETRYCOLLECTION EMPTY\n");
+    }
+    let features = Features::new(model);
+    for feature in shapes.chunk_by(|(x, a), (y, b)| a == b && features.are_one(x, y)) {
+        writer.push_geometry(feature, &mut text);
+        text.push(b'\n');
+        flush(&mut text, &mut output)?;
+    }
+    output.write_all(&text)?;
+    output.flush()?;
+    Ok(())
+}
+
+struct Writer<'a> {
+    model: &'a Model,
+    dimension: usize,
+}
+
+/// The name of a geometry of one shape.
+fn name_of(shape: &Shape) -> &'static [u8] {
+    match shape {
+        Shape::Line(_) => b"LINESTRING",
+        Shape::Rings(_) | Shape::Face(_) => b"POLYGON",
+        Shape::Point(_) => b"POINT",
+    }
+}
+
+impl Writer<'_> {
+    /// One geometry of shapes: a single one, several of one kind, or a collection.
+    fn push_geometry(&self, shapes: &[(Shape, Option<usize>)], text: &mut Vec<u8>) {
+        let name = name_of(&shapes[0].0);
+        let axes: &[u8] = if self.dimension == 3 { b" Z " } else { b" " };
+        if !shapes.iter().all(|(shape, _)| name_of(shape) == name) {
+            text.extend_from_slice(b"GEOMETRYCOLLECTION");
+            text.extend_from_slice(axes);
+            let kinds = shapes.chunk_by(|(a, _), (b, _)| name_of(a) == name_of(b));
+            return push_list(text, LIST, kinds, |kind, text| self.push_geometry(kind, text));
+        }
+        if shapes.len() > 1 {
+            text.extend_from_slice(b"MULTI");
+        }
+        text.extend_from_slice(name);
+        text.extend_from_slice(axes);
+        match shapes {
+            [(shape, _)] => self.push_shape(shape, text),
+            _ => push_list(text, LIST, shapes.iter(), |(shape, _), text| self.push_shape(shape, text)),
+        }
+    }
+
+    fn push_shape(&self, shape: &Shape, text: &mut Vec<u8>) {
+        match shape {
+            Shape::Line(i) => self.push_path(text, self.model.lines.list(*i).iter().copied()),
+            Shape::Rings(range) => push_list(text, LIST, range.clone(), |i, text| {
+                self.push_path(text, self.model.lines.list(i).iter().copied());
+            }),
+            Shape::Face(i) => {
+                text.push(b'(');
+                self.push_path(text, closed(self.model.polygons.list(*i)));
+                text.push(b')');
+            }
+            Shape::Point(vertex) => self.push_path(text, std::iter::once(*vertex)),
+        }
+    }
+
+    fn push_path(&self, text: &mut Vec<u8>, path: impl Iterator<Item = u32>) {
+        push_list(text, LIST, path, |vertex, text| {
+            push_place(self.model, vertex, self.dimension, b' ', text);
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::GroupKind;
+    use coface_algebra::RaggedArray;
+
+    #[test]
+    fn every_kind_is_read_in_every_spelling() {
+        let text = "# a comment\nSRID=4326;POINT(1 2);Point Empty\nmultipoint ((3 4), 5 6, EMPTY)\n\
+            MULTILINESTRING((0 0,1 1),EMPTY,(1 1,2 0))GEOMETRYCOLLECTION(LINEARRING(7 7,8 7,7 7),\
+            GEOMETRYCOLLECTION EMPTY, MULTIPOLYGON (((0 0,4 0,0 4,0 0),(1 1,1 2,2 1,1 1)),((9 9,8 9,9 8,9 9))))";
+        let model = read(text.as_bytes()).unwrap();
+        model.check().unwrap();
+        let lengths: Vec<usize> = model.lines().iter().map(<[u32]>::len).collect();
+        assert_eq!((lengths, model.points().len()), (vec![2, 2, 3, 4, 4, 4], 3));
+        let column = |name: &str| -> Vec<i64> {
+            let data = model.data_named(name, GroupKind::Lines).unwrap();
+            (0..data.len()).flat_map(|i| data.integer_row(i).unwrap()).collect()
+        };
+        assert_eq!(column("polygon"), [-1, -1, -1, 0, 0, 1]);
+        assert_eq!(column("ring"), [-1, -1, -1, 0, 1, 0]);
+        let mut written = Vec::new();
+        write(&model, &mut written).unwrap();
+        assert_eq!(read(&written[..]).unwrap(), model);
+    }
+
+    #[test]
+    fn heights_are_kept_and_measures_passed_over() {
+        for text in ["LINESTRING Z (0 0 5, 1 0 6)", "LINESTRINGZ(0 0 5,1 0 6)", "LINESTRING (0 0 5, 1 0 6)"] {
+            let model = read(text.as_bytes()).unwrap();
+            assert_eq!(model.positions().as_flat(), [0., 0., 5., 1., 0., 6.]);
+            let mut written = Vec::new();
+            write(&model, &mut written).unwrap();
+            assert_eq!(written, b"LINESTRING Z (0 0 5, 1 0 6)\n");
+        }
+        let measured = read(&b"LINESTRING M (0 0 5, 1 0 6)"[..]).unwrap();
+        assert_eq!(measured.positions().dimension(), 2);
+        assert_eq!(measured.warnings().len(), 1);
+        assert_eq!(read(&b"POINT ZM (1 2 3 4)"[..]).unwrap().positions().as_flat(), [1., 2., 3.]);
+    }
+
+    #[test]
+    fn faults_name_the_line() {
+        for (text, line, message) in [
+            ("POINT (1 2)\nPOLYGON ((0 0, 1 0, 0 1))", 2, "begins at (0, 0) but ends at (0, 1)"),
+            ("LINESTRING (0 0, 1)", 1, "1 number; here it needs 2"),
+            ("LINESTRING Z (0 0, 1 1)", 1, "needs 3"),
+            ("POINT (1 2 3 4 5)", 1, "more than four"),
+            ("POINT (1 inf)", 1, "finite"),
+            ("POINT (1 2", 1, "ends"),
+            ("POLYGON (0 0, 1 0)", 1, "\"(\" should be"),
+            ("\nCIRCULARSTRING (0 0, 1 1, 2 0)", 2, "curved"),
+            ("BLOB (0 0)", 1, "\"BLOB\" is not a geometry"),
+            ("POINT (1 2) )", 1, "the name of a geometry"),
+            ("# only this\n", 2, "no geometry"),
+        ] {
+            let error = read(text.as_bytes()).unwrap_err();
+            assert_eq!(error.line(), Some(line), "{error}");
+            assert!(error.to_string().contains(message) && error.cure().is_some(), "{error}");
+        }
+        let deep = "GEOMETRYCOLLECTION (".repeat(1000);
+        assert_eq!(read(deep.as_bytes()).unwrap_err().kind(), ErrorKind::TooLarge);
+        assert!(read(&[b'1'; 100_000][..]).unwrap_err().to_string().contains("too long"));
+    }
+
+    #[test]
+    fn polygons_of_a_mesh_and_lonely_vertices_are_written() {
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 0\nf 1 2 3\nl 1 4\nv 7 8 0\n";
+        let model = crate::obj::read(text.as_bytes()).unwrap();
+        let mut written = Vec::new();
+        write(&model, &mut written).unwrap();
+        let expected = "LINESTRING (0 0, 5 5)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\nPOINT (7 8)\n";
+        assert_eq!(String::from_utf8(written).unwrap(), expected);
+        let back = read(expected.as_bytes()).unwrap();
+        assert_eq!(*back.lines(), RaggedArray::from_lists([vec![0, 1], vec![2, 3, 4, 2]]));
+    }
+}

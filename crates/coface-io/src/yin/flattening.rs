@@ -1,0 +1,68 @@
+//! Curves as chords.
+
+use coface_algebra::{Error, ErrorKind};
+use coface_yin::{Curve, Order};
+
+/// More chords than these for one piece are refused.
+const MOST_CHORDS: f64 = 1e6;
+
+/// The corners of a polygon that is within a tolerance of a closed curve; the first is not repeated. The knots are corners.
+///
+/// Chords between points at equal steps of the parameter are within an eighth of the square of the step times the greatest second
+/// derivative, which is at most d(d - 1) times the greatest second difference of the control points, for the degree d.
+///
+/// # Errors
+/// [`ErrorKind::InvalidInput`] if the tolerance is not positive; [`ErrorKind::TooLarge`] for a piece of more than a million chords.
+///
+/// # Complexity
+/// Linear in the corners.
+///
+/// # Examples
+/// ```
+/// use coface_io::yin::flattened;
+/// use coface_yin::{Curve, Order};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let square = Curve::polyline(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.], [0., 0.]])?;
+/// assert_eq!(flattened(&square.raised(Order::CUBIC)?, 1e-3)?, [[0., 0.], [1., 0.], [1., 1.], [0., 1.]]);
+/// # Ok(()) }
+/// ```
+pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Error> {
+    crate::svg::check_tolerance(tolerance)?;
+    let mut corners = Vec::new();
+    let mut level: Vec<[f64; 2]> = Vec::new();
+    for piece in 0..curve.piece_count() {
+        let controls = curve.piece(piece);
+        corners.push(controls[0]);
+        if curve.order() == Order::LINEAR {
+            continue;
+        }
+        let degree = curve.order().degree() as f64;
+        let bends = controls.windows(3).map(|p| {
+            let bend = |axis: usize| p[0][axis] - 2.0 * p[1][axis] + p[2][axis];
+            bend(0).hypot(bend(1))
+        });
+        let bend = degree * (degree - 1.0) * bends.fold(0.0, f64::max);
+        let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
+        if count > MOST_CHORDS {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("piece {piece} takes {count:.3e} chords to be within {tolerance:e}"),
+            )
+            .with_cure("allow chords to be farther from the curve: a larger tolerance"));
+        }
+        for i in 1..count as usize {
+            let t = i as f64 / count;
+            level.clear();
+            level.extend_from_slice(controls);
+            for last in (0..controls.len() - 1).rev() {
+                for j in 0..=last {
+                    level[j] = [0, 1].map(|axis| level[j][axis] * (1.0 - t) + level[j + 1][axis] * t);
+                }
+            }
+            if corners.last() != Some(&level[0]) {
+                corners.push(level[0]);
+            }
+        }
+    }
+    Ok(corners)
+}

@@ -1,0 +1,13 @@
+//! Scenes, stills and pages.
+
+pub mod pages;
+mod picture;
+mod scene;
+mod set_picture;
+
+pub use picture::{
+    Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, colored, diagram_picture,
+    gltf, matrix_picture, palette_color, pane_picture, vertex_colors,
+};
+pub use scene::{Layer, Pane, Scene};
+pub use set_picture::{SetPicture, set_picture};

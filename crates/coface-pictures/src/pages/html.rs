@@ -1,0 +1,149 @@
+//! The report as a page for browsers: tables of facts and pictures, in one file that needs no network.
+
+use coface_answers::text::{Item, Mood};
+use std::fmt::Write;
+
+const HEAD: &str = r#"<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<style>
+:root { --paper: #ffffff; --ink: #22272d; --pale: #5c6670; --line: #d9dee4; --good: #00704f; --bad: #b00218; --odd: #8a5300; }
+@media (prefers-color-scheme: dark) {
+:root { --paper: #15181c; --ink: #e4e8ec; --pale: #9aa4ae; --line: #333a42; --good: #4cc79c; --bad: #ff7b87; --odd: #f0b14a; }
+}
+body { margin: 2rem auto; max-width: 62rem; padding: 0 1rem; background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.4rem; margin: 2rem 0 0; overflow-wrap: anywhere; }
+h1 small { color: var(--pale); font-weight: normal; margin-left: .6rem; }
+h2 { font-size: 1.1rem; margin: 1.5rem 0 .5rem; }
+table { border-collapse: collapse; width: 100%; }
+th, td { border-top: 1px solid var(--line); padding: .3rem .8rem .3rem 0; text-align: left; vertical-align: top; font-weight: normal; }
+th { color: var(--pale); white-space: nowrap; }
+td.gloss, p.gloss { color: var(--pale); }
+.good { color: var(--good); } .bad { color: var(--bad); } .odd { color: var(--odd); }
+p.place { margin: 0 0 0 1.5rem; font-family: ui-monospace, monospace; font-size: .9rem; }
+figure { margin: 1rem 0; }
+figure svg, figure img { max-width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px; background: #ffffff; }
+figcaption, summary { color: var(--pale); }
+pre { overflow-x: auto; font-size: .8rem; }
+</style>
+"#;
+
+/// A picture on a page.
+pub enum Figure {
+    /// SVG, as it stands.
+    Svg(String),
+    /// PNG as base64.
+    Png(String),
+}
+
+/// A model on a page.
+pub struct Section {
+    /// What is said.
+    pub items: Vec<Item>,
+    /// Pictures with their captions; they stand below the summary.
+    pub figures: Vec<(Figure, String)>,
+    /// The report for programs.
+    pub object: String,
+}
+
+/// The page about some models.
+pub fn page(title: &str, sections: &[Section]) -> String {
+    let mut page = format!("{HEAD}<title>{}</title>\n</head>\n<body>\n", escaped(title));
+    for section in sections {
+        page += "<article>\n";
+        let (head, rest) = section.items.split_at(section.items.len().min(2));
+        push_items(&mut page, head);
+        for (figure, caption) in &section.figures {
+            page += "<figure>\n";
+            match figure {
+                Figure::Svg(text) => page += text,
+                Figure::Png(text) => {
+                    let _ = writeln!(
+                        page,
+                        "<img alt=\"{}\" src=\"data:image/png;base64,{text}\">",
+                        escaped(caption)
+                    );
+                }
+            }
+            let _ = writeln!(page, "<figcaption>{}</figcaption>\n</figure>", escaped(caption));
+        }
+        push_items(&mut page, rest);
+        let _ = writeln!(
+            page,
+            "<details><summary>for programs</summary><pre>{}</pre></details>\n</article>",
+            escaped(&section.object)
+        );
+    }
+    page += "</body>\n</html>\n";
+    page
+}
+
+fn push_items(page: &mut String, items: &[Item]) {
+    let mut in_table = false;
+    for item in items {
+        let is_fact = matches!(item, Item::Fact { .. });
+        if is_fact != in_table {
+            page.push_str(if is_fact { "<table>\n" } else { "</table>\n" });
+            in_table = is_fact;
+        }
+        // Writing to a string does not fail.
+        let _ = match item {
+            Item::Title(name, gloss) => {
+                writeln!(page, "<h1>{}<small>{}</small></h1>", escaped(name), escaped(gloss))
+            }
+            Item::Heading(words) => writeln!(page, "<h2>{}</h2>", escaped(words)),
+            Item::Blank => Ok(()),
+            Item::Paragraph { indent, mood, words } => {
+                let place = if *indent > 4 && *mood == Mood::Plain { " place" } else { "" };
+                writeln!(page, "<p class=\"{}{place}\">{}</p>", class(*mood), escaped(words))
+            }
+            Item::Bullet { mood, words } => {
+                writeln!(page, "<p class=\"{}\">{}</p>", class(*mood), escaped(words))
+            }
+            Item::Fact { label, mood, value, gloss } => writeln!(
+                page,
+                "<tr><th scope=\"row\">{}</th><td class=\"{}\">{}</td><td class=\"gloss\">{}</td></tr>",
+                escaped(label),
+                class(*mood),
+                escaped(value),
+                escaped(gloss)
+            ),
+        };
+    }
+    if in_table {
+        page.push_str("</table>\n");
+    }
+}
+
+fn class(mood: Mood) -> &'static str {
+    match mood {
+        Mood::Plain => "plain",
+        Mood::Good => "good",
+        Mood::Bad => "bad",
+        Mood::Odd => "odd",
+        Mood::Gloss => "gloss",
+    }
+}
+
+/// Text that can stand in HTML; control characters are left out.
+fn escaped(text: &str) -> String {
+    let text: String = text.chars().filter(|&c| c == '\n' || !c.is_control()).collect();
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_do_not_break_the_page() {
+        let items = vec![Item::Title("<script>&\u{1}".to_owned(), "OFF".to_owned())];
+        let section = Section { items, figures: Vec::new(), object: "{\"a\": \"</pre>\"}".to_owned() };
+        let page = page("<b>", &[section]);
+        assert!(!page.contains("<script>") && !page.contains("<b>") && page.contains("&lt;/pre&gt;"));
+        assert_eq!(page.matches("<h1>&lt;script&gt;&amp;<small>").count(), 1);
+    }
+}

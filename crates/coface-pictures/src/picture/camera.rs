@@ -1,0 +1,160 @@
+//! Where a scene is seen from.
+
+use coface_algebra::Error;
+
+/// An eye that looks at the middle of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Camera {
+    /// The direction from the middle of the scene to the eye; its length does not matter.
+    pub from: [f64; 3],
+    /// What is up in the picture, as nearly as it can be.
+    pub up: [f64; 3],
+    /// The angle in degrees that the picture takes from bottom to top; none for parallel rays.
+    pub field_of_view: Option<f64>,
+}
+
+impl Default for Camera {
+    /// From the upper right in front, by parallel rays.
+    fn default() -> Self {
+        Self { from: [0.5, 0.35, 1.0], up: [0.0, 1.0, 0.0], field_of_view: None }
+    }
+}
+
+impl Camera {
+    /// Straight from above onto the plane of x and y, as drawings are seen.
+    pub fn above() -> Self {
+        Self { from: [0.0, 0.0, 1.0], ..Self::default() }
+    }
+}
+
+/// A camera with the picture that it makes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Projection {
+    center: [f64; 3],
+    /// To the right, up, and towards the eye.
+    axes: [[f64; 3]; 3],
+    /// The distance of the eye from the center; none for parallel rays.
+    distance: Option<f64>,
+    /// Pixels for a unit at the center.
+    scale: f64,
+    middle: [f64; 2],
+}
+
+impl Projection {
+    /// The projection that has all points in a picture of this size.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for directions without length, or one that is up.
+    pub(super) fn new(camera: &Camera, points: &[[f64; 3]], size: [usize; 2]) -> Result<Self, Error> {
+        let towards = unit(camera.from).ok_or_else(|| {
+            Error::invalid("the direction to the eye has no length")
+                .with_cure("give three numbers that are not all 0")
+        })?;
+        let up = unit(camera.up).ok_or_else(|| {
+            Error::invalid("up has no length").with_cure("give three numbers that are not all 0")
+        })?;
+        let right = unit(cross(up, towards)).or_else(|| {
+            // Seen along up, what is behind is up.
+            unit(cross([-up[2], -up[0], -up[1]], towards))
+        });
+        let right = right.ok_or_else(|| {
+            Error::invalid("up is the direction of the eye").with_cure("give another direction for up")
+        })?;
+        let axes = [right, cross(towards, right), towards];
+        let corner = |pick: fn(f64, f64) -> f64, start: f64| {
+            [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).fold(start, pick))
+        };
+        let (low, high) = (corner(f64::min, f64::INFINITY), corner(f64::max, f64::NEG_INFINITY));
+        let center = [0, 1, 2].map(|i| if low[i] <= high[i] { 0.5 * low[i] + 0.5 * high[i] } else { 0.0 });
+        let local = |point: &[f64; 3]| {
+            let offset = [0, 1, 2].map(|i| point[i] - center[i]);
+            axes.map(|axis| dot(axis, offset))
+        };
+        let radius = points.iter().map(|point| dot(local(point), local(point)).sqrt()).fold(0.0, f64::max);
+        let radius = if radius > 0.0 { radius } else { 1.0 };
+        let distance = camera.field_of_view.map(|angle| {
+            let half = (0.5 * angle.clamp(1.0, 170.0)).to_radians();
+            radius / half.sin()
+        });
+        let mut projection = Self { center, axes, distance, scale: 1.0, middle: [0.0; 2] };
+        // What the points take at scale 1, then filled.
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for point in points {
+            let at = projection.project(*point);
+            for axis in 0..2 {
+                low[axis] = low[axis].min(at[axis]);
+                high[axis] = high[axis].max(at[axis]);
+            }
+        }
+        if low[0] > high[0] {
+            (low, high) = ([-1.0; 2], [1.0; 2]);
+        }
+        let [width, height] = size.map(|side| side as f64);
+        let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(1e-9 * radius));
+        projection.scale = 0.92 * (width / extent[0]).min(height / extent[1]);
+        let scale = projection.scale;
+        projection.middle =
+            [0.5 * width - 0.5 * scale * (low[0] + high[0]), 0.5 * height - 0.5 * scale * (low[1] + high[1])];
+        Ok(projection)
+    }
+
+    /// The pixel of a point, and its depth.
+    pub(super) fn project(&self, point: [f64; 3]) -> [f64; 3] {
+        let offset = [0, 1, 2].map(|i| point[i] - self.center[i]);
+        let [x, y, z] = self.axes.map(|axis| dot(axis, offset));
+        let (shrink, depth) = match self.distance {
+            None => (1.0, -z),
+            // Linear in the picture: the reciprocal of the distance, the other way around.
+            Some(distance) => {
+                let shrink = distance / (distance - z).max(1e-3 * distance);
+                (shrink, -shrink * distance)
+            }
+        };
+        [self.middle[0] + self.scale * shrink * x, self.middle[1] - self.scale * shrink * y, depth]
+    }
+
+    /// A direction in space as seen: to the right, up, and towards the eye.
+    pub(super) fn direction(&self, direction: [f64; 3]) -> [f64; 3] {
+        self.axes.map(|axis| dot(axis, direction))
+    }
+}
+
+pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn unit(a: [f64; 3]) -> Option<[f64; 3]> {
+    let length = dot(a, a).sqrt();
+    (length > 1e-12 && length.is_finite()).then(|| a.map(|x| x / length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_near_corner_of_a_cube_is_nearer_and_in_the_middle() {
+        let corners: Vec<[f64; 3]> =
+            (0..8).map(|i| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)]).collect();
+        for field_of_view in [None, Some(40.0)] {
+            let camera = Camera { from: [1.0; 3], field_of_view, ..Camera::default() };
+            let projection = Projection::new(&camera, &corners, [200, 100]).expect("a camera");
+            let [near, far] = [[1.0; 3], [0.0; 3]].map(|corner| projection.project(corner));
+            assert!(near[2] < far[2]);
+            assert!((near[0] - 100.0).abs() < 1e-9 && (near[1] - far[1]).abs() < 20.0);
+            let inside = |at: [f64; 3]| at[0] > 0.0 && at[0] < 200.0 && at[1] > 0.0 && at[1] < 100.0;
+            assert!(corners.iter().all(|&corner| inside(projection.project(corner))));
+        }
+    }
+
+    #[test]
+    fn a_camera_without_direction_is_refused() {
+        let camera = Camera { from: [0.0; 3], ..Camera::default() };
+        assert!(Projection::new(&camera, &[[0.0; 3]], [10, 10]).is_err());
+    }
+}

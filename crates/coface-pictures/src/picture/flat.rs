@@ -1,0 +1,390 @@
+//! Flat pictures: diagrams, matrices, sets of the plane.
+
+use super::canvas::Canvas;
+use super::letters;
+use super::palette::{Color, hex, packed};
+use super::style::{SAMPLES, check_size};
+use super::svg::{escaped, push_point, push_short};
+use coface_algebra::Error;
+use std::fmt::Write;
+
+/// A picture without depth: paths, disks and texts, one painted over the other. It is written as SVG, where texts stay texts, and as PNG,
+/// where they are drawn with strokes and need no font.
+///
+/// # Examples
+/// ```
+/// use coface_pictures::matrix_picture;
+/// use coface_complexes::simplicial::SimplicialComplex;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = SimplicialComplex::from_facets([[0, 1, 2]])?;
+/// let picture = matrix_picture("triangle", &triangle.chain_complex()?);
+/// assert!(picture.svg(None)?.contains("<title>triangle</title>"));
+/// assert!(picture.png([200, 100])?.starts_with(b"\x89PNG"));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatPicture {
+    title: String,
+    size: [f64; 2],
+    background: Color,
+    parts: Vec<Part>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Part {
+    form: Form,
+    fill: Option<Color>,
+    stroke: Option<(Color, f64)>,
+    /// Of the fill.
+    opacity: f32,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Form {
+    Path(Vec<Step>),
+    Disk { center: [f64; 2], radius: f64 },
+    Text { at: [f64; 2], anchor: Anchor, size: f64, text: String },
+}
+
+/// A step of a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Step {
+    Move([f64; 2]),
+    Line([f64; 2]),
+    Cubic([[f64; 2]; 3]),
+    Close,
+}
+
+/// Which end of a text stands at its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl FlatPicture {
+    /// Nothing on a background.
+    pub(crate) fn new(title: &str, size: [f64; 2], background: Color) -> Self {
+        Self { title: title.to_owned(), size, background, parts: Vec::new() }
+    }
+
+    /// Fills what lies within an odd number of the closed parts of a path.
+    pub(crate) fn fill(&mut self, path: Vec<Step>, color: Color, opacity: f32) {
+        self.parts.push(Part { form: Form::Path(path), fill: Some(color), stroke: None, opacity });
+    }
+
+    /// Draws along a path.
+    pub(crate) fn stroke(&mut self, path: Vec<Step>, color: Color, width: f64) {
+        let stroke = Some((color, width));
+        self.parts.push(Part { form: Form::Path(path), fill: None, stroke, opacity: 1.0 });
+    }
+
+    /// Fills a path and draws along it.
+    pub(crate) fn shape(&mut self, path: Vec<Step>, fill: Color, stroke: (Color, f64)) {
+        let part = Part { form: Form::Path(path), fill: Some(fill), stroke: Some(stroke), opacity: 1.0 };
+        self.parts.push(part);
+    }
+
+    /// Draws a disk, with a rim if there is a stroke.
+    pub(crate) fn disk(
+        &mut self,
+        center: [f64; 2],
+        radius: f64,
+        fill: Color,
+        stroke: Option<(Color, f64)>,
+    ) {
+        let form = Form::Disk { center, radius };
+        self.parts.push(Part { form, fill: Some(fill), stroke, opacity: 1.0 });
+    }
+
+    /// Writes a text on a baseline.
+    pub(crate) fn text(
+        &mut self,
+        at: [f64; 2],
+        anchor: Anchor,
+        size: f64,
+        color: Color,
+        text: impl Into<String>,
+    ) {
+        let form = Form::Text { at, anchor, size, text: text.into() };
+        self.parts.push(Part { form, fill: Some(color), stroke: None, opacity: 1.0 });
+    }
+
+    /// Width and height of the picture in its own unit.
+    pub fn size(&self) -> [f64; 2] {
+        self.size
+    }
+
+    /// The picture as SVG, of its own size or scaled to fit one in pixels.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a size of 0.
+    pub fn svg(&self, size: Option<[usize; 2]>) -> Result<String, Error> {
+        let [wide, high] = self.size;
+        let [width, height] = match size {
+            Some(size) if size.contains(&0) => {
+                return Err(
+                    Error::invalid("a picture without pixels").with_cure("give a width and a height above 0")
+                );
+            }
+            Some(size) => size.map(|side| side as f64),
+            None => self.size,
+        };
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {wide:.0} {high:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"sans-serif\">\n<title>{}</title>\n<path d=\"M0 0H{wide:.0}V{high:.0}H0Z\" fill=\"{}\"/>\n",
+            escaped(&self.title),
+            hex(self.background)
+        );
+        for part in &self.parts {
+            part.push_svg(&mut text);
+        }
+        text += "</svg>\n";
+        Ok(text)
+    }
+
+    /// The picture as PNG, scaled to fit a size in pixels, antialiased.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a size of 0, [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond
+    /// $2^{25}$ pixels; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) should the encoder fail.
+    pub fn png(&self, size: [usize; 2]) -> Result<Vec<u8>, Error> {
+        check_size(size)?;
+        let [width, height] = size;
+        let mut canvas = Canvas::new(width * SAMPLES, height * SAMPLES, packed(self.background));
+        let scale = (width as f64 / self.size[0]).min(height as f64 / self.size[1]);
+        let offset = [0, 1].map(|axis| SAMPLES as f64 * 0.5 * (size[axis] as f64 - scale * self.size[axis]));
+        self.paint(&mut canvas, scale * SAMPLES as f64, offset);
+        canvas.png(SAMPLES)
+    }
+
+    /// Paints all parts, scaled and moved.
+    pub(super) fn paint(&self, canvas: &mut Canvas, scale: f64, offset: [f64; 2]) {
+        let place = |[x, y]: [f64; 2]| [offset[0] + scale * x, offset[1] + scale * y];
+        for part in &self.parts {
+            let share = (part.opacity * 256.0).round() as u32;
+            match &part.form {
+                Form::Path(steps) => {
+                    let lines = flattened(steps, place);
+                    if let Some(color) = part.fill {
+                        let outlines: Vec<Vec<[f64; 2]>> =
+                            lines.iter().map(|(line, _)| line.clone()).collect();
+                        canvas.fill(&outlines, packed(color), share);
+                    }
+                    if let Some((color, width)) = part.stroke {
+                        for (line, is_closed) in &lines {
+                            paint_line(canvas, line, *is_closed, width * scale, packed(color));
+                        }
+                    }
+                }
+                Form::Disk { center, radius } => {
+                    let circle = circle(place(*center), radius * scale);
+                    if let Some(color) = part.fill {
+                        canvas.fill(std::slice::from_ref(&circle), packed(color), share);
+                    }
+                    if let Some((color, width)) = part.stroke {
+                        paint_line(canvas, &circle, true, width * scale, packed(color));
+                    }
+                }
+                Form::Text { at, anchor, size, text } => {
+                    let width = letters::width(text) * size;
+                    let left = match anchor {
+                        Anchor::Start => at[0],
+                        Anchor::Middle => at[0] - 0.5 * width,
+                        Anchor::End => at[0] - width,
+                    };
+                    let color = packed(part.fill.unwrap_or(self.background));
+                    for line in letters::strokes(text) {
+                        let line: Vec<[f64; 2]> =
+                            line.iter().map(|[x, y]| place([left + size * x, at[1] - size * y])).collect();
+                        paint_line(canvas, &line, false, 0.1 * size * scale, color);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Part {
+    fn push_svg(&self, text: &mut String) {
+        let mut style = match self.fill {
+            Some(color) => format!(" fill=\"{}\"", hex(color)),
+            None => " fill=\"none\"".to_owned(),
+        };
+        if self.opacity < 1.0 {
+            let _ = write!(style, " fill-opacity=\"{:.2}\"", self.opacity);
+        }
+        if let Some((color, width)) = self.stroke {
+            let _ = write!(style, " stroke=\"{}\" stroke-width=\"{width}\"", hex(color));
+        }
+        match &self.form {
+            Form::Path(steps) => {
+                text.push_str("<path fill-rule=\"evenodd\"");
+                text.push_str(&style);
+                text.push_str(" d=\"");
+                for step in steps {
+                    match step {
+                        Step::Move(to) => {
+                            text.push('M');
+                            push_fine(text, *to);
+                        }
+                        Step::Line(to) => {
+                            text.push('L');
+                            push_fine(text, *to);
+                        }
+                        Step::Cubic(controls) => {
+                            for (letter, control) in ["C", " ", " "].into_iter().zip(controls) {
+                                text.push_str(letter);
+                                push_fine(text, *control);
+                            }
+                        }
+                        Step::Close => text.push('Z'),
+                    }
+                }
+                text.push_str("\"/>\n");
+            }
+            Form::Disk { center, radius } => {
+                let [x, y] = center;
+                let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\"{style}/>");
+            }
+            Form::Text { at, anchor, size, text: words } => {
+                let anchor = match anchor {
+                    Anchor::Start => "",
+                    Anchor::Middle => " text-anchor=\"middle\"",
+                    Anchor::End => " text-anchor=\"end\"",
+                };
+                let [x, y] = at;
+                let _ = writeln!(
+                    text,
+                    "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\"{anchor}{style}>{}</text>",
+                    escaped(words)
+                );
+            }
+        }
+    }
+}
+
+/// Two numbers; whole ones short, others with two decimals.
+fn push_fine(text: &mut String, [x, y]: [f64; 2]) {
+    if x.fract() == 0.0 && y.fract() == 0.0 {
+        push_point(text, [x, y]);
+        return;
+    }
+    let number = |text: &mut String, number: f64| {
+        if (10.0 * number).fract() == 0.0 {
+            push_short(text, number);
+        } else {
+            let _ = write!(text, "{number:.2}");
+        }
+    };
+    number(text, x);
+    text.push(' ');
+    number(text, y);
+}
+
+/// The lines of a path, cubics as chords, each with whether it is closed.
+fn flattened(steps: &[Step], place: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<(Vec<[f64; 2]>, bool)> {
+    let mut lines: Vec<(Vec<[f64; 2]>, bool)> = Vec::new();
+    for step in steps {
+        match (*step, lines.last_mut()) {
+            (Step::Move(to), _) => lines.push((vec![place(to)], false)),
+            (Step::Line(to), Some((line, _))) => line.push(place(to)),
+            (Step::Cubic(controls), Some((line, _))) => {
+                let Some(&a) = line.last() else { continue };
+                let [b, c, d] = controls.map(&place);
+                let length: f64 =
+                    [[a, b], [b, c], [c, d]].iter().map(|[p, q]| (q[0] - p[0]).hypot(q[1] - p[1])).sum();
+                let count = (0.5 * length).sqrt().ceil().clamp(2.0, 256.0) as usize;
+                line.extend((1..=count).map(|i| {
+                    let t = i as f64 / count as f64;
+                    let s = 1.0 - t;
+                    [0, 1].map(|axis| {
+                        s * s * s * a[axis] + 3.0 * s * t * (s * b[axis] + t * c[axis]) + t * t * t * d[axis]
+                    })
+                }));
+            }
+            (Step::Close, Some((_, is_closed))) => *is_closed = true,
+            (_, None) => {}
+        }
+    }
+    lines
+}
+
+fn circle([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+    let count = (4.0 * radius.max(1.0).sqrt()).ceil().clamp(12.0, 200.0) as usize;
+    let angle = |i: usize| i as f64 * std::f64::consts::TAU / count as f64;
+    (0..count).map(|i| [x + radius * angle(i).cos(), y + radius * angle(i).sin()]).collect()
+}
+
+/// Paints a line with round joints and ends.
+fn paint_line(canvas: &mut Canvas, line: &[[f64; 2]], is_closed: bool, width: f64, color: u32) {
+    let half = 0.5 * width;
+    let first = line.first().filter(|_| is_closed && line.len() > 2);
+    let corners: Vec<[f64; 2]> = line.iter().chain(first).copied().collect();
+    for pair in corners.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = dx.hypot(dy);
+        if length > 0.0 {
+            let (x, y) = (-dy / length * half, dx / length * half);
+            let band =
+                vec![[a[0] + x, a[1] + y], [a[0] - x, a[1] - y], [b[0] - x, b[1] - y], [b[0] + x, b[1] + y]];
+            canvas.fill(&[band], color, 256);
+        }
+    }
+    if width > 2.0 {
+        corners.iter().for_each(|&corner| canvas.fill(&[circle(corner, half)], color, 256));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::palette::of;
+
+    fn pixels(picture: &FlatPicture, size: [usize; 2]) -> Vec<[u8; 3]> {
+        let bytes = picture.png(size).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+        let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut buffer).unwrap();
+        buffer.chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+    }
+
+    #[test]
+    fn shapes_are_where_they_belong() {
+        let mut picture = FlatPicture::new("t", [20.0, 10.0], of(0xffffff));
+        let square = [[2.0, 2.0], [8.0, 2.0], [8.0, 8.0], [2.0, 8.0]];
+        let mut path: Vec<Step> = square.map(Step::Line).to_vec();
+        path[0] = Step::Move(square[0]);
+        path.push(Step::Close);
+        picture.fill(path, of(0xff0000), 1.0);
+        picture.disk([15.0, 5.0], 3.0, of(0x0000ff), None);
+        // Twice the size, centered with room above and below.
+        let pixels = pixels(&picture, [40, 40]);
+        let at = |x: usize, y: usize| pixels[y * 40 + x];
+        assert_eq!((at(5, 15), at(10, 20), at(3, 20)), ([255, 0, 0], [255, 0, 0], [255; 3]));
+        assert_eq!((at(30, 20), at(30, 27), at(20, 5)), ([0, 0, 255], [255; 3], [255; 3]));
+        assert!(picture.svg(None).unwrap().contains("M2 2L8 2L8 8L2 8Z"));
+    }
+
+    #[test]
+    fn cubics_are_round() {
+        let mut picture = FlatPicture::new("t", [10.0, 10.0], of(0xffffff));
+        let bow = Step::Cubic([[0.0, 10.0], [10.0, 10.0], [10.0, 0.0]]);
+        picture.fill(vec![Step::Move([0.0, 0.0]), bow, Step::Close], of(0), 1.0);
+        let black = pixels(&picture, [100, 100]).iter().filter(|pixel| pixel[0] < 128).count();
+        // The area under it is 3 / 5 of its box of 10 by 10.
+        assert!(black.abs_diff(6000) < 60, "{black}");
+    }
+
+    #[test]
+    fn texts_leave_ink() {
+        let mut picture = FlatPicture::new("t", [60.0, 20.0], of(0xffffff));
+        picture.text([30.0, 15.0], Anchor::Middle, 12.0, of(0), "H_1 = Z");
+        let dark = |columns: std::ops::Range<usize>| {
+            let pixels = pixels(&picture, [60, 20]);
+            columns.map(|x| (0..20).filter(|y| pixels[y * 60 + x][0] < 200).count()).sum::<usize>()
+        };
+        assert!(dark(5..30) > 20 && dark(30..55) > 20 && dark(0..4) == 0 && dark(56..60) == 0);
+    }
+}

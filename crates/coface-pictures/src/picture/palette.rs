@@ -1,0 +1,63 @@
+//! Colors.
+
+/// A color as red, green and blue from 0 to 1.
+pub(crate) type Color = [f32; 3];
+
+/// Colors that can be told apart with any sort of color vision: those of M. Okabe and K. Ito (2008) without black and yellow.
+const PALETTE: [u32; 6] = [0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9];
+
+/// For what is wrong.
+pub(super) const ALARM: Color = of(0xd0021b);
+
+/// The colors of a picture.
+pub(super) struct Theme {
+    pub(super) background: Color,
+    pub(super) surface: Color,
+    pub(super) edge: Color,
+    /// For lines and points that lie on no surface, and for texts.
+    pub(super) ink: Color,
+}
+
+pub(super) const LIGHT: Theme =
+    Theme { background: of(0xffffff), surface: of(0xd9dee4), edge: of(0x5c6670), ink: of(0x22272d) };
+pub(super) const DARK: Theme =
+    Theme { background: of(0x15181c), surface: of(0x7d8792), edge: of(0x2b3138), ink: of(0xe4e8ec) };
+
+/// A color by its number as in style sheets.
+pub(crate) const fn of(rgb: u32) -> Color {
+    [(rgb >> 16 & 255) as f32 / 255.0, (rgb >> 8 & 255) as f32 / 255.0, (rgb & 255) as f32 / 255.0]
+}
+
+/// A color by its bytes.
+pub(super) fn color_of_bytes(bytes: [u8; 3]) -> Color {
+    bytes.map(|byte| f32::from(byte) / 255.0)
+}
+
+/// The color of a place in the palette.
+pub(super) fn color(place: usize) -> Color {
+    of(PALETTE[place % PALETTE.len()])
+}
+
+/// The color of a place in the palette of pictures, as red, green and blue: one that can be told from its neighbors with any sort
+/// of color vision. The palette begins again after six.
+///
+/// # Examples
+/// ```
+/// use coface_pictures::palette_color;
+/// assert_eq!(palette_color(0), [0, 114, 178]);
+/// assert_eq!(palette_color(6), palette_color(0));
+/// ```
+pub fn palette_color(place: usize) -> [u8; 3] {
+    let [_, red, green, blue] = PALETTE[place % PALETTE.len()].to_be_bytes();
+    [red, green, blue]
+}
+
+/// One number, the parts in bytes.
+pub(super) fn packed(color: Color) -> u32 {
+    color.iter().fold(0, |number, part| number << 8 | (part.clamp(0.0, 1.0) * 255.0).round() as u32)
+}
+
+/// A color as in style sheets.
+pub(super) fn hex(color: Color) -> String {
+    format!("#{:06x}", packed(color))
+}

@@ -1,0 +1,296 @@
+//! A scene as a picture.
+
+use super::camera::{Camera, Projection, cross, dot, unit};
+use super::flat::{Anchor, FlatPicture};
+use super::palette::{ALARM, Color, Theme, color, packed};
+use super::raster::{Ink, NOTHING, Raster};
+use super::sight::Sight;
+use super::style::{PictureStyle, SAMPLES, check_size};
+use crate::{Layer, Scene};
+use coface_algebra::Error;
+use coface_algebra::progress::stage;
+
+/// With more triangles than this, edges are not drawn unless that is asked for.
+const EDGES_UP_TO: usize = 30_000;
+
+/// Widths in pixels.
+pub(super) const EDGE_WIDTH: f64 = 0.6;
+pub(super) const WIRE_WIDTH: f64 = 1.6;
+pub(super) const LINE_WIDTH: f64 = 3.0;
+pub(super) const HIDDEN_WIDTH: f64 = 1.5;
+pub(super) const DOT_WIDTH: f64 = 5.0;
+pub(super) const POINT_WIDTH: f64 = 8.0;
+pub(super) const TEXT_SIZE: f64 = 14.0;
+/// Of 256, what is seen of hidden lines through what hides them.
+pub(super) const HIDDEN_SHARE: u32 = 96;
+
+/// A scene with everything that a picture of it needs.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_pictures::{Picture, PictureStyle, Scene};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+/// let scene = Scene::of("triangle", &triangle)?;
+/// let mut style = PictureStyle::default();
+/// style.size = [80, 60];
+/// let picture = Picture::new(&scene, &style)?;
+/// assert!(picture.svg().contains("<title>triangle</title>"));
+/// assert!(picture.png()?.starts_with(b"\x89PNG"));
+/// # Ok(()) }
+/// ```
+pub struct Picture<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) size: [usize; 2],
+    pub(super) theme: &'static Theme,
+    projection: Projection,
+    /// What is shaded: the triangles of the scene, then those of layers.
+    pub(super) facets: Vec<Facet>,
+    /// Sides of polygons; empty if they are not drawn.
+    pub(super) edges: Vec<[u32; 2]>,
+    /// Edges that are sides of no polygon.
+    pub(super) wires: Vec<[u32; 2]>,
+    /// Vertices that are in nothing else.
+    pub(super) dots: Vec<u32>,
+    /// A small depth: by this much lines are in front of what they lie on.
+    pub(super) reach: f64,
+}
+
+/// A triangle in the picture: pixels and depths.
+pub(super) struct Facet {
+    pub(super) corners: [[f64; 3]; 3],
+    pub(super) color: Color,
+}
+
+impl<'a> Picture<'a> {
+    /// A picture of a scene.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a picture without pixels or a camera without direction;
+    /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond $2^{25}$ pixels.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ in the cells.
+    pub fn new(scene: &'a Scene, style: &PictureStyle) -> Result<Self, Error> {
+        check_size(style.size)?;
+        let usual = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
+        let camera = style.camera.unwrap_or(usual);
+        let own = shown(scene).flat_map(|(layer, _)| layer.positions.iter().flatten());
+        let points: Vec<[f64; 3]> = scene.positions().iter().chain(own).copied().collect();
+        let projection = Projection::new(&camera, &points, style.size)?;
+        let depths = points.iter().map(|&point| projection.project(point)[2]);
+        let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
+        let (edges, wires, dots) = lines_of(scene);
+        let shows_edges = style.edges.unwrap_or(scene.triangles().len() <= EDGES_UP_TO);
+        let mut picture = Self {
+            scene,
+            size: style.size,
+            theme: style.theme(),
+            projection,
+            facets: Vec::new(),
+            edges: if shows_edges { edges } else { Vec::new() },
+            wires,
+            dots,
+            reach: if low < high { 2e-3 * (high - low) } else { 1e-3 },
+        };
+        picture.add_facets();
+        Ok(picture)
+    }
+
+    fn add_facets(&mut self) {
+        let mut facets = Vec::with_capacity(self.scene.triangles().len());
+        let mut add = |corners: [[f64; 3]; 3], color: Color, forward: f64| {
+            let color = self.shade(corners, color);
+            let corners = corners.map(|corner| {
+                let [x, y, depth] = self.projection.project(corner);
+                [x, y, depth - forward * self.reach]
+            });
+            facets.push(Facet { corners, color });
+        };
+        let steps = stage("shading triangles", self.scene.triangles().len());
+        for &triangle in steps.each(self.scene.triangles()) {
+            add(triangle.map(|vertex| self.scene.positions()[vertex as usize]), self.theme.surface, 0.0);
+        }
+        for (layer, color) in shown(self.scene) {
+            for &triangle in &layer.triangles {
+                let own = layer.positions.as_deref().unwrap_or(self.scene.positions());
+                add(triangle.map(|point| own[point as usize]), color, 0.5);
+            }
+        }
+        self.facets = facets;
+    }
+
+    /// The pixel and the depth of a vertex of the model.
+    pub(super) fn place(&self, vertex: u32) -> [f64; 3] {
+        self.projection.project(self.scene.positions()[vertex as usize])
+    }
+
+    /// The pixel and the depth of a point of a layer.
+    pub(super) fn place_in(&self, layer: &Layer, point: u32) -> [f64; 3] {
+        match &layer.positions {
+            Some(own) => self.projection.project(own[point as usize]),
+            None => self.place(point),
+        }
+    }
+
+    /// The picture as PNG, antialiased. What hides lines and points of layers lets them shine through faintly.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) should the encoder fail.
+    ///
+    /// # Complexity
+    /// Linear in the triangles and in the pixels that they cover.
+    pub fn png(&self) -> Result<Vec<u8>, Error> {
+        let mut raster = self.raster(SAMPLES);
+        let factor = SAMPLES as f64;
+        let scaled =
+            |[x, y, depth]: [f64; 3], forward: f64| [factor * x, factor * y, depth - forward * self.reach];
+        let ink = |color: Color| Ink { color: packed(color), number: NOTHING };
+        let hidden = self.hidden_lines(&raster);
+        for ([a, b], color, number) in hidden {
+            let ink = Ink { color: packed(color), number };
+            raster.faint_line([scaled(a, 0.0), scaled(b, 0.0)], HIDDEN_WIDTH * factor, ink, HIDDEN_SHARE);
+        }
+        for (edges, width, color, forward) in
+            [(&self.edges, EDGE_WIDTH, self.theme.edge, 1.0), (&self.wires, WIRE_WIDTH, self.theme.ink, 1.5)]
+        {
+            let steps = stage("drawing edges", edges.len());
+            for edge in steps.each(edges) {
+                let ends = edge.map(|vertex| scaled(self.place(vertex), forward));
+                raster.line(ends, width * factor, ink(color));
+            }
+        }
+        for &vertex in &self.dots {
+            raster.disk(scaled(self.place(vertex), 1.5), DOT_WIDTH * factor, ink(self.theme.ink));
+        }
+        for (layer, color) in shown(self.scene) {
+            for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
+                let ends = [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0));
+                raster.line(ends, LINE_WIDTH * factor, ink(color));
+            }
+            for corners in self.arrowheads(layer) {
+                raster.triangle(corners.map(|corner| scaled(corner, 2.5)), ink(color));
+            }
+            for &point in &layer.points {
+                raster.disk(scaled(self.place_in(layer, point), 3.0), POINT_WIDTH * factor, ink(color));
+            }
+        }
+        let mut labels = FlatPicture::new("", self.size.map(|side| side as f64), self.theme.background);
+        for (layer, color) in shown(self.scene) {
+            for (point, text) in &layer.labels {
+                let [x, y, _] = self.place_in(layer, *point);
+                labels.text([x + 6.0, y - 6.0], Anchor::Start, TEXT_SIZE, color, text.clone());
+            }
+        }
+        labels.paint(&mut raster.canvas, factor, [0.0, 0.0]);
+        raster.canvas.png(SAMPLES)
+    }
+
+    /// The facets in pixels, `factor` by `factor` for each of the picture; what is seen is the number of a facet.
+    pub(super) fn raster(&self, factor: usize) -> Raster {
+        let [width, height] = self.size.map(|side| side * factor);
+        let mut raster = Raster::new(width, height, packed(self.theme.background));
+        let steps = stage("drawing triangles", self.facets.len());
+        for (number, facet) in steps.each((0..).zip(&self.facets)) {
+            let corners = facet.corners.map(|corner| super::sight::finer(corner, factor));
+            raster.triangle(corners, Ink { color: packed(facet.color), number });
+        }
+        raster
+    }
+
+    /// The parts of lines of layers that something hides, with a number for each layer.
+    fn hidden_lines(&self, raster: &Raster) -> Vec<([[f64; 3]; 2], Color, u32)> {
+        let sight = Sight { raster, factor: SAMPLES as f64, slack: 1.5 * self.reach };
+        let mut hidden = Vec::new();
+        for (place, (layer, color)) in (0..).zip(shown(self.scene)) {
+            for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
+                let ends = [pair[0], pair[1]].map(|point| self.place_in(layer, point));
+                sight.parts(ends, |part, is_seen| {
+                    if !is_seen {
+                        hidden.push((part, color, NOTHING - 1 - place));
+                    }
+                });
+            }
+        }
+        hidden
+    }
+
+    /// The arrowheads of a layer: in the middle of each segment that has room for one.
+    pub(super) fn arrowheads(&self, layer: &Layer) -> Vec<[[f64; 3]; 3]> {
+        const LENGTH: f64 = 10.0;
+        if !layer.has_arrows {
+            return Vec::new();
+        }
+        let pairs = layer.lines.iter().flat_map(|line| line.windows(2));
+        let head = |pair: &[u32]| {
+            let [a, b] = [pair[0], pair[1]].map(|point| self.place_in(layer, point));
+            let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+            let length = dx.hypot(dy);
+            if length < 2.4 * LENGTH {
+                return None;
+            }
+            let (x, y) = (LENGTH * dx / length, LENGTH * dy / length);
+            let middle = [0, 1, 2].map(|i| f64::midpoint(a[i], b[i]));
+            let corner = |along: f64, across: f64| {
+                [middle[0] + along * x - across * y, middle[1] + along * y + across * x, middle[2]]
+            };
+            Some([corner(0.5, 0.0), corner(-0.5, 0.45), corner(-0.5, -0.45)])
+        };
+        pairs.filter_map(head).collect()
+    }
+
+    /// A color in the light that falls on a triangle, from either side.
+    fn shade(&self, [a, b, c]: [[f64; 3]; 3], color: Color) -> Color {
+        let to = |p: [f64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
+        let Some(normal) = unit(cross(to(b), to(c))) else { return color };
+        let seen = self.projection.direction(normal);
+        let light = [0.27, 0.45, 0.85];
+        let share = 0.45 + 0.55 * if seen[2] < 0.0 { -dot(seen, light) } else { dot(seen, light) }.max(0.0);
+        color.map(|part| part * share as f32)
+    }
+}
+
+/// The edges of polygons, the other edges, and the vertices on none. $O(n \log n)$.
+pub(super) fn lines_of(scene: &Scene) -> (Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>) {
+    let all = scene.edges();
+    let mut is_used = vec![false; scene.positions().len()];
+    all.as_flattened().iter().for_each(|&vertex| is_used[vertex as usize] = true);
+    let dots = (0..).zip(is_used).filter(|(_, is_used)| !is_used).map(|(vertex, _)| vertex).collect();
+    let mut sides: Vec<[u32; 2]> = Vec::with_capacity(all.len());
+    for walk in scene.polygons().iter().chain(scene.rims().iter()) {
+        sides.extend((0..walk.len()).map(|i| {
+            let [a, b] = [walk[i], walk[(i + 1) % walk.len()]];
+            [a.min(b), a.max(b)]
+        }));
+    }
+    sides.sort_unstable();
+    sides.dedup();
+    let mut rest = sides.iter().peekable();
+    let mut wires = Vec::new();
+    for edge in all {
+        while rest.next_if(|side| **side < edge).is_some() {}
+        if rest.peek() != Some(&&edge) {
+            wires.push(edge);
+        }
+    }
+    (sides, wires, dots)
+}
+
+/// The layers that are shown, with their colors.
+pub(super) fn shown(scene: &Scene) -> impl Iterator<Item = (&Layer, Color)> {
+    let mut next = 0;
+    scene
+        .layers()
+        .iter()
+        .map(move |layer| {
+            if matches!(layer.group.as_str(), "witness" | "boundary") {
+                return (layer, ALARM);
+            }
+            let place = layer.color.map_or(next, |place| place as usize);
+            next += usize::from(layer.color.is_none());
+            (layer, color(place))
+        })
+        .filter(|(layer, _)| layer.is_on)
+}

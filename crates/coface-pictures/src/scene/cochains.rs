@@ -1,0 +1,212 @@
+//! Cochains on edges: arrows, and lines of equal potential.
+
+use super::results::{array, vertices};
+use super::{Layer, Scene};
+use serde_json::Value;
+
+/// Arrows are drawn on the strongest edges, at most so many.
+const MOST_ARROWS: usize = 20_000;
+
+/// Lines of equal potential are drawn so often between one integer and the next.
+const LEVELS: f64 = 8.0;
+
+/// A real value on the direction from the lower to the higher end of each edge.
+struct Form {
+    values: Vec<([u32; 2], f64)>,
+}
+
+impl Form {
+    fn new(terms: impl Iterator<Item = (Vec<u32>, f64)>) -> Self {
+        let mut values: Vec<([u32; 2], f64)> = terms
+            .filter_map(|(ends, value)| match *ends {
+                [a, b] if a <= b => Some(([a, b], value)),
+                [a, b] => Some(([b, a], -value)),
+                _ => None,
+            })
+            .collect();
+        values.sort_by_key(|term| term.0);
+        Self { values }
+    }
+
+    /// The value on the way from one vertex to another, 0 where there is no edge.
+    fn value(&self, from: u32, to: u32) -> f64 {
+        let key = [from.min(to), from.max(to)];
+        let found = self.values.binary_search_by_key(&key, |term| term.0);
+        found.map_or(0.0, |at| if from <= to { self.values[at].1 } else { -self.values[at].1 })
+    }
+
+    fn last_vertex(&self) -> Option<u32> {
+        self.values.iter().map(|term| term.0[1]).max()
+    }
+}
+
+/// Cocycles of integers: arrows on the edges where they are not zero.
+pub(super) fn cocycle_layers(result: &Value, layers: &mut Vec<Layer>) {
+    for (number, cocycle) in array(result, "cocycles").iter().enumerate() {
+        let mut layer = Layer::new("cocycles", format!("cocycle {number}"));
+        let count = super::results::push_chain(&mut layer, cocycle);
+        layer.detail = format!("not zero on {count} edges");
+        layer.has_arrows = true;
+        layer.is_on = number == 0 && result["harmonic"].is_null();
+        layers.push(layer);
+    }
+}
+
+impl Scene {
+    /// Harmonic forms: arrows as long as they are strong, and lines of equal potential, which cross the loops that the form counts.
+    pub(super) fn harmonic_layers(&self, result: &Value) -> Vec<Layer> {
+        let edges: Vec<Vec<u32>> = array(result, "edges").iter().map(vertices).collect();
+        let with_values = array(result, "harmonic").iter().filter_map(|form| {
+            let values = form["values"].as_array().filter(|values| values.len() == edges.len())?;
+            let terms = edges.iter().cloned().zip(values.iter().map(|value| value.as_f64().unwrap_or(0.0)));
+            Some(Form::new(terms))
+        });
+        let with_chains = result["harmonic"][1].as_array().into_iter().flatten().filter_map(|form| {
+            let terms = form["chain"].as_array()?.iter();
+            Some(Form::new(terms.map(|term| (vertices(&term[1]), term[0].as_f64().unwrap_or(0.0)))))
+        });
+        let mut layers = Vec::new();
+        for (number, form) in with_values.chain(with_chains).enumerate() {
+            let mut arrows = self.arrows(&form);
+            arrows.name = format!("harmonic form {number}, arrows");
+            arrows.is_on = number == 0;
+            arrows.color = Some(number as u32);
+            let mut lines = self.level_lines(&form);
+            lines.name = format!("harmonic form {number}, isolines");
+            lines.detail = format!("{LEVELS} to a period");
+            lines.color = Some(number as u32);
+            layers.extend([arrows, lines]);
+        }
+        layers
+    }
+
+    fn arrows(&self, form: &Form) -> Layer {
+        let mut layer = Layer::new("harmonic forms", "");
+        layer.has_arrows = true;
+        let mut terms = form.values.clone();
+        terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        let most = terms.first().map_or(0.0, |term| term.1.abs());
+        let mut positions = Vec::new();
+        if form.last_vertex().is_none_or(|last| last as usize >= self.positions.len()) {
+            // It belongs to another model; who asks says so.
+            layer.points.push(form.last_vertex().unwrap_or(0));
+            return layer;
+        }
+        for (ends, value) in terms.into_iter().take(MOST_ARROWS) {
+            let share = value / most;
+            // Below the hundredth part nothing would be seen.
+            if share.abs() < 0.01 || !share.is_finite() {
+                break;
+            }
+            let [a, b] = ends.map(|end| self.positions[end as usize]);
+            let at = |t: f64| [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis]);
+            let first = positions.len() as u32;
+            positions.extend([at(0.5 - 0.5 * share), at(0.5 + 0.5 * share)]);
+            layer.lines.push(&[first, first + 1]);
+        }
+        layer.detail = format!("largest value {most:.4}");
+        layer.positions = Some(positions);
+        layer
+    }
+
+    /// Where a potential of the form is a multiple of a part of 1. On closed walks the form has integer sums, so lines meet across edges.
+    fn level_lines(&self, form: &Form) -> Layer {
+        let mut layer = Layer::new("harmonic forms", "");
+        let count = self.positions.len();
+        let mut positions = Vec::new();
+        if form.last_vertex().is_some_and(|last| (last as usize) < count) {
+            let potential = potential(count, form);
+            for &[a, b, c] in &self.triangles {
+                let base = potential[a as usize];
+                let heights = [0.0, form.value(a, b), form.value(a, c)].map(|step| LEVELS * (base + step));
+                let corners = [a, b, c].map(|v| self.positions[v as usize]);
+                let low = heights.iter().copied().fold(f64::INFINITY, f64::min).ceil();
+                let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                // A form that goes around more than that within one triangle has no lines to be seen.
+                for level in (0..64).map(|i| low + f64::from(i)).take_while(|&level| level < high) {
+                    let mut ends = Vec::with_capacity(2);
+                    for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+                        if (heights[i] <= level) != (heights[j] <= level) {
+                            let t = (level - heights[i]) / (heights[j] - heights[i]);
+                            ends.push(
+                                [0, 1, 2].map(|axis| corners[i][axis] * (1.0 - t) + corners[j][axis] * t),
+                            );
+                        }
+                    }
+                    if ends.len() == 2 {
+                        let first = positions.len() as u32;
+                        positions.extend(ends);
+                        layer.lines.push(&[first, first + 1]);
+                    }
+                }
+            }
+        }
+        layer.positions = Some(positions);
+        layer
+    }
+}
+
+/// A potential along a spanning forest of the edges: 0 at the lowest vertex of each component. $O(n \log n)$.
+fn potential(vertex_count: usize, form: &Form) -> Vec<f64> {
+    let mut steps: Vec<(u32, u32, f64)> = Vec::with_capacity(2 * form.values.len());
+    for &([a, b], value) in &form.values {
+        steps.extend([(a, b, value), (b, a, -value)]);
+    }
+    steps.sort_by_key(|step| (step.0, step.1));
+    let mut found: Vec<Option<f64>> = vec![None; vertex_count];
+    for root in 0..vertex_count {
+        if found[root].is_some() {
+            continue;
+        }
+        found[root] = Some(0.0);
+        let mut queue = std::collections::VecDeque::from([(root as u32, 0.0)]);
+        while let Some((vertex, height)) = queue.pop_front() {
+            let first = steps.partition_point(|step| step.0 < vertex);
+            for &(_, next, value) in steps[first..].iter().take_while(|step| step.0 == vertex) {
+                if found[next as usize].is_none() {
+                    found[next as usize] = Some(height + value);
+                    queue.push_back((next, height + value));
+                }
+            }
+        }
+    }
+    found.into_iter().map(|height| height.unwrap_or(0.0)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Scene;
+    use coface_io as io;
+    use coface_io::Format;
+    use serde_json::json;
+
+    /// A closed band of four squares, each cut into two triangles, and the form that goes around it once.
+    #[test]
+    fn lines_of_equal_potential_cross_the_band() {
+        let mut text = String::new();
+        for (x, y) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+            text += &format!("v {x} {y} 0\nv {x} {y} 1\n");
+        }
+        let mut terms = Vec::new();
+        for i in 0..4 {
+            let [a, b, c, d] = [2 * i, 2 * i + 1, (2 * i + 2) % 8, (2 * i + 3) % 8];
+            text += &format!("f {} {} {}\nf {} {} {}\n", a + 1, c + 1, d + 1, a + 1, d + 1, b + 1);
+            terms.extend([(0.25, [a, c]), (0.25, [a, d]), (0.25, [b, d]), (0.0, [a, b])]);
+        }
+        let mut with = Scene::of("band", &io::read(text.as_bytes(), Format::Obj).unwrap()).unwrap();
+        with.add_result("forms", &json!({"harmonic": [[], [{"chain": terms}]]})).unwrap();
+        let lines = with.layers().iter().find(|layer| layer.name.ends_with("isolines")).unwrap();
+        // Eight levels, each through two triangles or along an edge.
+        let positions = lines.positions.as_ref().unwrap();
+        assert!((8..=16).contains(&lines.lines.len()), "{}", lines.lines.len());
+        assert!(positions.iter().all(|p| [p[0], p[1]].iter().all(|x| (0.0..=1.0).contains(x))));
+        let arrows = with.layers().iter().find(|layer| layer.name.ends_with("arrows")).unwrap();
+        assert!(arrows.has_arrows && arrows.lines.len() == 12);
+        // The same form does not fit a smaller model.
+        let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj).unwrap();
+        let mut other = Scene::of("triangle", &triangle).unwrap();
+        let fault =
+            other.add_result("forms", &json!({"harmonic": [[], [{"chain": [[1.0, [0, 7]]]}]]})).unwrap_err();
+        assert!(fault.to_string().contains("vertex 7"), "{fault}");
+    }
+}

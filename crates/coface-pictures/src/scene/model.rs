@@ -1,0 +1,267 @@
+//! The scene of a model.
+
+use super::parts::{Parts, common_width};
+use super::regions::region_layers;
+use super::shading::shaded;
+use super::{Layer, Pane, layout};
+use coface_algebra::RaggedArray;
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_answers::triangulated;
+use coface_io::{Model, Structure};
+use serde_json::Value;
+
+/// What a picture shows: a model, and layers over it.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_pictures::Scene;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let square = io::read(&b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"[..], Format::Obj)?;
+/// let scene = Scene::of("square", &square)?;
+/// assert_eq!((scene.polygons().len(), scene.triangles().len()), (1, 2));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub(super) title: String,
+    pub(super) report: Value,
+    pub(super) dimension: usize,
+    pub(super) origin: [f64; 3],
+    pub(super) positions: Vec<[f64; 3]>,
+    pub(super) parts: Parts,
+    /// What is known of each 3-cell, or of each polygon where there are none; else empty.
+    pub(super) notes: Vec<String>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) polygon_of_triangle: Vec<u32>,
+    /// The 3-cell of each triangle; empty without 3-cells.
+    pub(super) cell_of_triangle: Vec<u32>,
+    pub(super) layers: Vec<Layer>,
+    pub(super) panes: Vec<Pane>,
+}
+
+impl Scene {
+    /// The scene of a model. Coordinates beyond the third are left out; complexes without positions are laid out.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] for models without cells that could be seen; those of [`triangulated`].
+    pub fn of(title: &str, model: &Model) -> Result<Self, Error> {
+        let subdivided;
+        let model = match model.structure() {
+            Some(Structure::Halfedges { .. } | Structure::Gluings(_)) => {
+                subdivided = triangulated(model)?.0;
+                &subdivided
+            }
+            Some(Structure::Volume(_)) => {
+                return Err(Error::new(
+                    ErrorKind::UnsupportedFormat,
+                    "a volume of voxels is not shown itself, only its boundary",
+                )
+                .with_cure("make a mesh of it: coface convert VOLUME -o boundary.obj"));
+            }
+            Some(Structure::Chains(_)) if model.positions().is_empty() => {
+                return Err(Error::new(
+                    ErrorKind::UnsupportedFormat,
+                    "a chain complex has no cells that could be seen",
+                )
+                .with_cure("show the model that it was made from"));
+            }
+            _ => model,
+        };
+        let mut parts = Parts::default();
+        parts.add(model);
+        let positions = match model.positions() {
+            positions if !positions.is_empty() => {
+                let at = |vertex: usize| {
+                    let point = positions.point(VertexId::new(vertex));
+                    [0, 1, 2].map(|axis| point.get(axis).copied().unwrap_or(0.0))
+                };
+                (0..model.vertex_count()).map(at).collect()
+            }
+            _ => {
+                let count = parts.vertex_count(model);
+                layout::laid_out(count, &parts.edges())
+            }
+        };
+        let mut scene = Self::flat(title, positions, parts);
+        scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
+        scene.shade();
+        for layer in region_layers(model, &scene.positions) {
+            scene.push_layer(layer);
+        }
+        Ok(scene)
+    }
+
+    /// A scene in the plane without shading.
+    pub(super) fn flat(title: &str, positions: Vec<[f64; 3]>, parts: Parts) -> Self {
+        Self {
+            title: title.to_owned(),
+            report: Value::Null,
+            dimension: 2,
+            origin: middle(&positions),
+            positions,
+            parts,
+            notes: Vec::new(),
+            triangles: Vec::new(),
+            polygon_of_triangle: Vec::new(),
+            cell_of_triangle: Vec::new(),
+            layers: Vec::new(),
+            panes: Vec::new(),
+        }
+    }
+
+    /// The same with a report beside it, as JSON; its witness and its problems become layers.
+    pub fn with_report(mut self, report: Value) -> Self {
+        let witness = &report["manifold"]["witness"];
+        let problems = report["problems"].as_array().into_iter().flatten();
+        let marks = problems.map(|problem| {
+            let count = problem["count"].as_u64().unwrap_or(0);
+            (problem["kind"].as_str().unwrap_or("problem").replace('_', " "), count, problem)
+        });
+        let mut found: Vec<(String, u64, &Value)> = marks.collect();
+        // The witness is one of the places of such a problem.
+        if !witness.is_null() && !found.iter().any(|mark| mark.0.starts_with("nonmanifold")) {
+            found.push(("no manifold".to_owned(), 1, witness));
+        }
+        for (name, count, fault) in found {
+            let mut layer = Layer::new("witness", name);
+            let message = fault["message"].as_str().unwrap_or_default();
+            layer.detail = if count > 1 { format!("{count}: {message}") } else { message.to_owned() };
+            layer.is_on = true;
+            for cell in fault["cells"].as_array().into_iter().flatten() {
+                let vertices = super::results::vertices(cell);
+                if self.parts.cells.is_empty() && vertices.len() > 3 {
+                    layer.push_fan(&vertices);
+                } else {
+                    layer.push_simplex(&vertices);
+                }
+            }
+            self.push_layer(layer);
+        }
+        self.report = report;
+        self
+    }
+
+    /// Adds a layer, if there is something to be seen of it and its points are there.
+    pub fn push_layer(&mut self, layer: Layer) {
+        let count = layer.positions.as_ref().unwrap_or(&self.positions).len();
+        if !layer.is_empty() && layer.last_point().is_none_or(|last| (last as usize) < count) {
+            self.layers.push(layer);
+        }
+    }
+
+    /// Whether there are 3-cells.
+    pub fn has_cells(&self) -> bool {
+        !self.parts.cells.is_empty()
+    }
+
+    /// What it is called.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The positions of the vertices.
+    pub fn positions(&self) -> &[[f64; 3]] {
+        &self.positions
+    }
+
+    /// The polygons, those around 3-cells included, by the vertices around them.
+    pub fn polygons(&self) -> &RaggedArray {
+        &self.parts.polygons
+    }
+
+    /// Further walks around polygons: their holes.
+    pub fn rims(&self) -> &RaggedArray {
+        &self.parts.rims
+    }
+
+    /// The number of coordinates that matter: 2 for drawings, else 3.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The sides of polygons and the edges of simplices, rising and each once. $O(n \log n)$.
+    pub fn edges(&self) -> Vec<[u32; 2]> {
+        self.parts.edges()
+    }
+
+    /// What is shaded.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// What is drawn over the model.
+    pub fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// The pictures beside the model.
+    pub fn panes(&self) -> &[Pane] {
+        &self.panes
+    }
+
+    fn shade(&mut self) {
+        let mut rims_of_polygon =
+            vec![Vec::new(); if self.parts.rims.is_empty() { 0 } else { self.parts.polygons.len() }];
+        for (rim, &polygon) in self.parts.polygon_of_rim.iter().enumerate() {
+            rims_of_polygon[polygon as usize].push(rim);
+        }
+        let at = |&vertex: &u32| self.positions[vertex as usize];
+        let shade = |(polygon, walk): (usize, &[u32])| -> Vec<[u32; 3]> {
+            let rims = rims_of_polygon.get(polygon).map_or(&[][..], Vec::as_slice);
+            let walks = std::iter::once(walk).chain(rims.iter().map(|&rim| self.parts.rims.list(rim)));
+            let vertices: Vec<u32> = walks.clone().flatten().copied().collect();
+            let corners: Vec<[f64; 3]> = vertices.iter().map(at).collect();
+            let lengths: Vec<usize> = walks.map(<[u32]>::len).collect();
+            shaded(&corners, &lengths)
+                .into_iter()
+                .map(|triangle| triangle.map(|i| vertices[i as usize]))
+                .collect()
+        };
+        if self.parts.cells.is_empty()
+            && self.parts.rims.is_empty()
+            && common_width(&self.parts.polygons) == Some(3)
+        {
+            self.triangles = self.parts.polygons.iter().map(|walk| [walk[0], walk[1], walk[2]]).collect();
+            self.polygon_of_triangle = (0..self.triangles.len() as u32).collect();
+            return;
+        }
+        let shaded_polygons: Vec<Vec<[u32; 3]>> = self.parts.polygons.iter().enumerate().map(shade).collect();
+        let mut in_cell = vec![false; self.parts.polygons.len()];
+        for (cell, polygons) in self.parts.cells.iter().enumerate() {
+            for &polygon in polygons {
+                in_cell[polygon as usize] = true;
+                for &triangle in &shaded_polygons[polygon as usize] {
+                    self.triangles.push(triangle);
+                    self.polygon_of_triangle.push(polygon);
+                    self.cell_of_triangle.push(cell as u32);
+                }
+            }
+        }
+        let has_cells = !self.parts.cells.is_empty();
+        for (polygon, triangles) in shaded_polygons.into_iter().enumerate().filter(|(p, _)| !in_cell[*p]) {
+            for triangle in triangles {
+                self.triangles.push(triangle);
+                self.polygon_of_triangle.push(polygon as u32);
+                if has_cells {
+                    self.cell_of_triangle.push(u32::MAX);
+                }
+            }
+        }
+    }
+}
+
+/// The middle of the box around points.
+fn middle(positions: &[[f64; 3]]) -> [f64; 3] {
+    let bounds = |axis: usize| {
+        positions
+            .iter()
+            .map(|point| point[axis])
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+    };
+    [0, 1, 2].map(|axis| {
+        let [low, high] = bounds(axis);
+        if low <= high { 0.5 * low + 0.5 * high } else { 0.0 }
+    })
+}

@@ -1,0 +1,181 @@
+//! The report on many files: one row a file, errors as rows, and a run that was cut short goes on where it was.
+//!
+//! A [`Batch`] is a list of [files](find_files) and how they are read. Its **rows** are objects: `path`, `bytes`, `seconds`, `error` and, where
+//! there is none, everything that `coface info --json` says. [`Batch::write`] keeps finished rows in a **journal** beside the output until the
+//! output appears whole, as JSON lines or as a [table](TableFormat) with one value a column.
+
+mod examination;
+mod files;
+mod flat;
+mod journal;
+mod row;
+mod table;
+
+pub use examination::{Reading, ReportRequest, error_to_json, examine, examine_with, report_on};
+pub use files::find_files;
+pub use flat::{Columns, flat_row};
+pub use row::Row;
+pub use table::{TableFormat, csv_of_lines};
+
+use crate::workers::{Outcome, WorkerPool};
+use coface_algebra::Error;
+use journal::{Journal, Stamp};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Files to report on, and how.
+///
+/// # Examples
+/// ```no_run
+/// use coface_scale::batch::{Batch, TableFormat, find_files};
+/// use coface_scale::workers::{Limits, WorkerCommand, WorkerPool};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let batch = Batch::new(find_files(&["models".into()], true, std::io::stdin())?);
+/// let pool = WorkerPool::new(WorkerCommand::new("coface", ["worker", "info"]), 2, Limits::default());
+/// let summary = batch.write(&pool, "models.jsonl".as_ref(), TableFormat::JsonLines)?;
+/// println!("{} files, {} errors", summary.files, summary.error_count());
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Batch {
+    /// The files, in the order of the rows.
+    pub files: Vec<PathBuf>,
+    /// How they are read.
+    pub reading: Reading,
+    /// Whether rows tell how long each file took: then no two runs have the same bytes.
+    pub timings: bool,
+    /// Whether rows that an earlier run finished are done again.
+    pub restart: bool,
+}
+
+/// What came of a batch.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Summary {
+    /// The number of files, which is that of rows.
+    pub files: usize,
+    /// The number of rows that are errors, by kind.
+    pub errors: BTreeMap<String, usize>,
+    /// The number of rows taken from an earlier run that was cut short.
+    pub resumed: usize,
+    /// Why the rows of an earlier run were not taken, where they were not.
+    pub refused: Option<String>,
+}
+
+impl Summary {
+    /// The number of rows that are errors.
+    pub fn error_count(&self) -> usize {
+        self.errors.values().sum()
+    }
+
+    fn count(&mut self, row: &Row) {
+        self.files += 1;
+        if let Some(kind) = row.error_kind() {
+            *self.errors.entry(kind).or_default() += 1;
+        }
+    }
+}
+
+/// What the work is called for who watches it.
+const STAGE: &str = "examining files";
+
+impl Batch {
+    /// These files, read by what their names and contents tell, with timings.
+    pub fn new(files: Vec<PathBuf>) -> Self {
+        Self { files, reading: Reading::default(), timings: true, restart: false }
+    }
+
+    /// The rows as they come, each with the place of its file in the list.
+    ///
+    /// # Errors
+    /// Those of [`WorkerPool::run`]. What is wrong with a file is a row.
+    pub fn rows(
+        &self,
+        pool: &WorkerPool,
+        mut take: impl FnMut(usize, &Row) -> Result<(), Error>,
+    ) -> Result<Summary, Error> {
+        let mut summary = Summary::default();
+        pool.run(
+            STAGE,
+            self.files.len(),
+            |place| self.request(place),
+            |place, outcome| {
+                let row = self.row(place, &Stamp::of(&self.files[place]), outcome);
+                summary.count(&row);
+                take(place, &row)
+            },
+        )?;
+        Ok(summary)
+    }
+
+    /// Writes all rows to a file, in the order of the files. Finished rows are kept in a journal beside it (its name with a dot before and
+    /// `.journal` behind), from which a later run with the same options takes those of files that are as they were; it goes
+    /// when the file is there.
+    ///
+    /// The same files give the same bytes, but for `seconds`, whatever the number of workers and however often it was cut short.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) when the output or its journal cannot be written, or another run is writing it; those of
+    /// [`WorkerPool::run`].
+    pub fn write(&self, pool: &WorkerPool, out: &Path, format: TableFormat) -> Result<Summary, Error> {
+        let (mut journal, refused) = Journal::open(out, &self.options(pool), &self.files, self.restart)?;
+        let left: Vec<usize> = (0..self.files.len()).filter(|&place| !journal.has(place)).collect();
+        let resumed = self.files.len() - left.len();
+        pool.run(
+            STAGE,
+            left.len(),
+            |i| self.request(left[i]),
+            |i, outcome| {
+                let stamp = Stamp::of(&self.files[left[i]]);
+                journal.add(left[i], &stamp, &self.row(left[i], &stamp, outcome))
+            },
+        )?;
+        let mut summary = Summary { resumed, refused, ..Summary::default() };
+        let mut columns = Columns::default();
+        journal.each(|row| {
+            summary.count(row);
+            match format {
+                TableFormat::JsonLines => Ok(()),
+                TableFormat::Csv => columns.see(&row.to_json(self.timings)?),
+            }
+        })?;
+        coface_io::replace_file(out, |file| {
+            if format == TableFormat::Csv {
+                table::write_header(file, &columns, self.timings)?;
+            }
+            journal.each(|row| match format {
+                TableFormat::JsonLines => Ok(writeln!(file, "{}", row.to_line(self.timings))?),
+                TableFormat::Csv => {
+                    table::write_row(file, &columns, &row.to_json(self.timings)?, self.timings)
+                }
+            })
+        })?;
+        journal.remove();
+        Ok(summary)
+    }
+
+    fn request(&self, place: usize) -> String {
+        let mut request = ReportRequest::new(&self.files[place]);
+        request.reading = self.reading;
+        request.to_line()
+    }
+
+    fn row(&self, place: usize, stamp: &Stamp, outcome: Outcome) -> Row {
+        Row::new(&self.files[place], stamp.bytes(), outcome)
+    }
+
+    /// What rows depend on beside their files.
+    fn options(&self, pool: &WorkerPool) -> String {
+        let limits = pool.limits();
+        let milliseconds = limits.time.map(|time| time.as_millis() as u64);
+        serde_json::json!({
+            "journal": 1,
+            "program": env!("CARGO_PKG_VERSION"),
+            "reading": self.reading.to_json(),
+            "memory": limits.memory,
+            "milliseconds": milliseconds,
+        })
+        .to_string()
+    }
+}

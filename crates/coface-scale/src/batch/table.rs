@@ -1,0 +1,156 @@
+//! Rows as lines of a file.
+
+use super::flat::Columns;
+use coface_algebra::Error;
+use serde_json::Value;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+
+/// How rows are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFormat {
+    /// One object a line, with all that is said about the file.
+    JsonLines,
+    /// Comma-separated values after RFC 4180: a line of names, then one line a file. What is not there is empty.
+    Csv,
+}
+
+impl TableFormat {
+    /// The format of a file by its name: `.jsonl` or `.ndjson`, `.csv`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) for every other extension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::TableFormat;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(TableFormat::of_path("models.csv".as_ref())?, TableFormat::Csv);
+    /// # Ok(()) }
+    /// ```
+    pub fn of_path(path: &Path) -> Result<Self, Error> {
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        let fault = |message: String, cure: &str| {
+            let error = Error::new(coface_algebra::ErrorKind::UnsupportedFormat, message).with_cure(cure);
+            Err(error.in_file(path.display().to_string()))
+        };
+        match extension.as_deref() {
+            Some("jsonl" | "ndjson") => Ok(Self::JsonLines),
+            Some("csv") => Ok(Self::Csv),
+            Some("parquet") => fault(
+                "Parquet is not written by the program".to_owned(),
+                "end it in .csv or .jsonl, or use coface.batch of the Python package",
+            ),
+            Some(other) => {
+                fault(format!("the extension \"{other}\" is no table known here"), "end it in .jsonl or .csv")
+            }
+            None => fault(
+                "the name has no extension, which tells the format".to_owned(),
+                "end it in .jsonl or .csv",
+            ),
+        }
+    }
+}
+
+/// Writes the names of the columns.
+pub(crate) fn write_header(out: &mut dyn Write, columns: &Columns, timings: bool) -> Result<(), Error> {
+    Ok(writeln!(out, "{}", columns.names(timings).join(","))?)
+}
+
+/// Writes a row, one value a column.
+pub(crate) fn write_row(
+    out: &mut dyn Write,
+    columns: &Columns,
+    row: &Value,
+    timings: bool,
+) -> Result<(), Error> {
+    let values: Vec<String> = columns.values(row, timings).iter().map(field).collect();
+    Ok(writeln!(out, "{}", values.join(","))?)
+}
+
+/// Writes rows in a file of JSON lines as CSV, which takes the place of `out` when it is whole.
+///
+/// # Errors
+/// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) when a file cannot be read or written; [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) with the line that is no row.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let folder = std::env::temp_dir();
+/// let (lines, out) = (folder.join("coface-rows.jsonl"), folder.join("coface-rows.csv"));
+/// std::fs::write(&lines, "{\"path\":\"a.off\",\"f_vector\":[3,3,1]}\n")?;
+/// coface_scale::batch::csv_of_lines(&lines, &out, false)?;
+/// let text = std::fs::read_to_string(&out)?;
+/// assert!(text.starts_with("path,bytes,") && text.contains(",f_0,f_1,f_2,") && text.contains("\na.off,,"));
+/// # std::fs::remove_file(&lines)?;
+/// # std::fs::remove_file(&out)?;
+/// # Ok(()) }
+/// ```
+pub fn csv_of_lines(lines: &Path, out: &Path, timings: bool) -> Result<(), Error> {
+    let each = |take: &mut dyn FnMut(&Value) -> Result<(), Error>| -> Result<(), Error> {
+        let in_lines = |error: Error| error.in_file(lines.display().to_string());
+        let file = File::open(lines).map_err(|error| in_lines(error.into()))?;
+        for (line, number) in BufReader::new(file).lines().zip(1..) {
+            let line = line.map_err(|error| in_lines(error.into()))?;
+            let row = serde_json::from_str(&line).map_err(|error| {
+                in_lines(Error::parse(format!("this is no row: {error}")).at_line(number))
+            })?;
+            take(&row)?;
+        }
+        Ok(())
+    };
+    let mut columns = Columns::default();
+    each(&mut |row| columns.see(row))?;
+    coface_io::replace_file(out, |file| {
+        write_header(file, &columns, timings)?;
+        each(&mut |row| write_row(file, &columns, row, timings))
+    })
+}
+
+/// A value as a field: empty for null, in quotes where it must be.
+fn field(value: &Value) -> String {
+    let text = match value {
+        Value::Null => return String::new(),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    };
+    if text.contains([',', '"', '\n', '\r']) || text.is_empty() || text.trim() != text {
+        return format!("\"{}\"", text.replace('"', "\"\""));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn fields_are_quoted_where_they_must_be() {
+        let fields = [
+            json!(null),
+            json!(true),
+            json!(0.1),
+            json!("a b"),
+            json!("a,\"b\""),
+            json!("\n"),
+            json!(""),
+            json!([1, 2]),
+        ];
+        let expected = ["", "true", "0.1", "a b", "\"a,\"\"b\"\"\"", "\"\n\"", "\"\"", "\"[1,2]\""];
+        assert_eq!(fields.map(|value| field(&value)), expected);
+    }
+
+    #[test]
+    fn extensions_tell_the_format() {
+        let of = |name: &str| TableFormat::of_path(Path::new(name)).map_err(|error| error.to_string());
+        assert_eq!(
+            (of("a.JSONL"), of("a.ndjson"), of("b.csv")),
+            (Ok(TableFormat::JsonLines), Ok(TableFormat::JsonLines), Ok(TableFormat::Csv))
+        );
+        assert!(of("a.parquet").unwrap_err().contains("Python"));
+        assert!(of("a.txt").is_err() && of("a").is_err());
+    }
+}

@@ -1,0 +1,9 @@
+//! Many inputs and large inputs: complexes in files, worker processes, and reports over many files.
+//!
+//! * [`shards`] cuts a complex that is larger than memory into files, reduces these one by one and merges what is left.
+//! * [`workers`] runs requests in processes with limits of time and memory.
+//! * [`batch`] makes the report on many files by such workers.
+
+pub mod batch;
+pub mod shards;
+pub mod workers;

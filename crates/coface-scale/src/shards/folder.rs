@@ -1,0 +1,460 @@
+//! Shards as files of a folder.
+
+use super::chains::{ShardChains, chains_below_merge, chains_on_cells, root_chains, sum_chains};
+use super::manifest::ShardManifest;
+use super::place::ShardPlace;
+use super::reduced::{ReducedSummary, merge, reduce, root_homology, summary};
+use coface_algebra::progress;
+use coface_algebra::{Error, ErrorKind};
+use coface_io::container::{Kind, checksum_of_header};
+use coface_io::replace_file;
+use coface_mapped::MappedFile;
+use coface_topology::Homology;
+use rayon::prelude::*;
+use std::fs::{self, File};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+
+/// A folder with the shards of one complex and what is left of them: `shards.json`, `part-000007.shard`, `part-000007.reduced`,
+/// `level-1-000000.reduced`.
+///
+/// Files appear whole or not at all, and are never changed: only replaced. A reduced shard that is whole, and made of what stands there, is not
+/// made again, so that work that was cut off goes on where it ended.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_scale::shards::{ShardRequest, shard_model};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let folder = std::env::temp_dir().join("coface-shard-folder");
+/// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+/// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+/// for number in 0..3 {
+///     assert!(shards.reduce(number, false)?.is_new);
+/// }
+/// let found = shards.merge_all(false)?;
+/// assert_eq!(found.homology.betti_numbers(), [1, 0, 1]);
+/// assert_eq!(found.cells, [4, 6, 4]);
+/// assert!(!shards.reduce(0, false)?.is_new);
+/// # std::fs::remove_dir_all(&folder)?;
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct ShardFolder {
+    path: PathBuf,
+    manifest: ShardManifest,
+}
+
+/// A reduced shard that is there.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct ReducedStep {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Whether it was made now, and not found finished.
+    pub is_new: bool,
+    /// Its counts.
+    pub summary: ReducedSummary,
+}
+
+/// The reduced shards of one level together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct FolderLevel {
+    /// How many there are.
+    pub parts: u32,
+    /// The strata before the level was reduced.
+    pub strata: u64,
+    /// The critical cells in each degree.
+    pub critical: Vec<u64>,
+    /// The bytes of all files: what is sent to the next level.
+    pub bytes: u64,
+    /// The bits of the largest incidence.
+    pub widest: usize,
+}
+
+impl FolderLevel {
+    /// Critical cells for each stratum: 1 where all strata are balls.
+    pub fn critical_per_stratum(&self) -> f64 {
+        self.critical.iter().sum::<u64>() as f64 / self.strata.max(1) as f64
+    }
+}
+
+/// What a merged folder says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct FolderSummary {
+    /// The homology of the whole.
+    pub homology: Homology,
+    /// The number of cells of the whole in each degree.
+    pub cells: Vec<u64>,
+    /// The levels, from the shards on.
+    pub levels: Vec<FolderLevel>,
+}
+
+/// The name of the file that lists the shards.
+const MANIFEST: &str = "shards.json";
+
+fn in_file(path: &Path) -> impl Fn(Error) -> Error + '_ {
+    move |error| error.in_file(path.display().to_string())
+}
+
+/// A file as bytes in memory.
+fn mapped(path: &Path) -> Result<MappedFile, Error> {
+    let fault = |error: std::io::Error| {
+        let error = match error.kind() {
+            std::io::ErrorKind::NotFound => {
+                Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
+            }
+            _ => Error::from(error),
+        };
+        in_file(path)(error)
+    };
+    MappedFile::open(path).map_err(fault)
+}
+
+/// The checksum that a container says it has.
+fn told_checksum(path: &Path, kind: Kind) -> Result<u64, Error> {
+    let mut start = Vec::new();
+    let file = File::open(path).map_err(Error::from)?;
+    let length = file.metadata()?.len();
+    file.take(64).read_to_end(&mut start)?;
+    match checksum_of_header(&start, length)? {
+        (found, checksum) if found == kind => Ok(checksum),
+        (found, _) => Err(Error::invalid(format!("the file holds {}, not {}", found.title(), kind.title()))),
+    }
+}
+
+/// Reduces the shard in a file to one beside it with the extension `reduced`, unless that is there, whole and made of this shard.
+///
+/// # Errors
+/// As of [`reduce`]; [`ErrorKind::Io`] where files cannot be read or written. All name the file.
+///
+/// # Complexity
+/// As of [`reduce`]; one look at every byte of what is finished.
+pub fn reduce_file(shard: &Path, replaces: bool) -> Result<ReducedStep, Error> {
+    if shard.extension().is_none_or(|extension| extension != "shard") {
+        return Err(in_file(shard)(
+            Error::invalid("a shard is a file whose name ends in .shard")
+                .with_cure("name files that coface shard has made"),
+        ));
+    }
+    let target = shard.with_extension("reduced");
+    let source = || told_checksum(shard, Kind::Shard);
+    step(
+        &target,
+        replaces,
+        |_| Ok(vec![source()?]),
+        || {
+            let bytes = mapped(shard)?;
+            reduce(&bytes).map_err(in_file(shard))
+        },
+    )
+}
+
+/// Makes a reduced shard unless it is there, whole and made of the sources.
+fn step(
+    target: &Path,
+    replaces: bool,
+    sources: impl Fn(&ReducedSummary) -> Result<Vec<u64>, Error>,
+    make: impl FnOnce() -> Result<Vec<u8>, Error>,
+) -> Result<ReducedStep, Error> {
+    let finished = (!replaces && target.exists()).then(|| summary(&mapped(target)?)).and_then(Result::ok);
+    if let Some(summary) = finished
+        && sources(&summary).is_ok_and(|sources| sources == summary.sources)
+    {
+        return Ok(ReducedStep { path: target.to_path_buf(), is_new: false, summary });
+    }
+    let bytes = make()?;
+    replace_file(target, |out| Ok(out.write_all(&bytes)?))?;
+    Ok(ReducedStep { path: target.to_path_buf(), is_new: true, summary: summary(&bytes)? })
+}
+
+impl ShardFolder {
+    /// The folder with the shards of this manifest, made if it is not there. The manifest is written by [`finish`](Self::finish), after the shards.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] where the shards of another complex stand there and are not to be replaced; [`ErrorKind::Io`].
+    pub fn create(path: &Path, manifest: ShardManifest, replaces: bool) -> Result<Self, Error> {
+        ShardPlace::new(manifest.complex, manifest.part_count, manifest.fan_in, 0)?;
+        fs::create_dir_all(path).map_err(|error| in_file(path)(error.into()))?;
+        let list = path.join(MANIFEST);
+        let is_same = |other: &ShardManifest| {
+            (other.complex, other.part_count, other.fan_in)
+                == (manifest.complex, manifest.part_count, manifest.fan_in)
+        };
+        if list.exists() {
+            let other = read_manifest(&list);
+            if !replaces && !other.as_ref().is_ok_and(is_same) {
+                return Err(in_file(path)(
+                    Error::invalid("the folder has the shards of another complex, or cut in another way")
+                        .with_cure("name an empty folder, or replace them by --force"),
+                ));
+            }
+            // While shards are replaced nobody shall merge them.
+            fs::remove_file(&list).map_err(|error| in_file(&list)(error.into()))?;
+        }
+        Ok(Self { path: path.to_path_buf(), manifest })
+    }
+
+    /// Says that all shards are written.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`].
+    pub fn finish(&self) -> Result<(), Error> {
+        replace_file(&self.path.join(MANIFEST), |out| Ok(out.write_all(self.manifest.to_json().as_bytes())?))
+    }
+
+    /// The folder at this path.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`] where there is none, or none with a list of shards; [`ErrorKind::Parse`] for a list that is none.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let list = path.join(MANIFEST);
+        if !list.exists() {
+            return Err(in_file(path)(
+                Error::new(ErrorKind::Io, "is no folder of shards: it has no shards.json")
+                    .with_cure("make one by coface shard INPUT -o FOLDER --parts N"),
+            ));
+        }
+        Ok(Self { path: path.to_path_buf(), manifest: read_manifest(&list)? })
+    }
+
+    /// The path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What the shards are.
+    pub fn manifest(&self) -> &ShardManifest {
+        &self.manifest
+    }
+
+    /// The place of a shard or of what is left of some.
+    pub fn place(&self, level: u32, number: u32) -> ShardPlace {
+        let ShardManifest { complex, part_count, fan_in, .. } = self.manifest;
+        ShardPlace { complex, part_count, fan_in, level, number }
+    }
+
+    /// The file of a shard.
+    pub fn shard_path(&self, number: u32) -> PathBuf {
+        self.path.join(format!("part-{number:06}.shard"))
+    }
+
+    /// The file of a reduced shard.
+    pub fn reduced_path(&self, level: u32, number: u32) -> PathBuf {
+        self.path.join(match level {
+            0 => format!("part-{number:06}.reduced"),
+            level => format!("level-{level}-{number:06}.reduced"),
+        })
+    }
+
+    /// Writes a shard.
+    pub(super) fn write_shard(
+        &self,
+        number: u32,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        replace_file(&self.shard_path(number), write)
+    }
+
+    /// Reduces a shard, as [`reduce_file`] does.
+    ///
+    /// # Errors
+    /// As of [`reduce_file`]; [`ErrorKind::InvalidInput`] for a shard of another complex.
+    pub fn reduce(&self, number: u32, replaces: bool) -> Result<ReducedStep, Error> {
+        let step = reduce_file(&self.shard_path(number), replaces)?;
+        self.check(&step, self.place(0, number))?;
+        Ok(step)
+    }
+
+    /// Merges what is left of the level below to the reduced shard of a place, unless that is there, whole and made of these.
+    ///
+    /// # Errors
+    /// As of [`merge`]; [`ErrorKind::Io`] where files cannot be read or written. All name a file.
+    pub fn merge(&self, level: u32, number: u32, replaces: bool) -> Result<ReducedStep, Error> {
+        let place = self.place(level, number);
+        let below = level.saturating_sub(1);
+        let children: Vec<PathBuf> = place.children().map(|child| self.reduced_path(below, child)).collect();
+        let target = self.reduced_path(level, number);
+        let sources =
+            |_: &ReducedSummary| children.iter().map(|path| told_checksum(path, Kind::Reduced)).collect();
+        let step = step(&target, replaces, sources, || {
+            let bytes = children.iter().map(|path| mapped(path)).collect::<Result<Vec<_>, _>>()?;
+            merge(place, &bytes).map_err(in_file(&self.path))
+        })?;
+        self.check(&step, place)?;
+        Ok(step)
+    }
+
+    fn check(&self, step: &ReducedStep, place: ShardPlace) -> Result<(), Error> {
+        if step.summary.place == place {
+            return Ok(());
+        }
+        let found = step.summary.place;
+        let what = if found.complex == place.complex {
+            "has another place than its name"
+        } else {
+            "is of another complex than shards.json"
+        };
+        Err(in_file(&step.path)(Error::invalid(format!("{} {what} says", found.name())).with_cure(
+            match place.level {
+                0 => format!(
+                    "shard the complex again into the folder, then coface reduce {}",
+                    self.shard_path(place.number).display()
+                ),
+                _ => "remove it and merge again".to_owned(),
+            },
+        )))
+    }
+
+    /// The reduced shards of level 0, of which all must be there and made of the shards that stand there, if these still do.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming those that are missing, with the command that makes them; [`ErrorKind::Parse`] for a damaged one.
+    pub fn reduced_shards(&self) -> Result<Vec<ReducedStep>, Error> {
+        let steps = progress::stage("looking at reduced parts", self.manifest.part_count as usize);
+        let found: Vec<Option<ReducedStep>> = (0..self.manifest.part_count)
+            .into_par_iter()
+            .map(|number| {
+                steps.advance(1);
+                let (shard, path) = (self.shard_path(number), self.reduced_path(0, number));
+                if !path.exists() {
+                    return Ok(None);
+                }
+                let summary = summary(&mapped(&path)?).map_err(|error| {
+                    in_file(&path)(error.with_cure(format!("coface reduce {}", shard.display())))
+                })?;
+                let step = ReducedStep { path, is_new: false, summary };
+                self.check(&step, self.place(0, number))?;
+                let is_current = !shard.exists()
+                    || told_checksum(&shard, Kind::Shard)
+                        .is_ok_and(|checksum| step.summary.sources == [checksum]);
+                Ok(is_current.then_some(step))
+            })
+            .collect::<Result<_, Error>>()?;
+        let missing: Vec<u32> =
+            (0..self.manifest.part_count).filter(|&number| found[number as usize].is_none()).collect();
+        if missing.is_empty() {
+            return Ok(found.into_iter().flatten().collect());
+        }
+        let some: Vec<String> =
+            missing.iter().take(3).map(|&number| self.shard_path(number).display().to_string()).collect();
+        let more = if missing.len() > 3 { " ..." } else { "" };
+        Err(in_file(&self.path)(
+            Error::invalid(format!(
+                "{} of {} parts are not reduced, or not from the shards that stand there",
+                missing.len(),
+                self.manifest.part_count
+            ))
+            .with_cure(format!("coface reduce {}{more}", some.join(" "))),
+        ))
+    }
+
+    /// Merges all levels, as far as they are not merged, and says what the whole is.
+    ///
+    /// # Errors
+    /// As of [`reduced_shards`](Self::reduced_shards) and [`merge`](Self::merge).
+    ///
+    /// # Complexity
+    /// That of the merges, in parallel within a level.
+    pub fn merge_all(&self, replaces: bool) -> Result<FolderSummary, Error> {
+        self.merge_all_by(|level, number| self.merge(level, number, replaces))
+    }
+
+    /// The same with merges that somebody else makes, in parallel within a level.
+    ///
+    /// # Errors
+    /// As of [`merge_all`](Self::merge_all); those of `merge`.
+    pub fn merge_all_by(
+        &self,
+        merge: impl Fn(u32, u32) -> Result<ReducedStep, Error> + Sync,
+    ) -> Result<FolderSummary, Error> {
+        let mut steps = self.reduced_shards()?;
+        let mut levels = Vec::new();
+        loop {
+            levels.push(level_of(&steps));
+            if let [step] = &steps[..]
+                && step.summary.is_root
+            {
+                let homology = root_homology(&mapped(&step.path)?).map_err(in_file(&step.path))?;
+                return Ok(FolderSummary { homology, cells: step.summary.cells.clone(), levels });
+            }
+            let level = levels.len() as u32;
+            let width = self.place(level, 0).width(level);
+            let counted = progress::stage(&format!("merging parts to level {level}"), width as usize);
+            let merged = (0..width).into_par_iter().map(|number| {
+                let step = merge(level, number);
+                counted.advance(1);
+                step
+            });
+            steps = merged.collect::<Result<_, Error>>()?;
+        }
+    }
+
+    /// Whether the first reduced shard of a level is the root.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`] where it is not there; [`ErrorKind::Parse`] for any damage.
+    pub fn is_root(&self, level: u32) -> Result<bool, Error> {
+        let path = self.reduced_path(level, 0);
+        Ok(summary(&mapped(&path)?).map_err(in_file(&path))?.is_root)
+    }
+
+    /// Cycles on the cells of the complex that generate its homology, from a folder that is merged.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`] where a shard or a reduced one is missing, naming it; as of [`chains_below_merge`] and [`chains_on_cells`].
+    ///
+    /// # Complexity
+    /// Matchings are made once more for the parts that a cycle meets.
+    pub fn generators(&self) -> Result<ShardChains, Error> {
+        let mut level = 0;
+        while !self.is_root(level)? {
+            level += 1;
+        }
+        let root = self.reduced_path(level, 0);
+        let mut chains = root_chains(&mapped(&root)?).map_err(in_file(&root))?;
+        for level in (1..=level).rev() {
+            let width = self.place(level, 0).width(level);
+            let pieces = (0..width).into_par_iter().map(|number| {
+                let place = self.place(level, number);
+                let children = place.children().map(|child| mapped(&self.reduced_path(level - 1, child)));
+                let children = children.collect::<Result<Vec<_>, _>>()?;
+                chains_below_merge(place, &children, &chains).map_err(in_file(&self.path))
+            });
+            chains = sum_chains(&pieces.collect::<Result<Vec<_>, Error>>()?)?;
+        }
+        let mut sum: Option<Vec<u8>> = None;
+        let steps = progress::stage("taking chains down", self.manifest.part_count as usize);
+        for number in 0..self.manifest.part_count {
+            let path = self.shard_path(number);
+            let piece = chains_on_cells(&mapped(&path)?, &chains).map_err(in_file(&path))?;
+            sum = Some(match sum {
+                Some(sum) => sum_chains(&[sum, piece])?,
+                None => piece,
+            });
+            steps.advance(1);
+        }
+        ShardChains::from_bytes(&sum.expect("there is one part at least"))
+    }
+}
+
+fn read_manifest(list: &Path) -> Result<ShardManifest, Error> {
+    let text = fs::read_to_string(list).map_err(|error| in_file(list)(error.into()))?;
+    ShardManifest::from_json(&text).map_err(in_file(list))
+}
+
+fn level_of(steps: &[ReducedStep]) -> FolderLevel {
+    let mut level =
+        FolderLevel { parts: steps.len() as u32, strata: 0, critical: Vec::new(), bytes: 0, widest: 0 };
+    for ReducedStep { summary, .. } in steps {
+        level.strata += summary.strata;
+        level.bytes += summary.bytes;
+        level.widest = level.widest.max(summary.widest);
+        level.critical.resize(level.critical.len().max(summary.critical.len()), 0);
+        level.critical.iter_mut().zip(&summary.critical).for_each(|(sum, x)| *sum += x);
+    }
+    level
+}

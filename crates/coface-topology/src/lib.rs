@@ -1,0 +1,72 @@
+//! Questions that any chain complex can be asked, wherever its cells came from.
+//!
+//! # Words and conventions
+//! * **Homology** in degree k: the cycles of degree k modulo the boundaries of (k+1)-chains. Over Z it is a finitely
+//!   generated abelian group, [`AbelianGroup`]: its rank is the **Betti number**, its finite part the **torsion**.
+//! * [`homology`] answers over Z; [`homology_with`] and [`cohomology`] over Z, Q or Z/n, by the universal coefficient
+//!   theorem.
+//! * A [`HomologyBasis`] has cycles on the original cells, one for each cyclic summand, the dual cocycles, the class of
+//!   any cycle and the chain that it bounds, if it does. [`generators`] gives the cycles alone.
+//! * A [`SurfaceGroup`] puts loops on surfaces in normal form, so that homotopy is decided.
+//! * [`harmonic_basis`] and [`HodgeSpace`] take real coefficients: Laplacians, harmonic cochains, Hodge decomposition.
+//! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
+//! * The **cup product** of cochains is that of a [`CochainAlgebra`]; on a closed oriented manifold it gives the
+//!   [`intersection_form`].
+//! * A [`TreeCotree`] of a surface gives loops; cut along them, in a [`CutSurface`], each component is a disk, its
+//!   [`FundamentalDomain`], whose boundary spells the relator of the fundamental group.
+//! * All answers about one complex go through the acyclic matching of [`coface_algebra::chains::MorseComplex`], then Smith normal form.
+
+mod adapted_basis;
+mod basis;
+mod cocycles;
+mod coefficients;
+mod covering;
+mod cup;
+mod cup_table;
+mod fundamental;
+mod fundamental_cycle;
+mod generators;
+mod group;
+mod hodge;
+mod homology;
+mod homology_class;
+mod homology_map;
+mod intersection_form;
+mod long_exact_sequence;
+mod parts;
+mod persistence;
+mod short_loops;
+mod shortening;
+mod surface_group;
+mod surfaces;
+
+pub use basis::HomologyBasis;
+pub use coefficients::Coefficients;
+pub use covering::{CoverExtent, CoverLayout, CoverPlane, UniversalCover};
+pub use cup::CochainAlgebra;
+pub use cup_table::{CupProductTable, cup_product_table};
+pub use fundamental::{
+    CosetTable, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
+    Simplification, SubgroupClass, TietzeMove,
+};
+pub use generators::generators;
+pub use group::AbelianGroup;
+pub use hodge::{
+    HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
+};
+pub use homology::{Homology, cohomology, homology, homology_with};
+pub use homology_class::{Bounding, Cocycle, Generator, HomologyClass};
+pub use homology_map::{HomologyMap, induced_maps};
+pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
+pub use long_exact_sequence::LongExactSequence;
+pub use parts::generators_of_parts;
+#[doc(hidden)]
+pub use parts::reduced_generators;
+pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
+pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
+pub use surfaces::{
+    ClosedWalk, CocycleBasis, CutGraph, CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain,
+    HarmonicForm, Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
+    TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
+    shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops, slicing_cocycle,
+};

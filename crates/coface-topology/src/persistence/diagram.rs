@@ -1,0 +1,137 @@
+//! Persistence diagrams: births and deaths of classes.
+
+use super::Filtration;
+use coface_algebra::CellId;
+
+/// A class of persistent homology: the cell and the value of its birth, and those of its death if it dies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct PersistencePair {
+    degree: usize,
+    birth: f64,
+    death: Option<f64>,
+    birth_cell: CellId,
+    death_cell: Option<CellId>,
+}
+
+impl PersistencePair {
+    pub(super) fn new(
+        filtration: &Filtration,
+        degree: usize,
+        birth_cell: u32,
+        death_cell: Option<u32>,
+    ) -> Self {
+        Self {
+            degree,
+            birth: filtration.values(degree)[birth_cell as usize],
+            death: death_cell.map(|cell| filtration.values(degree + 1)[cell as usize]),
+            birth_cell: CellId::new(birth_cell as usize),
+            death_cell: death_cell.map(|cell| CellId::new(cell as usize)),
+        }
+    }
+
+    /// The degree of the class.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// The value at which the class is born.
+    pub fn birth(&self) -> f64 {
+        self.birth
+    }
+
+    /// The value at which the class dies; `None` for an essential class.
+    pub fn death(&self) -> Option<f64> {
+        self.death
+    }
+
+    /// The cell, of the degree of the class, that brings it.
+    pub fn birth_cell(&self) -> CellId {
+        self.birth_cell
+    }
+
+    /// The cell, one degree higher, that takes it away; `None` for an essential class.
+    pub fn death_cell(&self) -> Option<CellId> {
+        self.death_cell
+    }
+
+    /// Whether the class never dies.
+    pub fn is_essential(&self) -> bool {
+        self.death.is_none()
+    }
+
+    /// The distance between birth and death; infinite for an essential class.
+    pub fn persistence(&self) -> f64 {
+        self.death.map_or(f64::INFINITY, |death| (death - self.birth).abs())
+    }
+}
+
+/// All pairs of a filtration over one field: by rising degree, then in the order of births.
+///
+/// # Examples
+/// See [`persistence`](super::persistence).
+#[derive(Clone, Debug, PartialEq)]
+pub struct PersistenceDiagram {
+    prime: u32,
+    is_falling: bool,
+    /// The pairs of degree k at `starts[k]..starts[k + 1]`.
+    pairs: Vec<PersistencePair>,
+    starts: Vec<usize>,
+}
+
+impl PersistenceDiagram {
+    pub(super) fn new(prime: u32, is_falling: bool, degrees: Vec<Vec<PersistencePair>>) -> Self {
+        let mut starts = vec![0];
+        starts.extend(degrees.iter().scan(0, |total, pairs| {
+            *total += pairs.len();
+            Some(*total)
+        }));
+        Self { prime, is_falling, pairs: degrees.into_iter().flatten().collect(), starts }
+    }
+
+    /// The number of elements of the field.
+    pub fn prime(&self) -> u32 {
+        self.prime
+    }
+
+    /// Whether values fall along the filtration, so that no class dies above its birth.
+    pub fn is_falling(&self) -> bool {
+        self.is_falling
+    }
+
+    /// The number of degrees of the complex.
+    pub fn degree_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// All pairs: by rising degree, then in the order of births.
+    pub fn pairs(&self) -> &[PersistencePair] {
+        &self.pairs
+    }
+
+    /// The pairs of this degree; empty beyond the dimension.
+    pub fn pairs_of_degree(&self, degree: usize) -> &[PersistencePair] {
+        match self.starts.get(degree + 1) {
+            Some(&end) => &self.pairs[self.starts[degree]..end],
+            None => &[],
+        }
+    }
+
+    /// The Betti numbers of the whole complex over the field: the numbers of essential classes by degree.
+    pub fn betti_numbers(&self) -> Vec<usize> {
+        let essential =
+            |degree| self.pairs_of_degree(degree).iter().filter(|pair| pair.is_essential()).count();
+        (0..self.degree_count()).map(essential).collect()
+    }
+
+    /// The diagram without the pairs whose persistence is `length` or less: 0 takes the diagonal away, a negative length
+    /// nothing. Essential classes stay.
+    #[must_use]
+    pub fn longer_than(&self, length: f64) -> Self {
+        let kept = |degree| {
+            let pairs = self.pairs_of_degree(degree).iter();
+            pairs.filter(|pair| pair.persistence() > length).copied().collect()
+        };
+        Self::new(self.prime, self.is_falling, (0..self.degree_count()).map(kept).collect())
+    }
+}

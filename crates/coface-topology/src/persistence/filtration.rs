@@ -1,0 +1,335 @@
+//! Filtrations: the order in which cells enter.
+
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::progress::stage;
+use coface_algebra::{CellId, Error, ErrorKind};
+use std::cmp::Ordering;
+
+/// The value at which each cell of a complex enters; no face enters after a coface.
+///
+/// Values are finite. They rise along the filtration, but for an [upper star](Self::upper_star), where they fall.
+///
+/// # Examples
+/// A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices: both edges enter with the vertex in the middle.
+/// ```
+/// use coface_algebra::SparseMatrix;
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_topology::Filtration;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+/// let path = ChainComplex::new(vec![edges])?;
+/// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+/// assert_eq!(filtration.values(1), [2.0, 2.0]);
+/// let error = Filtration::new(&path, vec![vec![0.0, 2.0, 1.0], vec![2.0, 1.5]]).unwrap_err();
+/// assert!(error.message().contains("its face c1"));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Filtration {
+    /// The value of each cell of degree k at position k.
+    values: Vec<Vec<f64>>,
+    is_falling: bool,
+}
+
+impl Filtration {
+    /// The filtration with these values: for each degree a list, for each cell a value.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there is one value for each cell; [`ErrorKind::InvalidInput`] naming a cell whose value
+    /// is not finite, or a face that enters after its coface.
+    ///
+    /// # Complexity
+    /// Linear in the entries of the boundary matrices.
+    ///
+    /// # Examples
+    /// See [`Filtration`].
+    pub fn new(complex: &ChainComplex, mut values: Vec<Vec<f64>>) -> Result<Self, Error> {
+        check_shape(complex, &values)?;
+        for (degree, values) in values.iter_mut().enumerate() {
+            check_finite(degree, values)?;
+        }
+        let filtration = Self { values, is_falling: false };
+        filtration.check(complex)?;
+        Ok(filtration)
+    }
+
+    /// The lower star filtration of a function on vertices: each cell enters with its highest vertex, the sublevel sets
+    /// of the function grow.
+    ///
+    /// The vertices of a cell are those that its faces have, down to degree 0.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there is one value for each vertex; [`ErrorKind::InvalidInput`] naming a vertex whose
+    /// value is not finite, or a cell of positive degree with zero boundary (a loop): the complex does not say which
+    /// vertices it has.
+    ///
+    /// # Complexity
+    /// Linear in the entries of the boundary matrices.
+    ///
+    /// # Examples
+    /// See [`Filtration`].
+    pub fn lower_star(complex: &ChainComplex, vertex_values: &[f64]) -> Result<Self, Error> {
+        Self::star(complex, vertex_values, false)
+    }
+
+    /// The upper star filtration of a function on vertices: each cell enters with its lowest vertex, from high values
+    /// to low ones, and the superlevel sets of the function grow.
+    ///
+    /// A class is then born at a value that is at least the value at which it dies.
+    ///
+    /// # Errors
+    /// As [`Self::lower_star`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// assert_eq!(Filtration::upper_star(&edge, &[0.0, 2.0])?.values(1), [0.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn upper_star(complex: &ChainComplex, vertex_values: &[f64]) -> Result<Self, Error> {
+        Self::star(complex, vertex_values, true)
+    }
+
+    fn star(complex: &ChainComplex, vertex_values: &[f64], is_falling: bool) -> Result<Self, Error> {
+        let mut first = vertex_values.to_vec();
+        if first.len() != complex.cell_count(0) {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} values for {} vertices", first.len(), complex.cell_count(0)),
+            )
+            .with_cure("give one value for each vertex"));
+        }
+        check_finite(0, &mut first)?;
+        let later = if is_falling { f64::min } else { f64::max };
+        let mut values = Vec::with_capacity(complex.degree_count());
+        if complex.degree_count() > 0 {
+            values.push(first);
+        }
+        for (below, matrix) in complex.boundary_matrices().iter().enumerate() {
+            let faces = &values[below];
+            let value = |(cell, column): (usize, coface_algebra::Column<'_>)| {
+                let values = column.rows().iter().map(|&face| faces[face as usize]);
+                values.reduce(later).ok_or_else(|| no_vertices(below + 1, cell))
+            };
+            let steps = stage("finding when cells enter", matrix.column_count());
+            let level = steps.each(matrix.columns().enumerate()).map(value).collect::<Result<_, Error>>()?;
+            values.push(level);
+        }
+        Ok(Self { values, is_falling })
+    }
+
+    /// The filtration in which some cells have a given value and each other cell enters with the first of its cofaces.
+    ///
+    /// This is how values on facets become a filtration.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there is one place for each cell; [`ErrorKind::InvalidInput`] naming a cell that has
+    /// neither a value nor a coface with one, and those of [`Self::new`].
+    ///
+    /// # Complexity
+    /// Linear in the entries of the boundary matrices.
+    ///
+    /// # Examples
+    /// Two edges in a row that enter at 1 and 2; the vertex between them enters with the first.
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::from_cofaces(&path, &[vec![None; 3], vec![Some(1.0), Some(2.0)]])?;
+    /// assert_eq!(filtration.values(0), [1.0, 1.0, 2.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn from_cofaces(complex: &ChainComplex, given: &[Vec<Option<f64>>]) -> Result<Self, Error> {
+        check_shape(complex, given)?;
+        let mut values = given.to_vec();
+        for degree in (1..complex.degree_count()).rev() {
+            let matrix = complex.boundary_matrix(degree).expect("each degree below the count has its matrix");
+            let (below, level) = values.split_at_mut(degree);
+            let below = &mut below[degree - 1];
+            let steps = stage("finding when cells enter", matrix.column_count());
+            for (column, value) in steps.each(matrix.columns().zip(&level[0])) {
+                let Some(value) = *value else { continue };
+                for &face in column.rows() {
+                    let face = face as usize;
+                    if given[degree - 1][face].is_none() {
+                        below[face] = Some(below[face].map_or(value, |least| least.min(value)));
+                    }
+                }
+            }
+        }
+        let known = |(degree, level): (usize, Vec<Option<f64>>)| {
+            let value = |(cell, value): (usize, Option<f64>)| {
+                value.ok_or_else(|| {
+                    Error::invalid(format!(
+                        "cell {} of degree {degree} has no value, and no coface with one",
+                        CellId::new(cell)
+                    ))
+                    .with_cure("give it a value")
+                })
+            };
+            level.into_iter().enumerate().map(value).collect()
+        };
+        Self::new(complex, values.into_iter().enumerate().map(known).collect::<Result<_, Error>>()?)
+    }
+
+    /// The value of each cell of this degree; empty beyond the dimension.
+    pub fn values(&self, degree: usize) -> &[f64] {
+        self.values.get(degree).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether cells enter from high values to low ones: so it is for an upper star.
+    pub fn is_falling(&self) -> bool {
+        self.is_falling
+    }
+
+    /// That the filtration is one of this complex: a value for each cell, and no face enters after a coface.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn check(&self, complex: &ChainComplex) -> Result<(), Error> {
+        check_shape(complex, &self.values)?;
+        for (below, matrix) in complex.boundary_matrices().iter().enumerate() {
+            let (faces, cells) = (&self.values[below], &self.values[below + 1]);
+            let steps = stage("checking when cells enter", matrix.column_count());
+            for (cell, column) in steps.each(matrix.columns().enumerate()) {
+                for &face in column.rows() {
+                    if self.order(faces[face as usize], cells[cell]) == Ordering::Greater {
+                        return Err(Error::invalid(format!(
+                            "cell {} of degree {} enters at {}, before its face {} of degree {below}, at {}",
+                            CellId::new(cell),
+                            below + 1,
+                            cells[cell],
+                            CellId::new(face as usize),
+                            faces[face as usize]
+                        ))
+                        .with_cure("let each cell enter no earlier than its faces"));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Which of two values comes first.
+    fn order(&self, a: f64, b: f64) -> Ordering {
+        // Values are finite and there is no negative zero: this is the order of numbers.
+        if self.is_falling { b.total_cmp(&a) } else { a.total_cmp(&b) }
+    }
+
+    /// The cells of a degree in the order in which they enter; ties by rising ids.
+    pub(super) fn entrance(&self, degree: usize) -> Vec<u32> {
+        let values = self.values(degree);
+        let mut cells: Vec<u32> = (0..values.len() as u32).collect();
+        let _steps = stage("sorting cells", 0);
+        cells.sort_by(|&a, &b| self.order(values[a as usize], values[b as usize]));
+        cells
+    }
+}
+
+fn check_shape<T>(complex: &ChainComplex, values: &[Vec<T>]) -> Result<(), Error> {
+    let counts: Vec<usize> = values.iter().map(Vec::len).collect();
+    if counts == complex.f_vector() {
+        return Ok(());
+    }
+    Err(Error::new(
+        ErrorKind::Shape,
+        format!("the values have the counts {counts:?}, but the complex has {:?} cells", complex.f_vector()),
+    )
+    .with_cure("give for each degree one value a cell"))
+}
+
+/// That values are finite; negative zeros become zeros, so that equal numbers have one order.
+fn check_finite(degree: usize, values: &mut [f64]) -> Result<(), Error> {
+    for (cell, value) in values.iter_mut().enumerate() {
+        if !value.is_finite() {
+            return Err(Error::invalid(format!(
+                "the value of cell {} of degree {degree} is {value}, not a finite number",
+                CellId::new(cell)
+            )));
+        }
+        *value += 0.0;
+    }
+    Ok(())
+}
+
+fn no_vertices(degree: usize, cell: usize) -> Error {
+    Error::invalid(format!(
+        "cell {} of degree {degree} has zero boundary, so its vertices are not known",
+        CellId::new(cell)
+    ))
+    .with_cure("give a value for each cell instead of a function on vertices")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coface_algebra::SparseMatrix;
+
+    fn triangle() -> ChainComplex {
+        ChainComplex::new(vec![
+            SparseMatrix::from_entries(
+                3,
+                3,
+                [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)],
+            )
+            .unwrap(),
+            SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, -1)]).unwrap(),
+        ])
+        .unwrap()
+    }
+
+    #[test]
+    fn stars_are_maxima_and_minima() {
+        let lower = Filtration::lower_star(&triangle(), &[3.0, -0.0, 1.0]).unwrap();
+        assert_eq!((lower.values(1), lower.values(2)), (&[3.0, 1.0, 3.0][..], &[3.0][..]));
+        let upper = Filtration::upper_star(&triangle(), &[3.0, 0.0, 1.0]).unwrap();
+        assert_eq!((upper.values(1), upper.values(2)), (&[0.0, 0.0, 1.0][..], &[0.0][..]));
+        assert_eq!((lower.entrance(0), upper.entrance(0)), (vec![1, 2, 0], vec![0, 2, 1]));
+        lower.check(&triangle()).unwrap();
+        upper.check(&triangle()).unwrap();
+        assert!(lower.values(3).is_empty());
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let fault = |values| Filtration::new(&triangle(), values).unwrap_err();
+        let error = fault(vec![vec![0.0; 3], vec![0.0, 2.0, 0.0], vec![1.0]]);
+        assert_eq!(error.kind(), ErrorKind::InvalidInput);
+        assert_eq!(error.message(), "cell c0 of degree 2 enters at 1, before its face c1 of degree 1, at 2");
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let error = fault(vec![vec![0.0; 3], vec![0.0, 0.0, bad], vec![0.0]]);
+            assert!(error.message().contains("c2 of degree 1"), "{error}");
+        }
+        assert_eq!(fault(vec![vec![0.0; 3], vec![0.0; 3]]).kind(), ErrorKind::Shape);
+        assert_eq!(Filtration::lower_star(&triangle(), &[0.0]).unwrap_err().kind(), ErrorKind::Shape);
+        let lonely = vec![vec![None; 3], vec![Some(1.0), None, None], vec![None]];
+        let error = Filtration::from_cofaces(&triangle(), &lonely).unwrap_err();
+        assert!(error.message().contains("c2 of degree 0 has no value"), "{error}");
+        let circle = ChainComplex::new(vec![SparseMatrix::zero(1, 1).unwrap()]).unwrap();
+        let error = Filtration::lower_star(&circle, &[0.0]).unwrap_err();
+        assert!(error.message().contains("zero boundary"), "{error}");
+    }
+
+    #[test]
+    fn given_values_are_kept_above_those_of_cofaces() {
+        let given = vec![vec![Some(-1.0), None, None], vec![None, Some(0.5), None], vec![Some(2.0)]];
+        let filtration = Filtration::from_cofaces(&triangle(), &given).unwrap();
+        assert_eq!(
+            (filtration.values(0), filtration.values(1)),
+            (&[-1.0, 0.5, 0.5][..], &[2.0, 0.5, 2.0][..])
+        );
+    }
+
+    #[test]
+    fn the_empty_complex_has_the_empty_filtration() {
+        let empty = ChainComplex::of_points(0);
+        assert!(Filtration::lower_star(&empty, &[]).unwrap().values(0).is_empty());
+    }
+}

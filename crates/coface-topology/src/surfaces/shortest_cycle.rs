@@ -1,0 +1,344 @@
+//! Shortest cycles that cannot be contracted, or that do not separate.
+
+use super::root_search::RootSearch;
+use super::shortest_paths::checked_lengths;
+use super::{ClosedWalk, SurfaceHomology, SurfaceHomotopy, TreeCotree};
+use coface_algebra::RaggedArray;
+use coface_algebra::chains::TwoSkeleton;
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_complexes::surface::GeneralizedMap;
+
+/// What a shortest cycle must not be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CycleKind {
+    /// It cannot be contracted to a point.
+    NonContractible,
+    /// It does not separate the surface, its holes filled with disks.
+    NonSeparating,
+}
+
+/// A closed walk with its length.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ShortestCycle {
+    walk: ClosedWalk,
+    length: f64,
+}
+
+impl ShortestCycle {
+    pub(super) fn new(walk: ClosedWalk, lengths: &[f64]) -> Self {
+        let length = walk.steps().iter().map(|&step| lengths[(step >> 1) as usize]).sum();
+        Self { walk, length }
+    }
+
+    /// The walk.
+    pub fn walk(&self) -> &ClosedWalk {
+        &self.walk
+    }
+
+    /// The sum of the lengths of its edges.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+}
+
+/// The shortest closed walk of a kind through a vertex; `None` if its component has none.
+///
+/// It is an edge closed up along shortest paths, and may go forth and back on a way to the vertex. `lengths` has a
+/// length for each edge; without it, each edge has the length 1. Of several shortest ones the edge with the lowest
+/// number decides.
+///
+/// # Errors
+/// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not
+/// negative; [`ErrorKind::NotInComplex`] for a vertex that is not there.
+///
+/// # Complexity
+/// $O(n \log n)$, and the test of the loops that are not seen to bound a disk by the dual graph near the vertex.
+///
+/// # References
+/// J. Erickson, S. Har-Peled, *Optimally cutting a surface into a disk* (2004), section 5.
+///
+/// # Examples
+/// On a torus of 4 by 6 squares, each cut in two, every vertex is on a cycle of 4 edges.
+/// ```
+/// use coface_algebra::VertexId;
+/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::surface::GeneralizedMap;
+/// use coface_topology::{CycleKind, shortest_cycle_through};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let torus = GeneralizedMap::new(known_spaces::torus_grid(&[4, 6])?.freeze().two_skeleton()?)?;
+/// let cycle = shortest_cycle_through(&torus, VertexId::new(3), None, CycleKind::NonContractible)?;
+/// assert_eq!(cycle.expect("a torus has such cycles").length(), 4.0);
+/// # Ok(()) }
+/// ```
+pub fn shortest_cycle_through(
+    map: &GeneralizedMap,
+    vertex: VertexId,
+    lengths: Option<&[f64]>,
+    kind: CycleKind,
+) -> Result<Option<ShortestCycle>, Error> {
+    if vertex.index() >= map.skeleton().vertex_count() {
+        return Err(Error::new(
+            ErrorKind::NotInComplex,
+            format!("there is no vertex {vertex}; the surface has {}", map.skeleton().vertex_count()),
+        ));
+    }
+    search(map, &[vertex.to_u32()], lengths, kind, usize::MAX)
+}
+
+/// The shortest cycle of a kind on the surface; `None` if there is none.
+///
+/// `lengths` is as for [`shortest_cycle_through`]. The searches from all vertices may reach `most` vertices in all,
+/// each counted as often as it is reached; a search goes only as far as half the length of the best cycle known.
+///
+/// # Errors
+/// As [`shortest_cycle_through`]; [`ErrorKind::TooLarge`] when more vertices than `most` are reached.
+///
+/// # Complexity
+/// $O(n^2 \log n)$ at most, and the tests of loops; much less where short cycles are found early.
+///
+/// # References
+/// J. Erickson, S. Har-Peled, *Optimally cutting a surface into a disk* (2004), section 5.
+///
+/// # Examples
+/// ```
+/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::surface::GeneralizedMap;
+/// use coface_topology::{CycleKind, shortest_cycle};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let map = |space: coface_complexes::simplicial::SimplicialComplex| GeneralizedMap::new(space.freeze().two_skeleton()?);
+/// let torus = map(known_spaces::cyclic_torus(2)?)?;
+/// let cycle = shortest_cycle(&torus, None, CycleKind::NonContractible, 1_000)?;
+/// assert_eq!(cycle.expect("a torus has such cycles").length(), 3.0);
+/// let sphere = map(known_spaces::simplex_boundary(2)?)?;
+/// assert_eq!(shortest_cycle(&sphere, None, CycleKind::NonContractible, 1_000)?, None);
+/// # Ok(()) }
+/// ```
+pub fn shortest_cycle(
+    map: &GeneralizedMap,
+    lengths: Option<&[f64]>,
+    kind: CycleKind,
+    most: usize,
+) -> Result<Option<ShortestCycle>, Error> {
+    let roots: Vec<u32> = (0..map.skeleton().vertex_count() as u32).collect();
+    search(map, &roots, lengths, kind, most)
+}
+
+/// The shortest closed walk of a kind through one of these vertices.
+pub(super) fn search(
+    map: &GeneralizedMap,
+    roots: &[u32],
+    lengths: Option<&[f64]>,
+    kind: CycleKind,
+    most: usize,
+) -> Result<Option<ShortestCycle>, Error> {
+    let lengths = checked_lengths(map, lengths)?;
+    let filled;
+    let map = match kind {
+        CycleKind::NonContractible => map,
+        CycleKind::NonSeparating => {
+            filled = with_holes_filled(map);
+            &filled
+        }
+    };
+    let trees = TreeCotree::new(map);
+    let homotopy = SurfaceHomotopy::new(map, &trees)?;
+    let homology = SurfaceHomology::new(map, &trees);
+    let is_wanted = |walk: &ClosedWalk| match kind {
+        CycleKind::NonContractible => homotopy.is_contractible(walk).map(|yes| !yes),
+        CycleKind::NonSeparating => {
+            Ok(homology.class_of_walk(walk)?.iter().any(|coefficient| coefficient % 2 != 0))
+        }
+    };
+    let mut best: Option<ShortestCycle> = None;
+    let mut search = RootSearch::new(map, &lengths);
+    let mut count = 0usize;
+    let steps = stage("searching for a shortest cycle", roots.len());
+    for &root in roots {
+        steps.advance(1);
+        let component = trees.component_of_vertex(VertexId::from_u32(root));
+        if component.is_none_or(|component| trees.components()[component].generators().is_empty()) {
+            continue;
+        }
+        let bound = best.as_ref().map_or(f64::INFINITY, |best| best.length);
+        search.run(root, bound / 2.0);
+        count += search.reached().len();
+        if count > most {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("the search for a shortest cycle reaches more than {most} vertices"),
+            )
+            .with_cure(
+                "raise the limit, ask for the shortest cycle through one vertex, or coarsen the surface",
+            ));
+        }
+        let dual = search.local_dual(bound);
+        let candidates = match kind {
+            CycleKind::NonContractible => dual.pruned(),
+            CycleKind::NonSeparating => dual.leftover(),
+        };
+        for closing in candidates {
+            let walk = ClosedWalk::new(map.skeleton(), search.loop_through(closing.edge))?;
+            if is_wanted(&walk)? {
+                best = Some(ShortestCycle { walk, length: closing.length });
+                break;
+            }
+        }
+    }
+    Ok(best)
+}
+
+/// The surface with a face in each hole; vertices and edges keep their numbers.
+pub(super) fn with_holes_filled(map: &GeneralizedMap) -> GeneralizedMap {
+    let mut faces: RaggedArray = map.skeleton().faces().clone();
+    for hole in map.boundary_loops() {
+        let steps =
+            hole.iter().map(|&(side, sign)| map.step(side) ^ u32::from(sign == coface_algebra::Sign::Minus));
+        faces.push(&steps.collect::<Vec<u32>>());
+    }
+    let skeleton =
+        TwoSkeleton::new(map.skeleton().vertex_count(), map.skeleton().edge_ends().to_vec(), faces)
+            .expect("a boundary loop is a closed path");
+    GeneralizedMap::new(skeleton).expect("a surface with its holes filled is a surface")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::surface::samples::{all_kinds, of_next, with_holes};
+    use proptest::prelude::*;
+
+    /// All closed walks without repeated vertices, and through an edge forth only: by brute force.
+    fn brute_force(map: &GeneralizedMap, lengths: &[f64], kind: CycleKind) -> Option<f64> {
+        let filled = with_holes_filled(map);
+        let test = if kind == CycleKind::NonSeparating { &filled } else { map };
+        let trees = TreeCotree::new(test);
+        let homotopy = SurfaceHomotopy::new(test, &trees).unwrap();
+        let ends = map.skeleton().edge_ends();
+        let mut best: Option<f64> = None;
+        let mut stack: Vec<Vec<u32>> = (0..ends.len() as u32).map(|step| vec![step]).collect();
+        while let Some(path) = stack.pop() {
+            let length: f64 = path.iter().map(|step| lengths[(step >> 1) as usize]).sum();
+            if best.is_some_and(|best| length >= best) {
+                continue;
+            }
+            let (start, end) = (ends[path[0] as usize], ends[(path[path.len() - 1] ^ 1) as usize]);
+            if start == end {
+                let walk = ClosedWalk::new(map.skeleton(), path).unwrap();
+                let is_wanted = match kind {
+                    CycleKind::NonContractible => !homotopy.is_contractible(&walk).unwrap(),
+                    // Of the faces of the filled surface: the edges of the cycle do not separate them.
+                    CycleKind::NonSeparating => {
+                        let edges: Vec<_> = walk
+                            .steps()
+                            .iter()
+                            .map(|step| coface_algebra::EdgeId::from_u32(step >> 1))
+                            .collect();
+                        let mut faces = coface_algebra::UnionFind::new(test.skeleton().face_count());
+                        for edge in (0..test.skeleton().edge_count()).map(coface_algebra::EdgeId::new) {
+                            if !edges.contains(&edge) {
+                                let [f, g] = test.dual_arc(edge).unwrap();
+                                faces.unite(f.to_u32(), g.to_u32());
+                            }
+                        }
+                        let component = trees.component_of_vertex(walk.start()).unwrap();
+                        let mut of_component = (0..test.skeleton().face_count()).filter(|&face| {
+                            trees.component_of_face(coface_algebra::FaceId::new(face)) == component
+                        });
+                        let first = of_component.next().unwrap() as u32;
+                        of_component.all(|face| faces.same(first, face as u32))
+                    }
+                };
+                if is_wanted {
+                    best = Some(length);
+                }
+                continue;
+            }
+            let visited: Vec<u32> = path.iter().map(|&step| ends[step as usize]).collect();
+            for step in 0..ends.len() as u32 {
+                let next = ends[(step ^ 1) as usize];
+                let is_new = !visited[1..].contains(&next) && next != end && step != path[path.len() - 1] ^ 1;
+                if ends[step as usize] == end && is_new {
+                    stack.push([&path[..], &[step]].concat());
+                }
+            }
+        }
+        best
+    }
+
+    fn check(name: &str, map: &GeneralizedMap, lengths: &[f64]) {
+        for kind in [CycleKind::NonContractible, CycleKind::NonSeparating] {
+            let found = shortest_cycle(map, Some(lengths), kind, usize::MAX).unwrap();
+            let expected = brute_force(map, lengths, kind);
+            match (&found, expected) {
+                (None, None) => {}
+                (Some(found), Some(expected)) => {
+                    assert!((found.length() - expected).abs() < 1e-9, "{name} {kind:?} {found:?} {expected}");
+                    let sum: f64 =
+                        found.walk().steps().iter().map(|step| lengths[(step >> 1) as usize]).sum();
+                    assert!((sum - expected).abs() < 1e-9);
+                }
+                other => panic!("{name} {kind:?}: {other:?}"),
+            }
+            // The best of all vertices is the best.
+            let each = (0..map.skeleton().vertex_count()).filter_map(|vertex| {
+                shortest_cycle_through(map, VertexId::new(vertex), Some(lengths), kind).unwrap()
+            });
+            let least = each.map(|cycle| cycle.length()).min_by(f64::total_cmp);
+            assert_eq!(least.is_some(), expected.is_some());
+            if let (Some(a), Some(b)) = (least, expected) {
+                assert!((a - b).abs() < 1e-9, "{name} {kind:?}: {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn small_surfaces_are_searched_by_brute_force() {
+        for (name, map) in all_kinds() {
+            if map.skeleton().edge_count() <= 24 {
+                let unit = vec![1.0; map.skeleton().edge_count()];
+                check(name, &map, &unit);
+            }
+        }
+    }
+
+    #[test]
+    fn bad_requests_are_refused() {
+        let torus = coface_complexes::surface::samples::map_of(known_spaces::cyclic_torus(2));
+        let error = shortest_cycle(&torus, None, CycleKind::NonContractible, 3).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::TooLarge);
+        let error = shortest_cycle_through(&torus, VertexId::new(7), None, CycleKind::NonContractible);
+        assert_eq!(error.unwrap_err().kind(), ErrorKind::NotInComplex);
+        let error = shortest_cycle(&torus, Some(&[1.0]), CycleKind::NonContractible, 9).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Shape);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+
+        #[test]
+        fn surfaces_of_permutations_are_searched_by_brute_force(
+            next in Just((0u32..14).collect::<Vec<_>>()).prop_shuffle(),
+            lengths in prop::collection::vec(0u8..9, 7),
+        ) {
+            let lengths: Vec<f64> = lengths.into_iter().map(f64::from).collect();
+            check("permutation", &of_next(next), &lengths);
+        }
+
+        #[test]
+        fn surfaces_with_holes_are_searched_by_brute_force(
+            removed in any::<u64>(), lengths in prop::collection::vec(1u8..5, 30),
+        ) {
+            for closed in [known_spaces::cyclic_torus(2), known_spaces::small_klein_bottle(), known_spaces::projective_plane()] {
+                let closed = coface_complexes::surface::samples::map_of(closed);
+                if let Some(map) = with_holes(&closed, removed & (removed >> 32)) {
+                    let count = map.skeleton().edge_count();
+                    let lengths: Vec<f64> = lengths[..count].iter().map(|&x| f64::from(x)).collect();
+                    check("with holes", &map, &lengths);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! What a Boolean combination gives: the set, and where its boundary comes from.
+
+use crate::YinSet;
+
+/// The part of an operand that a piece of a result is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PieceSource {
+    /// The operand, counted from 0.
+    pub operand: u32,
+    /// The curve of the operand.
+    pub curve: u32,
+    /// The piece of that curve.
+    pub piece: u32,
+    /// The parameters in `[0, 1]` on that piece at which the piece of the result begins and ends. They fall where the result runs
+    /// against its source. A piece of the result that runs along several pieces in a row has the range on one of them.
+    pub range: [f64; 2],
+}
+
+/// What was taken to be equal without proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Assumption {
+    /// Two points are one.
+    SamePoint,
+    /// Two arcs are one.
+    SameArc,
+    /// Two arcs leave a point in this order.
+    ArcOrder,
+    /// A curve is smaller than the resolution and is a point.
+    SmallCurve,
+}
+
+/// A decision below the resolution of curves of order 4 and more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UncertifiedDecision {
+    /// Where.
+    pub point: [f64; 2],
+    /// The pieces that are so close, with the parts that the decision is about.
+    pub pieces: [PieceSource; 2],
+    /// What was taken to be so.
+    pub assumption: Assumption,
+}
+
+/// A Boolean combination of Yin sets.
+#[derive(Clone, Debug)]
+pub struct Combination {
+    pub(crate) set: YinSet,
+    /// For the pieces of all curves of the result, one after the other.
+    pub(crate) sources: Vec<PieceSource>,
+    /// Further sources of pieces, by rising pieces.
+    pub(crate) other_sources: Vec<(u32, PieceSource)>,
+    pub(crate) collapsed_count: usize,
+    pub(crate) resolution: f64,
+    pub(crate) report: Vec<UncertifiedDecision>,
+}
+
+impl Combination {
+    /// The set.
+    pub fn set(&self) -> &YinSet {
+        &self.set
+    }
+
+    /// The set alone.
+    pub fn into_set(self) -> YinSet {
+        self.set
+    }
+
+    /// Where the pieces of the boundary come from, those of one curve after those of another.
+    pub fn sources(&self) -> &[PieceSource] {
+        &self.sources
+    }
+
+    /// All that a piece of the boundary runs along, counted over all curves.
+    ///
+    /// # Panics
+    /// If there is no such piece.
+    pub fn sources_of(&self, piece: usize) -> impl Iterator<Item = &PieceSource> + '_ {
+        let from = self.other_sources.partition_point(|&(own, _)| (own as usize) < piece);
+        let others = self.other_sources[from..].iter().take_while(move |&&(own, _)| own as usize == piece);
+        std::iter::once(&self.sources[piece]).chain(others.map(|(_, source)| source))
+    }
+
+    /// The number of curves that were so small that rounding left less than three different knots of them. They are not part of the
+    /// set.
+    pub fn collapsed_curve_count(&self) -> usize {
+        self.collapsed_count
+    }
+
+    /// What was nearer together than this, in the unit of the input, may have been taken for one, and [`Self::report`] tells where; 0
+    /// for sets of order 2.
+    ///
+    /// For curves it is 2^-40 of the largest extent of all operands, or 2^-48 of the largest coordinate if that is more; 64 or 4096
+    /// times that where curves run so near to each other over and over that this does not tell how they lie.
+    pub fn resolution(&self) -> f64 {
+        self.resolution
+    }
+
+    /// What was decided without proof: points and arcs of boundaries within the resolution of each other that were taken for one, and
+    /// orders of arcs around points. Nothing for sets of order 2.
+    ///
+    /// Proven, and not told here, are: crossings; all about segments; curved pieces that touch segments, pass them or cross them
+    /// twice, which exact arithmetic decides to about 2^-45 of the extent; pieces that are equal; and everything that is farther apart
+    /// than the resolution. Two curved pieces that
+    /// touch elsewhere than in a common knot, or run along each other without being equal, are told.
+    pub fn report(&self) -> &[UncertifiedDecision] {
+        &self.report
+    }
+}

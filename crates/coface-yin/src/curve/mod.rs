@@ -1,0 +1,30 @@
+//! Piecewise polynomial curves.
+
+pub(crate) mod bernstein;
+mod block_tridiagonal;
+mod end_condition;
+mod evaluation;
+mod extent;
+mod factories;
+mod fit;
+mod fit_by_length;
+mod hermite;
+mod location;
+mod measures;
+mod motions;
+mod order;
+mod parts;
+mod piecewise;
+mod power;
+pub(crate) mod roots;
+mod separators;
+
+pub use end_condition::EndCondition;
+pub(crate) use extent::monotone_breaks;
+pub(crate) use fit::checked_chord_lengths;
+pub use location::Location;
+pub(crate) use location::piece_crossings;
+pub(crate) use measures::gauss_legendre;
+pub use order::Order;
+pub use piecewise::Curve;
+pub(crate) use piecewise::{chord_lengths, distance};

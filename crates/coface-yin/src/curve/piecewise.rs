@@ -1,0 +1,201 @@
+//! Piecewise polynomial curves in the plane.
+
+use super::bernstein::Piece;
+use super::{Order, bernstein, checked_chord_lengths};
+use coface_algebra::{Error, ErrorKind};
+use std::borrow::Cow;
+
+/// A curve made of polynomial pieces, each from one knot to the next.
+///
+/// Piece i belongs to the parameters from knot i to knot i + 1 and is kept as its control points in the Bernstein basis: as many as
+/// the order, the first and the last of which are on the curve. Neighbors share a control point, so that a curve has no gaps,
+/// whatever is rounded. A curve of order 2 is the polyline through its control points. Parameters and coordinates are in the unit of
+/// the input where the parameter is the chord length.
+///
+/// A curve is **closed** when its last control point is its first; then knot n is the same point as knot 0.
+///
+/// # Examples
+/// Three sides of a unit square.
+/// ```
+/// use coface_yin::Curve;
+/// let curve = Curve::polyline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+/// assert_eq!((curve.piece_count(), curve.is_closed()), (3, false));
+/// assert_eq!(curve.knots(), [0.0, 1.0, 2.0, 3.0]);
+/// assert_eq!(curve.piece(1), [[1.0, 0.0], [1.0, 1.0]]);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve<'a> {
+    order: Order,
+    controls: Cow<'a, [[f64; 2]]>,
+    knots: Cow<'a, [f64]>,
+}
+
+impl Curve<'static> {
+    /// A curve from its control points, `degree` for each piece and one more at the end, and its knots.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] when the counts do not fit together; [`ErrorKind::InvalidInput`] naming a number that is not finite or
+    /// a knot that is not above the one before it.
+    pub fn from_controls(order: Order, controls: Vec<[f64; 2]>, knots: Vec<f64>) -> Result<Self, Error> {
+        let piece_count = knots.len().saturating_sub(1);
+        if piece_count == 0 || controls.len() != piece_count * order.degree() + 1 {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!(
+                    "{} control points and {} knots make no curve of order {order}",
+                    controls.len(),
+                    knots.len()
+                ),
+            )
+            .with_cure(format!("give {} control points a piece and one more", order.degree())));
+        }
+        if let Some(at) = controls.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
+            return Err(Error::invalid(format!("control point {at} is not finite")));
+        }
+        if let Some(at) =
+            knots.windows(2).position(|pair| pair[0].partial_cmp(&pair[1]) != Some(std::cmp::Ordering::Less))
+        {
+            return Err(Error::invalid(format!("knot {} is not above knot {at}", at + 1))
+                .with_cure("give knots that rise"));
+        }
+        if knots.iter().any(|knot| !knot.is_finite()) {
+            return Err(Error::invalid("a knot is not finite"));
+        }
+        Ok(Self { order, controls: controls.into(), knots: knots.into() })
+    }
+
+    /// The polyline through points, with the length of the way along it as parameter.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming a point that is not finite or equal to the one before it, and for less than two points.
+    pub fn polyline(points: &[[f64; 2]]) -> Result<Self, Error> {
+        Ok(Self::from_trusted(Order::LINEAR, points.to_vec(), checked_chord_lengths(points)?))
+    }
+
+    /// A curve that is known to be well made.
+    pub(crate) fn from_trusted(order: Order, controls: Vec<[f64; 2]>, knots: Vec<f64>) -> Self {
+        debug_assert_eq!(controls.len(), (knots.len() - 1) * order.degree() + 1);
+        Self { order, controls: controls.into(), knots: knots.into() }
+    }
+}
+
+impl<'a> Curve<'a> {
+    /// A curve that is known to be well made, borrowed.
+    pub(crate) fn borrowed(order: Order, controls: &'a [[f64; 2]], knots: &'a [f64]) -> Self {
+        debug_assert_eq!(controls.len(), (knots.len() - 1) * order.degree() + 1);
+        Self { order, controls: controls.into(), knots: knots.into() }
+    }
+
+    /// The same curve without numbers of its own.
+    pub(crate) fn as_borrowed(&self) -> Curve<'_> {
+        Curve::borrowed(self.order, self.controls(), self.knots())
+    }
+
+    /// The number of coefficients of each polynomial.
+    pub fn order(&self) -> Order {
+        self.order
+    }
+
+    /// The number of polynomial pieces.
+    pub fn piece_count(&self) -> usize {
+        self.knots.len() - 1
+    }
+
+    /// The parameters at which pieces begin and end, one more than there are pieces.
+    pub fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
+    /// All control points in order.
+    pub fn controls(&self) -> &[[f64; 2]] {
+        &self.controls
+    }
+
+    /// The control points of a piece, as many as the order.
+    ///
+    /// # Panics
+    /// If there is no such piece.
+    pub fn piece(&self, piece: usize) -> &[[f64; 2]] {
+        let first = piece * self.order.degree();
+        &self.controls[first..=first + self.order.degree()]
+    }
+
+    /// The point at a knot.
+    ///
+    /// # Panics
+    /// If there is no such knot.
+    pub fn knot_point(&self, knot: usize) -> [f64; 2] {
+        self.controls[knot * self.order.degree()]
+    }
+
+    /// Whether the curve ends in the point where it begins.
+    pub fn is_closed(&self) -> bool {
+        self.controls.first() == self.controls.last()
+    }
+
+    /// The same curve with polynomials of a higher order; straight pieces stay straight.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] when the order is below that of the curve.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order};
+    /// let line = Curve::polyline(&[[0.0, 0.0], [3.0, 6.0]])?;
+    /// assert_eq!(line.raised(Order::CUBIC)?.piece(0), [[0.0, 0.0], [1.0, 2.0], [2.0, 4.0], [3.0, 6.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn raised(&self, order: Order) -> Result<Curve<'static>, Error> {
+        if order < self.order {
+            return Err(Error::invalid(format!(
+                "a curve of order {} has no lower order {order}",
+                self.order
+            ))
+            .with_cure("fit the points of its knots anew"));
+        }
+        if order == self.order {
+            return Ok(self.clone().into_owned());
+        }
+        Ok(self.with_pieces(order, |piece| bernstein::raised(self.piece(piece), order.value())))
+    }
+
+    /// A curve with the same knots, the pieces of which are given; each begins where the one before it ends.
+    pub(crate) fn with_pieces(&self, order: Order, piece: impl Fn(usize) -> Piece) -> Curve<'static> {
+        let mut controls = Vec::with_capacity(self.piece_count() * order.degree() + 1);
+        for at in 0..self.piece_count() {
+            controls.extend_from_slice(&piece(at)[..order.degree()]);
+        }
+        controls.extend(piece(self.piece_count() - 1).last());
+        Curve { order, controls: controls.into(), knots: self.knots.clone().into_owned().into() }
+    }
+
+    /// The same curve with its own storage.
+    pub fn into_owned(self) -> Curve<'static> {
+        Curve {
+            order: self.order,
+            controls: self.controls.into_owned().into(),
+            knots: self.knots.into_owned().into(),
+        }
+    }
+}
+
+/// The lengths of the way along a polyline up to each of its points.
+pub(crate) fn chord_lengths(points: &[[f64; 2]]) -> Vec<f64> {
+    let mut length = 0.0;
+    let mut found = Vec::with_capacity(points.len());
+    found.extend(points.first().map(|_| 0.0));
+    found.extend(points.windows(2).map(|pair| {
+        length += distance(pair[0], pair[1]);
+        length
+    }));
+    found
+}
+
+/// The distance of two points.
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let [x, y] = [b[0] - a[0], b[1] - a[1]];
+    let square = x * x + y * y;
+    // The square root alone is quicker, where squares are ordinary numbers.
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { x.hypot(y) }
+}

@@ -1,0 +1,283 @@
+//! Graphs of interfaces.
+
+use super::trails::{Trail, fitted_edges, trails_of};
+use crate::{Curve, Order};
+use coface_algebra::Error;
+use coface_algebra::Sign;
+
+/// An edge in one of its two directions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DirectedEdge {
+    /// The edge.
+    pub edge: u32,
+    /// Along it or against it.
+    pub sign: Sign,
+}
+
+impl DirectedEdge {
+    /// The edge from its start to its end.
+    pub fn along(edge: u32) -> Self {
+        Self { edge, sign: Sign::Plus }
+    }
+
+    /// The edge from its end to its start.
+    pub fn against(edge: u32) -> Self {
+        Self { edge, sign: Sign::Minus }
+    }
+
+    /// The other direction.
+    pub fn reversed(self) -> Self {
+        Self { sign: self.sign.opposite(), ..self }
+    }
+
+    /// The place in arrays with two entries an edge.
+    pub(super) fn index(self) -> usize {
+        2 * self.edge as usize + usize::from(self.sign == Sign::Minus)
+    }
+
+    pub(super) fn at(index: usize) -> Self {
+        let edge = (index / 2) as u32;
+        if index.is_multiple_of(2) { Self::along(edge) } else { Self::against(edge) }
+    }
+}
+
+/// An arc of an interface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InterfaceEdge {
+    /// The vertices where it starts and ends; twice the same for closed edges.
+    pub ends: [u32; 2],
+    /// The points between its ends that it runs through.
+    pub markers: Vec<[f64; 2]>,
+    /// The phases on its left and on its right.
+    pub phases: [Option<u32>; 2],
+}
+
+/// Vertices, and how edges lie between them and phases.
+#[derive(Clone, Debug)]
+pub(crate) struct Arcs {
+    pub(crate) vertices: Vec<[f64; 2]>,
+    pub(crate) ends: Vec<[u32; 2]>,
+    pub(crate) phases: Vec<[Option<u32>; 2]>,
+    pub(crate) smooth_pairs: Vec<[DirectedEdge; 2]>,
+}
+
+/// Phases that share the arcs of their boundaries.
+///
+/// Each edge is one curve, the same numbers for the phases on both of its sides, so that these fit together bit for bit.
+///
+/// # Examples
+/// A unit square in two phases, left and right of the line x = 1/2.
+/// ```
+/// use coface_yin::{InterfaceEdge, InterfaceGraph, Order};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let vertices = [[0.5, 0.0], [0.5, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
+/// let edge = |ends, left, right| InterfaceEdge { ends, markers: vec![], phases: [left, right] };
+/// let edges = [
+///     edge([0, 1], Some(0), Some(1)),
+///     edge([0, 3], Some(1), None),
+///     edge([3, 2], Some(1), None),
+///     edge([2, 1], Some(1), None),
+///     edge([1, 4], Some(0), None),
+///     edge([4, 5], Some(0), None),
+///     edge([5, 0], Some(0), None),
+/// ];
+/// let graph = InterfaceGraph::new(&vertices, &edges, &[], Order::CUBIC)?;
+/// assert_eq!(graph.phase_curves(0)?.len(), 1);
+/// assert_eq!((graph.phase_area(0)?, graph.phase_area(1)?), (0.5, 0.5));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct InterfaceGraph {
+    pub(super) order: Order,
+    pub(super) vertices: Vec<[f64; 2]>,
+    pub(super) ends: Vec<[u32; 2]>,
+    pub(super) phases: Vec<[Option<u32>; 2]>,
+    pub(super) smooth_pairs: Vec<[DirectedEdge; 2]>,
+    trails: Vec<Trail>,
+    pub(super) curves: Vec<Curve<'static>>,
+    /// The edges that leave each vertex, counterclockwise.
+    pub(super) around: Vec<Vec<DirectedEdge>>,
+}
+
+impl InterfaceGraph {
+    /// The graph with these vertices and edges. A smooth pair is an edge that comes to a vertex and the one by which the way goes on.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the edge, vertex or pair: an end that is no vertex, a pair whose
+    /// edges do not meet or one of which is in another pair at the same end, points that cannot be fitted, edges that leave a vertex in
+    /// the same direction, and neighbors around a vertex that do not agree on the phase between them.
+    ///
+    /// # Complexity
+    /// Linear in the markers, but for sorting the edges around each vertex.
+    pub fn new(
+        vertices: &[[f64; 2]],
+        edges: &[InterfaceEdge],
+        smooth_pairs: &[[DirectedEdge; 2]],
+        order: Order,
+    ) -> Result<Self, Error> {
+        for (number, edge) in edges.iter().enumerate() {
+            if let Some(end) = edge.ends.iter().find(|&&end| end as usize >= vertices.len()) {
+                return Err(Error::invalid(format!(
+                    "edge {number} ends at vertex {end}, which there is not"
+                ))
+                .with_cure(format!("give ends below {}", vertices.len())));
+            }
+            let [left, right] = edge.phases;
+            if left == right {
+                return Err(Error::invalid(format!("edge {number} has the same phase on both sides"))
+                    .with_cure("leave out the edge"));
+            }
+        }
+        let points: Vec<Vec<[f64; 2]>> = edges
+            .iter()
+            .map(|edge| {
+                let [start, end] = edge.ends.map(|end| vertices[end as usize]);
+                std::iter::once(start).chain(edge.markers.iter().copied()).chain([end]).collect()
+            })
+            .collect();
+        let ends = edges.iter().map(|edge| edge.ends).collect();
+        let phases = edges.iter().map(|edge| edge.phases).collect();
+        let (vertices, smooth_pairs) = (vertices.to_vec(), smooth_pairs.to_vec());
+        Self::with_points(Arcs { vertices, ends, phases, smooth_pairs }, &points, order, None)
+    }
+
+    /// The graph whose edges run through these points, the ends among them. The edges that leave each vertex, counterclockwise, may be
+    /// known; else their directions tell.
+    pub(crate) fn with_points(
+        arcs: Arcs,
+        points: &[Vec<[f64; 2]>],
+        order: Order,
+        around: Option<Vec<Vec<DirectedEdge>>>,
+    ) -> Result<Self, Error> {
+        let trails = trails_of(&arcs.ends, &arcs.smooth_pairs)?;
+        let curves = fitted_edges(points, &trails, order)?;
+        Self::of_fitted(arcs, trails, curves, order, around)
+    }
+
+    /// The graph whose edges are these curves.
+    pub(crate) fn with_curves(
+        arcs: Arcs,
+        curves: Vec<Curve<'static>>,
+        order: Order,
+        around: Vec<Vec<DirectedEdge>>,
+    ) -> Result<Self, Error> {
+        let trails = trails_of(&arcs.ends, &arcs.smooth_pairs)?;
+        Self::of_fitted(arcs, trails, curves, order, Some(around))
+    }
+
+    fn of_fitted(
+        arcs: Arcs,
+        trails: Vec<Trail>,
+        curves: Vec<Curve<'static>>,
+        order: Order,
+        around: Option<Vec<Vec<DirectedEdge>>>,
+    ) -> Result<Self, Error> {
+        let Arcs { vertices, ends, phases, smooth_pairs } = arcs;
+        let mut graph =
+            Self { order, vertices, ends, phases, smooth_pairs, trails, curves, around: Vec::new() };
+        graph.around = match around {
+            Some(around) => around,
+            None => graph.edges_around()?,
+        };
+        graph.check_sectors()?;
+        Ok(graph)
+    }
+
+    /// The number of coefficients of the polynomials of the edges.
+    pub fn order(&self) -> Order {
+        self.order
+    }
+
+    /// The points where edges end.
+    pub fn vertices(&self) -> &[[f64; 2]] {
+        &self.vertices
+    }
+
+    /// The number of edges.
+    pub fn edge_count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The vertices where an edge starts and ends.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    pub fn ends(&self, edge: usize) -> [u32; 2] {
+        self.ends[edge]
+    }
+
+    /// The phases on the left and on the right of an edge.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    pub fn phases_of(&self, edge: usize) -> [Option<u32>; 2] {
+        self.phases[edge]
+    }
+
+    /// The curve of an edge.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    pub fn curve(&self, edge: usize) -> &Curve<'static> {
+        &self.curves[edge]
+    }
+
+    /// The edges that were fitted together.
+    pub fn trails(&self) -> &[Trail] {
+        &self.trails
+    }
+
+    /// The pairs of an edge that comes to a vertex and the one by which it goes on smoothly.
+    pub fn smooth_pairs(&self) -> &[[DirectedEdge; 2]] {
+        &self.smooth_pairs
+    }
+
+    /// The number of ends of edges at a vertex.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn degree(&self, vertex: usize) -> usize {
+        self.around[vertex].len()
+    }
+
+    /// The vertices at which three or more edges end.
+    pub fn junctions(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.vertices.len()).filter(|&vertex| self.around[vertex].len() > 2)
+    }
+
+    /// The phases that edges name, rising.
+    pub fn phases(&self) -> Vec<u32> {
+        let mut found: Vec<u32> = self.phases.iter().flatten().copied().flatten().collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The phases on both sides of all edges.
+    pub(crate) fn phases_mut(&mut self) -> impl Iterator<Item = &mut Option<u32>> {
+        self.phases.as_flattened_mut().iter_mut()
+    }
+
+    /// The edges that leave a vertex, counterclockwise.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn edges_at(&self, vertex: usize) -> &[DirectedEdge] {
+        &self.around[vertex]
+    }
+
+    /// The vertex from which a directed edge leads.
+    pub(super) fn tail(&self, edge: DirectedEdge) -> usize {
+        self.ends[edge.edge as usize][usize::from(edge.sign == Sign::Minus)] as usize
+    }
+
+    /// The vertex to which a directed edge leads.
+    pub(super) fn head(&self, edge: DirectedEdge) -> usize {
+        self.tail(edge.reversed())
+    }
+
+    /// The phase on the left of a directed edge.
+    pub(super) fn left(&self, edge: DirectedEdge) -> Option<u32> {
+        self.phases[edge.edge as usize][usize::from(edge.sign == Sign::Minus)]
+    }
+}

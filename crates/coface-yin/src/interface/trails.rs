@@ -1,0 +1,128 @@
+//! Edges that go on smoothly into each other, and their common splines.
+
+use super::DirectedEdge;
+use crate::{Curve, EndCondition, Order};
+use coface_algebra::Error;
+use coface_algebra::Sign;
+
+/// Edges that are fitted by one spline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trail {
+    edges: Vec<DirectedEdge>,
+    is_circuit: bool,
+}
+
+impl Trail {
+    /// The edges in order.
+    pub fn edges(&self) -> &[DirectedEdge] {
+        &self.edges
+    }
+
+    /// Whether the last edge goes on smoothly into the first.
+    pub fn is_circuit(&self) -> bool {
+        self.is_circuit
+    }
+}
+
+/// The maximal chains under smooth pairs, by their lowest edges.
+pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Result<Vec<Trail>, Error> {
+    let tail = |edge: DirectedEdge| ends[edge.edge as usize][usize::from(edge.sign == Sign::Minus)];
+    let mut next: Vec<Option<DirectedEdge>> = vec![None; 2 * ends.len()];
+    for (number, &[from, to]) in pairs.iter().enumerate() {
+        if let Some(edge) = [from, to].iter().find(|edge| edge.edge as usize >= ends.len()) {
+            return Err(Error::invalid(format!(
+                "smooth pair {number} names edge {}, which there is not",
+                edge.edge
+            )));
+        }
+        if tail(from.reversed()) != tail(to) || from == to.reversed() {
+            return Err(Error::invalid(format!(
+                "edge {} of smooth pair {number} does not lead to where edge {} begins",
+                from.edge, to.edge
+            ))
+            .with_cure("give an edge that comes to a vertex and another end there"));
+        }
+        for [from, to] in [[from, to], [to.reversed(), from.reversed()]] {
+            if next[from.index()].is_some_and(|known| known != to) {
+                return Err(Error::invalid(format!(
+                    "edge {} goes on smoothly into two edges at vertex {}",
+                    from.edge,
+                    tail(from.reversed())
+                ))
+                .with_cure("give each end of an edge in one pair at most"));
+            }
+            next[from.index()] = Some(to);
+        }
+    }
+    let mut is_used = vec![false; ends.len()];
+    let mut trails = Vec::new();
+    for edge in 0..ends.len() as u32 {
+        if is_used[edge as usize] {
+            continue;
+        }
+        // Back to the beginning, or around to the edge itself.
+        let own = DirectedEdge::along(edge);
+        let mut first = own;
+        let mut is_circuit = false;
+        while let Some(before) = next[first.reversed().index()] {
+            first = before.reversed();
+            if first == own {
+                is_circuit = true;
+                break;
+            }
+        }
+        let mut edges = vec![first];
+        is_used[first.edge as usize] = true;
+        let mut at = first;
+        while let Some(after) = next[at.index()].filter(|&after| after != first) {
+            edges.push(after);
+            is_used[after.edge as usize] = true;
+            at = after;
+        }
+        trails.push(Trail { edges, is_circuit });
+    }
+    Ok(trails)
+}
+
+/// The curves of all edges: parts of the splines of trails.
+pub(super) fn fitted_edges(
+    points: &[Vec<[f64; 2]>],
+    trails: &[Trail],
+    order: Order,
+) -> Result<Vec<Curve<'static>>, Error> {
+    let mut curves: Vec<Option<Curve<'static>>> = vec![None; points.len()];
+    for trail in trails {
+        let mut way: Vec<[f64; 2]> = Vec::new();
+        for edge in &trail.edges {
+            let own = &points[edge.edge as usize];
+            way.pop();
+            match edge.sign {
+                Sign::Plus => way.extend_from_slice(own),
+                Sign::Minus => way.extend(own.iter().rev()),
+            }
+        }
+        let ends = if trail.is_circuit { EndCondition::Periodic } else { EndCondition::NotAKnot };
+        let named = |error: Error| {
+            let said = Error::new(
+                error.kind(),
+                format!("the trail from edge {}: {}", trail.edges[0].edge, error.message()),
+            );
+            match error.cure() {
+                Some(cure) => said.with_cure(cure),
+                None => said,
+            }
+        };
+        let spline = Curve::fit_by_length(&way, order, &ends).map_err(named)?;
+        let mut from = 0;
+        for edge in &trail.edges {
+            let to = from + points[edge.edge as usize].len() - 1;
+            let degree = order.degree();
+            let controls = spline.controls()[from * degree..=to * degree].to_vec();
+            let knots = spline.knots()[from..=to].iter().map(|knot| knot - spline.knots()[from]).collect();
+            let part = Curve::from_controls(order, controls, knots)?;
+            curves[edge.edge as usize] = Some(if edge.sign == Sign::Plus { part } else { part.reversed() });
+            from = to;
+        }
+    }
+    Ok(curves.into_iter().map(|curve| curve.expect("each edge is in a trail")).collect())
+}

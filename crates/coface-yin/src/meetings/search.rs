@@ -1,0 +1,127 @@
+//! The meetings of all pieces.
+
+use super::Pieces;
+use super::part_tree::PartTree;
+use super::piece_pair::PairSolver;
+use super::polynomial::is_apart;
+use crate::set::CurveArena;
+use coface_algebra::Error;
+use coface_algebra::progress::stage;
+use rayon::prelude::*;
+
+/// A common point of two pieces, or of a piece with itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Meeting {
+    /// The pieces, the lower number first.
+    pub(crate) pieces: [u32; 2],
+    /// Intervals between 0 and 1 in which the parameters lie; of an end the end alone.
+    pub(crate) parameters: [[f64; 2]; 2],
+    /// The best parameters.
+    pub(crate) at: [f64; 2],
+    /// The point; bit for bit the end of a piece where a parameter is 0 or 1 (of the first one where both are).
+    pub(crate) point: [f64; 2],
+    /// Whether it is proven that the pieces have exactly one common point there. If not they are within the resolution of each other
+    /// there, or of an end of one of them.
+    pub(crate) is_certified: bool,
+}
+
+/// An arc that two pieces have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Overlap {
+    /// The pieces, the lower number first.
+    pub(crate) pieces: [u32; 2],
+    /// The parameters of both pieces where the arc begins and ends: rising for the first piece, falling for the second when it runs
+    /// against it.
+    pub(crate) ranges: [[f64; 2]; 2],
+    /// Whether the arc is common exactly: equal pieces, and segments. If not the pieces are within the resolution of each other.
+    pub(crate) is_certified: bool,
+}
+
+/// All common points and arcs of the pieces of arenas, sorted by pieces and parameters.
+///
+/// The common end of neighbors on a curve is not listed unless they meet there otherwise. An end of an overlap is not listed as a
+/// meeting of the same two pieces.
+pub(crate) struct Meetings {
+    pub(crate) points: Vec<Meeting>,
+    pub(crate) overlaps: Vec<Overlap>,
+    /// Pieces that run so near to each other for so long that it was given up to find all that they have in common.
+    pub(crate) exhausted: Vec<[u32; 2]>,
+}
+
+/// What a pair of pieces, or many, have in common.
+#[derive(Default)]
+pub(super) struct Found {
+    pub(super) points: Vec<Meeting>,
+    pub(super) overlaps: Vec<Overlap>,
+    pub(super) exhausted: Vec<[u32; 2]>,
+}
+
+impl Meetings {
+    /// The meetings of arenas at so many times the usual resolution.
+    ///
+    /// # Errors
+    /// As [`Pieces::of`].
+    ///
+    /// # Complexity
+    /// $O(n \log n + k)$ for n pieces of which k pairs of monotone parts have boxes that meet; constant work for each pair that
+    /// crosses, and $O(1)$ cells for each halving down to the resolution where pieces touch. In parallel; the result does not depend
+    /// on the number of threads.
+    pub(crate) fn of(arenas: &[&CurveArena], coarseness: f64) -> Result<Self, Error> {
+        Ok(Self::of_pieces(&Pieces::of(arenas, coarseness)?))
+    }
+
+    pub(super) fn of_pieces(pieces: &Pieces<'_>) -> Self {
+        let tree = PartTree::new(pieces);
+        let parts = pieces.parts();
+        let resolution = pieces.frame.resolution;
+        let tasks = tree.tasks();
+        let steps = stage("finding pieces that are near", tasks.len());
+        let candidates: Vec<Vec<[u32; 4]>> = tasks
+            .par_iter()
+            .map(|&task| {
+                steps.advance(1);
+                let mut near = Vec::new();
+                tree.search(task, |i, j| {
+                    let [a, b] = [i, j].map(|part| pieces.part_points(part as usize));
+                    if !is_apart(a, b, resolution) {
+                        near.push([parts[i as usize].piece, parts[j as usize].piece, i, j]);
+                    }
+                });
+                near
+            })
+            .collect();
+        let mut candidates: Vec<[u32; 4]> = candidates.concat();
+        candidates.par_sort_unstable();
+        let mut starts: Vec<usize> = (0..candidates.len())
+            .filter(|&i| i == 0 || candidates[i - 1][..2] != candidates[i][..2])
+            .collect();
+        starts.push(candidates.len());
+        let found: Vec<Found> = starts
+            .par_windows(2)
+            .with_min_len(64)
+            .fold(
+                || (Found::default(), PairSolver::new(pieces), Vec::new()),
+                |(mut found, mut solver, mut own), range| {
+                    own.clear();
+                    let group = &candidates[range[0]..range[1]];
+                    own.extend(group.iter().map(|&[_, _, i, j]| [i, j]));
+                    solver.meet([group[0][0], group[0][1]], &own, &mut found);
+                    (found, solver, own)
+                },
+            )
+            .map(|(found, ..)| found)
+            .collect();
+        let mut points: Vec<Meeting> = Vec::with_capacity(found.iter().map(|own| own.points.len()).sum());
+        let (mut overlaps, mut exhausted) = (Vec::new(), Vec::new());
+        for own in found {
+            points.extend(own.points);
+            overlaps.extend(own.overlaps);
+            exhausted.extend(own.exhausted);
+        }
+        points.sort_by(|x, y| {
+            let by_place = x.at[0].total_cmp(&y.at[0]).then(x.at[1].total_cmp(&y.at[1]));
+            x.pieces.cmp(&y.pieces).then(by_place)
+        });
+        Self { points, overlaps, exhausted }
+    }
+}

@@ -1,0 +1,142 @@
+//! What lies between the breaks of curves, and which of it runs along common arcs.
+
+use super::boundaries::Boundaries;
+use super::nodes::{Break, Nodes, OverlapEnd};
+use crate::meetings::Overlap;
+use coface_algebra::Error;
+use coface_algebra::{ParityUnion, ParityUnionFind, Sign};
+use coface_arrange::planar::ChainEdges;
+use std::fmt::Write;
+
+/// Chains have the numbers of the breaks that they begin at.
+pub(super) struct Chains<'a> {
+    pub(super) boundaries: &'a Boundaries<'a>,
+    pub(super) nodes: &'a Nodes,
+}
+
+impl Chains<'_> {
+    /// The break at the end of a chain.
+    pub(super) fn end(&self, chain: u32) -> u32 {
+        let curve = self.boundaries.curve_of(self.nodes.breaks[chain as usize].leave.piece);
+        let own = self.nodes.breaks_of(curve);
+        if chain + 1 == own.end { own.start } else { chain + 1 }
+    }
+
+    pub(super) fn breaks(&self, chain: u32) -> [&Break; 2] {
+        [chain, self.end(chain)].map(|at| &self.nodes.breaks[at as usize])
+    }
+
+    /// The nodes that a chain goes from and to.
+    pub(super) fn ends(&self, chain: u32) -> [u32; 2] {
+        self.breaks(chain).map(|own| own.node)
+    }
+
+    pub(super) fn curve_of(&self, chain: u32) -> u32 {
+        self.boundaries.curve_of(self.nodes.breaks[chain as usize].leave.piece)
+    }
+
+    /// The parts of pieces along a chain.
+    pub(super) fn parts(&self, chain: u32) -> impl DoubleEndedIterator<Item = (u32, [f64; 2])> + use<> {
+        let [from, to] = self.breaks(chain);
+        self.boundaries.parts(from.leave, to.arrive)
+    }
+
+    /// The edges: chains along common arcs are one.
+    ///
+    /// # Errors
+    /// If nodes along the two sides of an overlap are not the same.
+    pub(super) fn edges(&self, overlaps: &[Overlap]) -> Result<ChainEdges, Error> {
+        let count = self.nodes.breaks.len();
+        let mut equal = ParityUnionFind::new(count);
+        for (overlap, overlap_ends) in overlaps.iter().zip(&self.nodes.overlap_ends) {
+            let sides = [0, 1].map(|side| self.chains_along(overlap, overlap_ends, side));
+            let [Some(along), Some(other)] = sides else { continue };
+            let is_against = overlap.ranges[1][0] > overlap.ranges[1][1];
+            let sign = if is_against { Sign::Minus } else { Sign::Plus };
+            let fits = along.len() == other.len()
+                && along.iter().zip(&other).all(|(&a, &b)| {
+                    let mut ends = self.ends(b);
+                    if is_against {
+                        ends.reverse();
+                    }
+                    self.ends(a) == ends && equal.unite(a, b, sign) != ParityUnion::Contradicts
+                });
+            if !fits {
+                let place = self.nodes.points[self.nodes.breaks[along[0] as usize].node as usize];
+                return Err(undecided(
+                    self.boundaries,
+                    "which arcs pieces have in common",
+                    place,
+                    overlap.pieces,
+                ));
+            }
+        }
+        let mut first_of_class = vec![u32::MAX; count];
+        let mut first_of = Vec::with_capacity(count);
+        for chain in 0..count as u32 {
+            let class = equal.find(chain).0 as usize;
+            if first_of_class[class] == u32::MAX {
+                first_of_class[class] = chain;
+            }
+            first_of.push(first_of_class[class]);
+        }
+        let signs: Vec<Sign> = (0..count as u32).map(|chain| equal.find(chain).1).collect();
+        Ok(ChainEdges::of_equal_chains(
+            (0..count).map(|chain| self.ends(chain as u32)),
+            &first_of,
+            |chain, first| signs[chain as usize] != signs[first as usize],
+        ))
+    }
+
+    /// The chains along a side of an overlap, from its beginning to its end; none where it is contracted.
+    fn chains_along(&self, overlap: &Overlap, ends: &[OverlapEnd; 2], side: usize) -> Option<Vec<u32>> {
+        let is_against = overlap.ranges[side][0] > overlap.ranges[side][1];
+        let breaks = ends.map(|end| self.nodes.break_at(end.positions[side], end.site));
+        let [Some(mut from), Some(mut to)] = breaks else { return None };
+        if is_against {
+            std::mem::swap(&mut from, &mut to);
+        }
+        let curve = self.boundaries.curve_of(overlap.pieces[side]);
+        let all = self.nodes.breaks_of(curve);
+        let count = all.end.checked_sub(all.start).filter(|&count| count > 0)?;
+        let is_whole = count == 1 && self.boundaries.pieces(curve).len() == 1;
+        let steps = if from == to { u32::from(is_whole) } else { (to + count - from) % count };
+        let mut chains: Vec<u32> =
+            (0..steps).map(|step| all.start + (from - all.start + step) % count).collect();
+        if is_against {
+            chains.reverse();
+        }
+        (!chains.is_empty()).then_some(chains)
+    }
+}
+
+/// What a user can do where curves run nearer to each other than can be decided.
+pub(crate) const NEARNESS_CURE: &str = "move one of the sets by a known vector longer than that, fit curves with other knots there, or take chords for curves, which are exact: --order 2 --flatten LENGTH";
+
+/// The error for what the resolution does not tell.
+pub(super) fn undecided(
+    boundaries: &Boundaries<'_>,
+    what: &str,
+    [x, y]: [f64; 2],
+    pieces: impl IntoIterator<Item = u32>,
+) -> Error {
+    let mut pieces: Vec<u32> = pieces.into_iter().collect();
+    pieces.sort_unstable();
+    pieces.dedup();
+    let mut names = String::new();
+    for piece in pieces.iter().take(4) {
+        let index = boundaries.index(*piece);
+        let separator = if names.is_empty() { "" } else { ", " };
+        // Writing to a string cannot fail.
+        let _ = write!(
+            names,
+            "{separator}piece {} of curve {} of set {}",
+            index.piece, index.curve, index.operand
+        );
+    }
+    Error::invalid(format!(
+        "{what} near ({x}, {y}) cannot be decided at resolution {:e}: {names}",
+        boundaries.resolution
+    ))
+    .with_cure(NEARNESS_CURE)
+}

@@ -1,0 +1,25 @@
+//! Curved boundaries laid over each other: what the polynomial pieces of several sets make of the plane.
+//!
+//! # Words and conventions
+//! * A **position** is a piece and a parameter on it; pieces of all sets are numbered one after the other. An **event** is a position
+//!   at which a curve comes to a node. A **break** is all events of a curve at one node that follow each other within the resolution.
+//! * A **node** is a point where curves meet. What lies between breaks of a curve is a **chain**; chains along a common arc are one
+//!   **edge**. Around nodes, orbits, faces and winding numbers there is no difference to polygons, and the code is the same.
+//! * Nodes are brought together along curves only: where the arc between two of them is shorter than the resolution, it is
+//!   contracted. Contraction of an edge never makes a plane drawing impossible; so a rotation that has no plane drawing is a
+//!   contradiction, and an error.
+//! * What lies below a component is read off on a vertical line that comes near no node, with enclosures of all heights.
+
+mod arcs;
+mod boundaries;
+mod chains;
+mod columns;
+mod curved_overlay;
+mod departures;
+mod jordan;
+mod nesting;
+mod nodes;
+mod outline;
+
+pub(crate) use chains::NEARNESS_CURE;
+pub(crate) use curved_overlay::CurvedOverlay;

@@ -1,0 +1,339 @@
+//! Which orbit of each component sees its outside, and what each component lies in.
+//!
+//! A vertical line is laid through the widest piece of a component, away from knots, nodes and vertical tangents. Below the lowest
+//! crossing of the component on the line is its outside; the first crossing below that of another component tells the face that it is
+//! in. Where that is the outside of the other one, both lie in the same face, and are asked about together.
+
+use super::boundaries::{Boundaries, Position};
+use super::chains::{Chains, undecided};
+use super::columns::{ColumnCrossing, NearDegenerate, column_crossings};
+use super::nodes::compare;
+use crate::curve::bernstein;
+use coface_algebra::Error;
+use coface_algebra::{RaggedArray, UnionFind};
+use coface_arrange::planar::{ChainEdges, Orbits};
+use coface_geometry::{AxisBox, BoxTree};
+use rayon::prelude::*;
+
+/// How many lines are tried through a component.
+const MOST_LINES: usize = 48;
+
+/// What components lie in.
+pub(super) struct Nesting {
+    /// The orbit of each component that sees the outside.
+    pub(super) outer_orbits: Vec<u32>,
+    /// A halfedge that has the face around each component on its left, on an orbit that is no outer one; none outside of all.
+    pub(super) below: Vec<Option<u32>>,
+}
+
+/// A line through a component that is away from everything that is doubtful.
+#[derive(Clone, Copy)]
+struct Line {
+    x: f64,
+    /// The lowest height of the component there.
+    bottom: f64,
+}
+
+/// What a component sees below itself.
+#[derive(Clone, Copy)]
+struct Seen {
+    line: Line,
+    outer_orbit: u32,
+    below: Option<u32>,
+}
+
+pub(super) struct Nester<'a> {
+    pub(super) chains: &'a Chains<'a>,
+    pub(super) edges: &'a ChainEdges,
+    pub(super) orbits: &'a Orbits,
+}
+
+impl<'a> Nester<'a> {
+    fn boundaries(&self) -> &'a Boundaries<'a> {
+        self.chains.boundaries
+    }
+
+    /// # Errors
+    /// If no line through a component tells what is below it.
+    pub(super) fn nesting(&self) -> Result<Nesting, Error> {
+        let count = self.orbits.lowest_vertices.len();
+        let chain_count = self.chains.nodes.breaks.len() as u32;
+        let component_of_chain = |chain: u32| {
+            let node = self.chains.nodes.breaks[chain as usize].node;
+            self.orbits.component_of[node as usize]
+        };
+        let chains_of = RaggedArray::grouped(count, (0..chain_count).map(component_of_chain));
+        let boundaries = self.boundaries();
+        let boxes: Vec<_> = (0..boundaries.piece_count() as u32)
+            .into_par_iter()
+            .map(|piece| {
+                let [low, high] = bernstein::control_box(boundaries.controls(piece));
+                [[low[0], high[0]], [low[1], high[1]], [0.0; 2]]
+            })
+            .collect();
+        let tree = BoxTree::new(&boxes);
+        let seen: Vec<Seen> = (0..count)
+            .into_par_iter()
+            .with_min_len(4)
+            .map(|component| self.look_down(&tree, &boxes, chains_of.list(component)))
+            .collect::<Result<_, Error>>()?;
+        let outer_orbits: Vec<u32> = seen.iter().map(|seen| seen.outer_orbit).collect();
+        let below = self.settle(&tree, &boxes, &seen, &outer_orbits, &chains_of)?;
+        Ok(Nesting { outer_orbits, below })
+    }
+
+    fn component(&self, halfedge: u32) -> u32 {
+        self.orbits.component_of[self.edges.ends[halfedge as usize / 2][0] as usize]
+    }
+
+    /// Brings together components that lie in one face, until it is known in which.
+    fn settle(
+        &self,
+        tree: &BoxTree,
+        boxes: &[AxisBox],
+        seen: &[Seen],
+        outer_orbits: &[u32],
+        chains_of: &RaggedArray,
+    ) -> Result<Vec<Option<u32>>, Error> {
+        let count = seen.len();
+        let mut groups = UnionFind::new(count);
+        // For each group what is below it, once that is known.
+        let mut known: Vec<Option<Option<u32>>> = vec![None; count];
+        let other_outside = |halfedge: u32| {
+            let component = self.component(halfedge);
+            let orbit = self.orbits.orbit_of[halfedge as usize];
+            (outer_orbits[component as usize] == orbit).then_some(component)
+        };
+        let mut pending: Vec<(u32, Option<u32>)> =
+            (0..).zip(seen).map(|(component, seen)| (component, seen.below)).collect();
+        while !pending.is_empty() {
+            let mut answers = Vec::new();
+            for (component, below) in pending.drain(..) {
+                match below.and_then(&other_outside) {
+                    Some(other) => {
+                        let own = [component, other].map(|member| known[groups.find(member) as usize]);
+                        groups.unite(component, other);
+                        let found = own[0].or(own[1]);
+                        if found.is_some() {
+                            known[groups.find(component) as usize] = found;
+                        }
+                    }
+                    None => answers.push((component, below)),
+                }
+            }
+            for (component, below) in answers {
+                known[groups.find(component) as usize] = Some(below);
+            }
+            // Groups that look at each other only: one of each looks on below all of them.
+            for component in 0..count as u32 {
+                let root = groups.find(component);
+                if root == component && known[root as usize].is_none() {
+                    let list = chains_of.list(component as usize);
+                    let mut is_own = |other: u32| groups.find(other) == root;
+                    let below = self.look_past(tree, boxes, seen[component as usize].line, &mut is_own);
+                    let below = below.map_err(|NearDegenerate| self.doubtful(list))?;
+                    pending.push((component, below));
+                }
+            }
+        }
+        Ok((0..count as u32)
+            .map(|component| known[groups.find(component) as usize].expect("all groups are settled"))
+            .collect())
+    }
+
+    fn doubtful(&self, chains: &[u32]) -> Error {
+        let chain = chains[0];
+        let place = self.chains.nodes.points[self.chains.ends(chain)[0] as usize];
+        let piece = self.chains.nodes.breaks[chain as usize].leave.piece;
+        undecided(self.boundaries(), "in what a curve lies", place, [piece])
+    }
+
+    /// The outside of a component and what is below it, on the first line that tells.
+    fn look_down(&self, tree: &BoxTree, boxes: &[AxisBox], chains: &[u32]) -> Result<Seen, Error> {
+        let parts = || chains.iter().flat_map(|&chain| self.chains.parts(chain));
+        let width = |piece: u32| boxes[piece as usize][0][1] - boxes[piece as usize][0][0];
+        let mut widest: Option<(f64, u32, [f64; 2])> = None;
+        for (piece, range) in parts() {
+            let own = width(piece) * (range[1] - range[0]);
+            if widest.is_none_or(|(width, ..)| own > width) {
+                widest = Some((own, piece, range));
+            }
+        }
+        let Some((_, piece, range)) = widest else { return Err(self.doubtful(chains)) };
+        let mut crossings = Vec::new();
+        for attempt in 0..MOST_LINES {
+            // Multiples of the golden section are spread evenly.
+            let part = (0.381_966_011_250_105 + attempt as f64 * 0.618_033_988_749_895).fract();
+            let at = range[0] + part * (range[1] - range[0]);
+            let x = bernstein::value(self.boundaries().controls(piece), at)[0];
+            // At first heights have to be farther apart than the resolution.
+            let apart = if attempt < MOST_LINES / 2 { 4.0 * self.boundaries().resolution } else { 0.0 };
+            crossings.clear();
+            let is_told = parts().try_for_each(|(piece, _)| {
+                let [low, high] = boxes[piece as usize][0];
+                let is_here = low <= x && x <= high;
+                if is_here { column_crossings(self.boundaries(), piece, x, &mut crossings) } else { Ok(()) }
+            });
+            if is_told.is_err() {
+                continue;
+            }
+            let Ok(Some((lowest, halfedge))) = self.extreme(&crossings, apart, false) else {
+                continue;
+            };
+            let line = Line { x, bottom: lowest.heights[0] };
+            let own = self.component(halfedge);
+            let below = self.first_below(tree, boxes, line, apart, &mut |other| other == own);
+            if let Ok(below) = below {
+                let outer_orbit = self.orbits.orbit_of[(halfedge ^ 1) as usize];
+                return Ok(Seen { line, outer_orbit, below });
+            }
+        }
+        Err(self.doubtful(chains))
+    }
+
+    /// The halfedge above the first crossing below all components of a group on a line.
+    fn look_past(
+        &self,
+        tree: &BoxTree,
+        boxes: &[AxisBox],
+        line: Line,
+        is_own: &mut dyn FnMut(u32) -> bool,
+    ) -> Result<Option<u32>, NearDegenerate> {
+        let mut crossings = Vec::new();
+        self.column(tree, line.x, [f64::NEG_INFINITY, line.bottom], &mut crossings)?;
+        let mut bottom = line.bottom;
+        for crossing in &crossings {
+            let halfedge = self.upper_halfedge(crossing)?;
+            if is_own(self.component(halfedge)) {
+                bottom = bottom.min(crossing.heights[0]);
+            }
+        }
+        self.first_below(tree, boxes, Line { bottom, ..line }, 0.0, is_own)
+    }
+
+    /// The halfedge that has the first crossing below the bottom of a line on its right; crossings of own components are passed over.
+    fn first_below(
+        &self,
+        tree: &BoxTree,
+        boxes: &[AxisBox],
+        line: Line,
+        apart: f64,
+        is_own: &mut dyn FnMut(u32) -> bool,
+    ) -> Result<Option<u32>, NearDegenerate> {
+        let whole = boxes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |whole, own| {
+            [whole[0].min(own[1][0]), whole[1].max(own[1][1])]
+        });
+        let mut crossings = Vec::new();
+        let mut others = Vec::new();
+        let mut height = (whole[1] - whole[0]) / 1024.0;
+        loop {
+            let low = line.bottom - height;
+            let is_last = low <= whole[0];
+            crossings.clear();
+            self.column(tree, line.x, [low, line.bottom], &mut crossings)?;
+            others.clear();
+            for crossing in &crossings {
+                if crossing.heights[0] >= line.bottom {
+                    continue;
+                }
+                let halfedge = self.upper_halfedge(crossing)?;
+                if is_own(self.component(halfedge)) {
+                    continue;
+                }
+                if crossing.heights[1] + apart >= line.bottom {
+                    return Err(NearDegenerate);
+                }
+                others.push(*crossing);
+            }
+            let found = self.extreme(&others, apart, true)?;
+            match found {
+                // What is below the window may be higher than what was found only if that is not in the window.
+                Some((highest, halfedge)) if is_last || highest.heights[0] > low => {
+                    return Ok(Some(halfedge));
+                }
+                None if is_last => return Ok(None),
+                _ => height *= 4.0,
+            }
+        }
+    }
+
+    /// All crossings of pieces near a range of heights on a line.
+    fn column(
+        &self,
+        tree: &BoxTree,
+        x: f64,
+        heights: [f64; 2],
+        crossings: &mut Vec<ColumnCrossing>,
+    ) -> Result<(), NearDegenerate> {
+        let mut result = Ok(());
+        tree.visit(&[[x, x], heights, [0.0; 2]], |piece| {
+            if result.is_ok() {
+                result = column_crossings(self.boundaries(), piece, x, crossings);
+            }
+        });
+        result
+    }
+
+    /// The lowest or highest of some crossings, with the halfedge that has it on its right; crossings of one edge are one.
+    fn extreme(
+        &self,
+        crossings: &[ColumnCrossing],
+        apart: f64,
+        is_highest: bool,
+    ) -> Result<Option<(ColumnCrossing, u32)>, NearDegenerate> {
+        // The least of the upper bounds, or the greatest of the lower ones.
+        let best = crossings.iter().min_by(|a, b| {
+            if is_highest {
+                b.heights[0].total_cmp(&a.heights[0])
+            } else {
+                a.heights[1].total_cmp(&b.heights[1])
+            }
+        });
+        let Some(best) = best else { return Ok(None) };
+        let halfedge = self.upper_halfedge(best)?;
+        for other in crossings {
+            let is_clear = if is_highest {
+                other.heights[1] + apart < best.heights[0]
+            } else {
+                other.heights[0] - apart > best.heights[1]
+            };
+            if !is_clear && self.upper_halfedge(other)? != halfedge {
+                return Err(NearDegenerate);
+            }
+        }
+        Ok(Some((*best, halfedge)))
+    }
+
+    /// The halfedge along a crossing that has what is above on its left.
+    fn upper_halfedge(&self, crossing: &ColumnCrossing) -> Result<u32, NearDegenerate> {
+        let chains = crossing.range.map(|parameter| self.chain_at(crossing.piece, parameter));
+        let [Some(chain), Some(other)] = chains else { return Err(NearDegenerate) };
+        if chain != other {
+            return Err(NearDegenerate);
+        }
+        let along = self.edges.halfedge_of_chain[chain as usize];
+        Ok(if crossing.is_rightward { along } else { along ^ 1 })
+    }
+
+    /// The chain that a place of a piece is on; none where it is at a node.
+    fn chain_at(&self, piece: u32, parameter: f64) -> Option<u32> {
+        let position = self.boundaries().position(piece, parameter);
+        let own = self.chains.nodes.breaks_of(self.boundaries().curve_of(piece));
+        let breaks = &self.chains.nodes.breaks[own.start as usize..own.end as usize];
+        let passed = breaks.partition_point(|own| compare(&own.leave, &position).is_le()) as u32;
+        // Before the first break the last chain runs.
+        let count = own.end.checked_sub(own.start).filter(|&count| count > 0)?;
+        let chain = own.start + (passed + count - 1) % count;
+        self.is_on(chain, position).then_some(chain)
+    }
+
+    /// Whether a place comes after the break at which a chain begins and before the one at its end.
+    fn is_on(&self, chain: u32, place: Position) -> bool {
+        let [from, to] = self.chains.breaks(chain);
+        let [from, to] = [from.leave, to.arrive];
+        let is_after = compare(&from, &place).is_lt();
+        let is_before = compare(&place, &to).is_lt();
+        // A chain over the end of the curve has its end before its beginning.
+        if compare(&from, &to).is_lt() { is_after && is_before } else { is_after || is_before }
+    }
+}

@@ -1,0 +1,51 @@
+//! Which curve lies in which.
+
+/// The Hasse diagram of almost disjoint curves under inclusion of what they bound: a forest. The parent of a curve is the smallest
+/// curve around it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct HasseForest {
+    parents: Vec<Option<u32>>,
+    depths: Vec<u32>,
+}
+
+impl HasseForest {
+    /// The forest in which each curve has this parent.
+    pub(crate) fn new(parents: Vec<Option<u32>>) -> Self {
+        let mut depths = vec![u32::MAX; parents.len()];
+        let mut way = Vec::new();
+        for curve in 0..parents.len() {
+            let mut at = Some(curve as u32);
+            while let Some(own) = at.filter(|&own| depths[own as usize] == u32::MAX) {
+                way.push(own);
+                at = parents[own as usize];
+            }
+            let mut depth = at.map_or(0, |above| depths[above as usize] + 1);
+            while let Some(own) = way.pop() {
+                depths[own as usize] = depth;
+                depth += 1;
+            }
+        }
+        Self { parents, depths }
+    }
+
+    /// The smallest curve around a curve; none for roots.
+    ///
+    /// # Panics
+    /// If there is no such curve.
+    pub fn parent(&self, curve: usize) -> Option<usize> {
+        self.parents[curve].map(|parent| parent as usize)
+    }
+
+    /// The number of curves around a curve.
+    ///
+    /// # Panics
+    /// If there is no such curve.
+    pub fn depth(&self, curve: usize) -> usize {
+        self.depths[curve] as usize
+    }
+
+    /// The curves that lie in no other.
+    pub fn roots(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.parents.len()).filter(|&curve| self.parents[curve].is_none())
+    }
+}

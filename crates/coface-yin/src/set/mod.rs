@@ -1,0 +1,23 @@
+//! Yin sets and the curves that bound them.
+
+mod atoms;
+mod canonical;
+mod construction;
+mod curve_arena;
+mod fault;
+mod hasse_forest;
+mod jordan_curve;
+mod location;
+mod measures;
+mod yin_set;
+
+pub use atoms::{Atom, AtomKind};
+pub(crate) use canonical::CanonicalOrder;
+pub(crate) use construction::{Lying, lying};
+pub(crate) use curve_arena::CurveArena;
+pub use fault::YinFault;
+pub use hasse_forest::HasseForest;
+pub use jordan_curve::JordanCurve;
+pub use location::SetLocation;
+pub(crate) use location::parameter;
+pub use yin_set::YinSet;

@@ -1,0 +1,236 @@
+//! Curves on their way.
+
+use super::TrackingCounts;
+use super::markers::{MarkerRange, moved_markers, polyline_length};
+use crate::kinks::are_surely_apart;
+use crate::set::{CurveArena, Lying, lying};
+use crate::{Curve, EndCondition, Kinks, KnotIndex, Order, YinFault, YinSet};
+use coface_algebra::Error;
+use coface_arrange::boolean::InsideRule;
+use std::collections::BTreeSet;
+
+/// A curve on its way.
+struct Front {
+    curve: Curve<'static>,
+    /// Its kinks, rising, with their names.
+    kinks: Vec<(u32, u32)>,
+    /// Its number at the beginning.
+    origin: u32,
+    parent: Option<u32>,
+}
+
+impl Front {
+    fn kink_name(&self, knot: u32) -> Option<u32> {
+        let at = self.kinks.binary_search_by_key(&knot, |&(own, _)| own).ok()?;
+        Some(self.kinks[at].1)
+    }
+}
+
+/// The boundary of a set on its way.
+pub(super) struct Fronts {
+    order: Order,
+    is_unbounded: bool,
+    fronts: Vec<Front>,
+    next_name: u32,
+    ends: EndCondition,
+}
+
+impl Fronts {
+    pub(super) fn new(set: &YinSet) -> Self {
+        let mut fronts: Vec<Front> = (0..set.curve_count())
+            .map(|curve| Front {
+                curve: set.curve(curve).into_owned(),
+                kinks: Vec::new(),
+                origin: curve as u32,
+                parent: set.forest().parent(curve).map(|parent| parent as u32),
+            })
+            .collect();
+        for (at, name) in set.kinks().iter() {
+            fronts[at.curve as usize].kinks.push((at.knot, name.to_u32()));
+        }
+        Self {
+            order: set.order(),
+            is_unbounded: !set.is_bounded(),
+            fronts,
+            next_name: set.kinks().next_name(),
+            ends: set.kinks().ends().clone(),
+        }
+    }
+
+    /// Moves all curves by a map. Gives those that vanished, by their numbers at the beginning, with the lengths of their polygons.
+    pub(super) fn advance(
+        &mut self,
+        map: &(impl Fn([f64; 2]) -> [f64; 2] + Sync),
+        range: MarkerRange,
+        counts: &mut TrackingCounts,
+    ) -> Result<Vec<(u32, f64)>, Error> {
+        let mut inner_counts = vec![0u32; self.fronts.len()];
+        for parent in self.fronts.iter().filter_map(|front| front.parent) {
+            inner_counts[parent as usize] += 1;
+        }
+        let mut vanished = Vec::new();
+        let mut stays = vec![true; self.fronts.len()];
+        for number in self.inside_out() {
+            let front = &mut self.fronts[number];
+            let is_kink = |knot: usize| front.kink_name(knot as u32).is_some();
+            let moved = moved_markers(&front.curve, is_kink, map, range, counts)?;
+            let length = polyline_length(&moved.points);
+            let ring = &moved.points[..moved.points.len() - 1];
+            if inner_counts[number] == 0 && (ring.len() < 3 || length < 3.0 * range.least) {
+                stays[number] = false;
+                vanished.push((front.origin, length));
+                // What lies in it has vanished before.
+                if let Some(parent) = front.parent {
+                    inner_counts[parent as usize] -= 1;
+                }
+                continue;
+            }
+            let name = |knot: u32| front.kink_name(moved.origins[knot as usize]?).map(|name| (knot, name));
+            front.kinks = (0..ring.len() as u32).filter_map(name).collect();
+            let kinks: Vec<u32> = front.kinks.iter().map(|&(knot, _)| knot).collect();
+            front.curve = Curve::fit_closed_by_length(ring, &kinks, self.order, &self.ends)?;
+        }
+        vanished.sort_by_key(|&(origin, _)| origin);
+        if !vanished.is_empty() {
+            self.retain(&stays);
+        }
+        Ok(vanished)
+    }
+
+    /// The numbers of all curves, each behind those that lie in it.
+    fn inside_out(&self) -> Vec<usize> {
+        let mut depths: Vec<Option<u32>> = vec![None; self.fronts.len()];
+        let mut way = Vec::new();
+        for start in 0..self.fronts.len() {
+            // Up to a curve whose depth is known, and down again.
+            let mut at = Some(start);
+            let mut depth = 0;
+            while let Some(number) = at {
+                if let Some(known) = depths[number] {
+                    depth = known + 1;
+                    break;
+                }
+                way.push(number);
+                at = self.fronts[number].parent.map(|parent| parent as usize);
+            }
+            while let Some(number) = way.pop() {
+                depths[number] = Some(depth);
+                depth += 1;
+            }
+        }
+        let mut order: Vec<usize> = (0..self.fronts.len()).collect();
+        order.sort_by_key(|&number| std::cmp::Reverse(depths[number]));
+        order
+    }
+
+    /// Leaves curves out in which no others lie.
+    fn retain(&mut self, stays: &[bool]) {
+        let mut numbers = vec![u32::MAX; stays.len()];
+        let kept_numbers = numbers.iter_mut().zip(stays).filter(|(_, stays)| **stays);
+        (0..).zip(kept_numbers).for_each(|(at, (number, _))| *number = at);
+        let mut kept = stays.iter();
+        self.fronts.retain(|_| *kept.next().expect("there is an entry for each curve"));
+        for parent in self.fronts.iter_mut().filter_map(|front| front.parent.as_mut()) {
+            *parent = numbers[*parent as usize];
+        }
+    }
+
+    fn arena(&self) -> CurveArena {
+        let count = self.fronts.iter().map(|front| front.curve.piece_count()).sum();
+        let mut arena = CurveArena::with_capacity(self.order, count, self.fronts.len());
+        self.fronts.iter().for_each(|front| arena.push(&front.curve));
+        arena
+    }
+
+    /// What keeps the curves from bounding a set in which they lie as before. Where they are clearly apart it is not looked, unless that
+    /// is asked for, whether one of them has jumped over another.
+    ///
+    /// # Errors
+    /// If that cannot be decided.
+    pub(super) fn fault(&self, is_thorough: bool) -> Result<Option<YinFault>, Error> {
+        let named =
+            || (0..).zip(&self.fronts).map(|(number, front)| (front.curve.as_borrowed(), [number; 2]));
+        if self.fronts.is_empty() || (!is_thorough && are_surely_apart(named())) {
+            return Ok(None);
+        }
+        let origin = |curve: usize| self.fronts[curve].origin as usize;
+        let Lying { parents, is_positive, .. } = match lying(&self.arena())? {
+            Ok(lying) => lying,
+            Err(fault) => return Ok(Some(fault.renumbered(origin))),
+        };
+        let is_turned = |&curve: &usize| {
+            parents[curve] != self.fronts[curve].parent
+                || (parents[curve].is_none() && is_positive[curve] == self.is_unbounded)
+        };
+        // Curves that do not meet have changed places: one of them has jumped over another, or turned inside out.
+        Ok((0..self.fronts.len()).find(is_turned).map(|curve| {
+            let other = parents[curve].or(self.fronts[curve].parent).map_or(curve, |other| other as usize);
+            YinFault::Crossing {
+                curves: [origin(curve), origin(other)],
+                point: self.fronts[curve].curve.knot_point(0),
+            }
+        }))
+    }
+
+    /// Cuts the curves where they meet and pastes them to the boundary of what a rule says is inside.
+    pub(super) fn repair(&mut self, rule: InsideRule) -> Result<(), Error> {
+        let curves: Vec<(Curve<'_>, Vec<u32>)> = self
+            .fronts
+            .iter()
+            .map(|front| (front.curve.clone(), front.kinks.iter().map(|&(knot, _)| knot).collect()))
+            .collect();
+        let combination = YinSet::combine_kinked_curves(&curves, i32::from(self.is_unbounded), rule)?;
+        let sources = combination.sources();
+        let set = combination.set();
+        let mut first = 0;
+        let mut fronts = Vec::with_capacity(set.curve_count());
+        for number in 0..set.curve_count() {
+            let curve = set.curve(number).into_owned();
+            let own = &sources[first..first + curve.piece_count()];
+            first += own.len();
+            let origin = own.iter().map(|source| self.fronts[source.operand as usize].origin).min();
+            let mut kinks = Vec::new();
+            for knot in set.kinks().on_curve(number as u32) {
+                // The name that the kink had before, if it was one.
+                let source = own[knot as usize];
+                let front = &self.fronts[source.operand as usize];
+                let count = front.curve.piece_count() as u32;
+                let known = match source.range[0] {
+                    0.0 => front.kink_name(source.piece),
+                    1.0 => front.kink_name((source.piece + 1) % count),
+                    _ => None,
+                };
+                kinks.push((knot, known));
+            }
+            fronts.push((curve, kinks, origin.unwrap_or_default(), set.forest().parent(number)));
+        }
+        let mut used: BTreeSet<u32> = BTreeSet::new();
+        self.fronts = fronts
+            .into_iter()
+            .map(|(curve, kinks, origin, parent)| {
+                let mut named = |known: Option<u32>| {
+                    // Where curves touch in a kink only one of them keeps its name.
+                    known.filter(|&name| used.insert(name)).unwrap_or_else(|| {
+                        self.next_name += 1;
+                        self.next_name - 1
+                    })
+                };
+                let kinks = kinks.into_iter().map(|(knot, known)| (knot, named(known))).collect();
+                Front { curve, kinks, origin, parent: parent.map(|parent| parent as u32) }
+            })
+            .collect();
+        self.is_unbounded = !set.is_bounded();
+        Ok(())
+    }
+
+    /// The set, and the number that each of its curves had at the beginning.
+    pub(super) fn into_set(self) -> (YinSet, Vec<u32>) {
+        let parents = self.fronts.iter().map(|front| front.parent).collect();
+        let mut set = YinSet::from_parts(self.arena(), self.is_unbounded, parents, Vec::new());
+        let kinks = (0..).zip(&self.fronts).flat_map(|(curve, front)| {
+            front.kinks.iter().map(move |&(knot, name)| (KnotIndex { curve, knot }, name))
+        });
+        *set.kinks_mut() = Kinks::named(kinks.collect(), Some(self.next_name)).with_ends(&self.ends);
+        (set, self.fronts.iter().map(|front| front.origin).collect())
+    }
+}

@@ -1,0 +1,217 @@
+//! Interfaces that move.
+
+use super::markers::{MovedMarkers, moved_markers, polyline_length};
+use super::sets::in_step;
+use super::{TrackingCounts, TrackingOptions};
+use crate::interface::Arcs;
+use crate::kinks::are_surely_apart;
+use crate::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
+use coface_algebra::Error;
+use coface_algebra::progress::stage;
+use coface_arrange::boolean::InsideRule;
+
+/// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
+/// no more than rounding.
+const SMOOTH_ANGLE: f64 = 1e-6;
+
+/// An interface whose edges came to meet, and was cut and pasted by a rule.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InterfaceRepair {
+    /// The step, counted from 1.
+    pub step: usize,
+    /// The time at its end.
+    pub time: f64,
+    /// What was found first.
+    pub fault: InterfaceFault,
+}
+
+/// An interface that has moved.
+#[derive(Clone, Debug)]
+pub struct TrackedGraph {
+    graph: InterfaceGraph,
+    counts: TrackingCounts,
+    vanished: Vec<(f64, Option<u32>)>,
+    repairs: Vec<InterfaceRepair>,
+    edges: Vec<Option<u32>>,
+}
+
+impl TrackedGraph {
+    /// The interface at the end.
+    pub fn graph(&self) -> &InterfaceGraph {
+        &self.graph
+    }
+
+    /// What happened to markers.
+    pub fn counts(&self) -> TrackingCounts {
+        self.counts
+    }
+
+    /// The closed edges that became too short and were taken out, each with the time and its number at the beginning; those that a
+    /// repair has made have none.
+    pub fn vanished(&self) -> &[(f64, Option<u32>)] {
+        &self.vanished
+    }
+
+    /// What was cut and pasted on the way, by time; nothing without [`TrackingOptions::repair`].
+    pub fn repairs(&self) -> &[InterfaceRepair] {
+        &self.repairs
+    }
+
+    /// For each edge its number at the beginning; after a repair edges have none.
+    pub fn edges(&self) -> &[Option<u32>] {
+        &self.edges
+    }
+}
+
+impl InterfaceGraph {
+    /// The interface after all its points have moved with a velocity, which depends on the point and the time.
+    ///
+    /// Vertices stay vertices and edges stay edges, each fitted anew after each step. Closed edges at vertices of their own vanish when
+    /// they are shorter than three times the least distance of markers. Other edges stay, however short.
+    ///
+    /// Where edges come closer to each other than the error of tracking they may meet: that is an error, or repaired by the rule of
+    /// [`TrackingOptions::repair`], which says what is inside of each phase; what then lies in several goes to the lowest.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for options without meaning, a velocity that is not finite, an
+    /// interface that cannot be fitted any more, and edges that have come to meet; the step, the time and the place are named.
+    ///
+    /// # Complexity
+    /// Linear in markers times steps, in parallel over markers; and an overlay of the edges for each verification.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = (0..32).map(|i| f64::from(i) * std::f64::consts::PI / 16.0).map(|t| [t.cos(), t.sin()]).collect::<Vec<_>>();
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: circle[1..].to_vec(), phases: [Some(0), Some(1)] };
+    /// let base_point = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&circle[..1], &[edge], &[base_point], Order::CUBIC)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(2.0, 0.5, 0.2))?;
+    /// assert!((moved.graph().phase_area(0)? - graph.phase_area(0)?).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
+    pub fn advected(
+        &self,
+        velocity: impl Fn([f64; 2], f64) -> [f64; 2] + Sync,
+        options: &TrackingOptions,
+    ) -> Result<TrackedGraph, Error> {
+        let (steps, step) = options.steps()?;
+        let range = options.range();
+        let mut graph = self.clone();
+        let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
+        let scheme = options.scheme_for(self.order());
+        let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
+        let mut numbers: Vec<Option<u32>> = (0..self.edge_count() as u32).map(Some).collect();
+        let told = stage("moving", steps);
+        for at in 0..steps {
+            told.advance(1);
+            let time = options.start + at as f64 * step;
+            let end_time = time + step;
+            let in_step = |error: Error| in_step(&error, at + 1, end_time);
+            let map = |point| scheme.mapped(&velocity, point, time, step);
+            let mut points = Vec::with_capacity(graph.edge_count());
+            for edge in 0..graph.edge_count() {
+                let MovedMarkers { points: own, .. } =
+                    moved_markers(graph.curve(edge), |_| false, &map, range, &mut counts).map_err(in_step)?;
+                points.push(own);
+            }
+            let mut vertices: Vec<[f64; 2]> = graph.vertices().iter().map(|&vertex| map(vertex)).collect();
+            for (edge, own) in points.iter().enumerate() {
+                // Bit for bit what the edges have.
+                let [start, end] = graph.ends(edge).map(|end| end as usize);
+                (vertices[start], vertices[end]) = (own[0], own[own.len() - 1]);
+            }
+            let is_gone = |edge: usize| {
+                let [start, end] = graph.ends(edge);
+                let is_alone = start == end && graph.degree(start as usize) == 2;
+                is_alone && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * range.least)
+            };
+            let stays: Vec<bool> = (0..graph.edge_count()).map(|edge| !is_gone(edge)).collect();
+            for edge in (0..stays.len()).filter(|&edge| !stays[edge]) {
+                vanished.push((end_time, numbers[edge]));
+            }
+            graph = graph.moved(vertices, &points, &stays).map_err(in_step)?;
+            let mut kept = stays.iter();
+            numbers.retain(|_| *kept.next().expect("there is an entry for each edge"));
+            if !options.is_verified_after(at, steps) {
+                continue;
+            }
+            let edges =
+                (0..graph.edge_count()).map(|edge| (graph.curve(edge).as_borrowed(), graph.ends(edge)));
+            if at + 1 < steps && are_surely_apart(edges) {
+                continue;
+            }
+            let Some(fault) = graph.fault().map_err(in_step)? else { continue };
+            let Some(rule) = options.repair else {
+                return Err(in_step(fault.into_error().with_cure(
+                    "take shorter steps or a smaller spacing, or repair the interface by a fill rule",
+                )));
+            };
+            graph = graph.repaired(rule).map_err(in_step)?;
+            numbers = vec![None; graph.edge_count()];
+            repairs.push(InterfaceRepair { step: at + 1, time: end_time, fault });
+        }
+        Ok(TrackedGraph { graph, counts, vanished, repairs, edges: numbers })
+    }
+
+    /// The interface of what a rule says is inside of each phase; what lies in several goes to the lowest.
+    fn repaired(&self, rule: InsideRule) -> Result<Self, Error> {
+        let phases = self.phases();
+        let sets: Vec<YinSet> = phases
+            .iter()
+            .map(|&phase| {
+                let set = self.unchecked_set(phase)?;
+                let kinks = self.phase_kinks(phase);
+                let curves: Vec<(Curve<'_>, Vec<u32>)> =
+                    (0..set.curve_count()).map(|curve| set.curve(curve)).zip(kinks).collect();
+                Ok(YinSet::combine_kinked_curves(&curves, i32::from(!set.is_bounded()), rule)?.into_set())
+            })
+            .collect::<Result<_, Error>>()?;
+        let options = InterfaceOptions {
+            order: self.order(),
+            smooth_angle: SMOOTH_ANGLE,
+            overlaps: Overlaps::ToTheFirst,
+        };
+        let mut graph = Self::of_sets_with(&sets, &options)?;
+        for phase in graph.phases_mut().flatten() {
+            *phase = phases[*phase as usize];
+        }
+        Ok(graph)
+    }
+
+    /// The same graph with vertices and the points of edges elsewhere, and only the edges that stay.
+    fn moved(
+        &self,
+        vertices: Vec<[f64; 2]>,
+        points: &[Vec<[f64; 2]>],
+        stays: &[bool],
+    ) -> Result<Self, Error> {
+        let mut numbers = vec![u32::MAX; stays.len()];
+        let mut count = 0;
+        for edge in 0..stays.len() {
+            if stays[edge] {
+                numbers[edge] = count;
+                count += 1;
+            }
+        }
+        let renumbered = |edge: DirectedEdge| DirectedEdge { edge: numbers[edge.edge as usize], ..edge };
+        fn kept<T: Clone>(all: impl Iterator<Item = T>, stays: &[bool]) -> Vec<T> {
+            all.zip(stays).filter(|(_, stays)| **stays).map(|(item, _)| item).collect()
+        }
+        let around = (0..vertices.len()).map(|vertex| {
+            let leaving = self.edges_at(vertex).iter().map(|&edge| renumbered(edge));
+            leaving.filter(|edge| edge.edge != u32::MAX).collect()
+        });
+        let around = around.collect();
+        let ends = kept((0..stays.len()).map(|edge| self.ends(edge)), stays);
+        let phases = kept((0..stays.len()).map(|edge| self.phases_of(edge)), stays);
+        let points: Vec<Vec<[f64; 2]>> = kept(points.iter().cloned(), stays);
+        let pairs = self.smooth_pairs().iter().map(|pair| pair.map(renumbered));
+        let pairs = pairs.filter(|pair| pair[0].edge != u32::MAX && pair[1].edge != u32::MAX).collect();
+        // The flow is a homeomorphism: edges leave vertices in the order in which they did.
+        let arcs = Arcs { vertices, ends, phases, smooth_pairs: pairs };
+        Self::with_points(arcs, &points, self.order(), Some(around))
+    }
+}

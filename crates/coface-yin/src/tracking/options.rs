@@ -1,0 +1,127 @@
+//! How boundaries are tracked.
+
+use super::RungeKutta;
+use super::markers::MarkerRange;
+use crate::Order;
+use coface_algebra::Error;
+use coface_arrange::boolean::InsideRule;
+
+/// When it is verified that what moves still bounds what it should: that no boundary has come to meet itself or another.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Verification {
+    /// After each step of time.
+    #[default]
+    EachStep,
+    /// At the end only: what meets in between and parts again is not seen.
+    End,
+    /// Not at all.
+    Never,
+}
+
+/// From when to when, in which steps, and with which spacing of markers a boundary is tracked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrackingOptions {
+    /// The time at which the boundary is as given.
+    pub start: f64,
+    /// The time at which it is asked for; it may be earlier.
+    pub end: f64,
+    /// The longest step of time; all steps are equally long.
+    pub time_step: f64,
+    /// The greatest distance h of neighboring markers.
+    pub spacing: f64,
+    /// The least distance of neighboring markers as a part r of h, at most 1/3 so that both can be kept.
+    pub least_ratio: f64,
+    /// The most that the polygon of the markers turns at a marker that is no kink, in radians, as far as the least distance leaves room for
+    /// more markers: so they are nearer together where the boundary bends. None if their distance alone counts.
+    pub most_turn: Option<f64>,
+    /// The scheme that maps markers; none for the one of the order of the boundary.
+    pub scheme: Option<RungeKutta>,
+    /// When the boundary is verified.
+    pub verification: Verification,
+    /// What is inside of boundaries that have come to meet: with a rule they are cut and pasted by it, and the motion goes on. Without
+    /// one it is an error. Needs a verification.
+    pub repair: Option<InsideRule>,
+}
+
+impl TrackingOptions {
+    /// From time 0 to `end` with steps and spacing as given; r = 1/10, the scheme of the order of the boundary, verified after each step,
+    /// and without repair.
+    pub fn new(end: f64, time_step: f64, spacing: f64) -> Self {
+        Self {
+            start: 0.0,
+            end,
+            time_step,
+            spacing,
+            least_ratio: 0.1,
+            most_turn: None,
+            scheme: None,
+            verification: Verification::EachStep,
+            repair: None,
+        }
+    }
+
+    /// The distances and turns of markers.
+    pub(super) fn range(&self) -> MarkerRange {
+        MarkerRange {
+            least: self.least_ratio * self.spacing,
+            most: self.spacing,
+            turn: self.most_turn.unwrap_or(f64::INFINITY),
+        }
+    }
+
+    /// The scheme for a boundary of some order.
+    pub(super) fn scheme_for(&self, order: Order) -> RungeKutta {
+        self.scheme.unwrap_or(RungeKutta::for_curves(order))
+    }
+
+    /// Whether a boundary is verified after one of so many steps.
+    pub(super) fn is_verified_after(&self, step: usize, count: usize) -> bool {
+        match self.verification {
+            Verification::EachStep => true,
+            Verification::End => step + 1 == count,
+            Verification::Never => false,
+        }
+    }
+
+    /// The number of steps, and their length.
+    pub(super) fn steps(&self) -> Result<(usize, f64), Error> {
+        let span = self.end - self.start;
+        let count = (span.abs() / self.time_step).ceil();
+        let is_positive = |x: f64| x > 0.0 && x.is_finite();
+        if !span.is_finite() || !is_positive(self.time_step) || count > 1e9 {
+            return Err(Error::invalid(format!(
+                "the time from {} to {} has no steps of {}",
+                self.start, self.end, self.time_step
+            ))
+            .with_cure("give finite times and a positive step"));
+        }
+        if !is_positive(self.spacing) {
+            return Err(Error::invalid(format!("markers cannot have the spacing {}", self.spacing))
+                .with_cure("give a positive length"));
+        }
+        if !(0.0..=1.0 / 3.0).contains(&self.least_ratio) {
+            return Err(Error::invalid(format!(
+                "the least ratio {} of distances cannot be kept",
+                self.least_ratio
+            ))
+            .with_cure("give a number from 0 to 1/3"));
+        }
+        if let Some(turn) = self.most_turn.filter(|turn| turn.is_nan() || *turn <= 0.0) {
+            return Err(Error::invalid(format!("markers cannot turn by at most {turn}"))
+                .with_cure("give a positive angle in radians"));
+        }
+        Ok((count as usize, if count > 0.0 { span / count } else { 0.0 }))
+    }
+}
+
+/// What tracking did to markers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct TrackingCounts {
+    /// The number of steps of time.
+    pub steps: usize,
+    /// The markers that were added.
+    pub added: usize,
+    /// The markers that were left out.
+    pub removed: usize,
+}
