@@ -31,6 +31,9 @@ pub mod progress;
 mod ragged;
 mod rational;
 mod residue;
+#[cfg(any(test, feature = "samples"))]
+#[doc(hidden)]
+pub mod samples;
 mod skew_form;
 mod smith;
 mod sparse_matrix;
@@ -45,15 +48,15 @@ pub use ids::{CellId, EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 pub use integer::Integer;
 pub use integer_matrix::IntegerMatrix;
 pub use permutation::Permutation;
-pub use prime_field::{Field, Odd};
 #[doc(hidden)]
 pub use prime_field::Binary;
-pub use primes::large_primes;
+pub use prime_field::{Field, Odd};
 #[doc(hidden)]
 pub use primes::is_prime;
-pub use product::joined_columns;
+pub use primes::large_primes;
 #[doc(hidden)]
 pub use product::ColumnBlock;
+pub use product::joined_columns;
 pub use ragged::RaggedArray;
 pub use rational::Rational;
 pub use residue::Residue;
@@ -61,9 +64,9 @@ pub use skew_form::SkewForm;
 pub use smith::{SmithForm, SmithTransforms, invariant_factors, smith_form, smith_form_with_transforms};
 pub use sparse_matrix::{Column, SparseMatrix, WideMatrix};
 pub use sparse_vector::SparseVector;
-pub use sparse_vector::{inner_product, linear_combination};
 #[doc(hidden)]
 pub use sparse_vector::combination;
+pub use sparse_vector::{inner_product, linear_combination};
 pub use symmetric_form::{Definiteness, Inertia, Parity, SymmetricForm};
 pub use union_find::{ParityUnion, ParityUnionFind, UnionFind};
 pub use word::Word;

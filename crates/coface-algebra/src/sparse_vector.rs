@@ -38,12 +38,7 @@ pub fn linear_combination<'a>(
 }
 
 /// $x a + y b$ of two vectors.
-pub fn combination(
-    x: &Integer,
-    a: &[(u32, Integer)],
-    y: &Integer,
-    b: &[(u32, Integer)],
-) -> SparseVector {
+pub fn combination(x: &Integer, a: &[(u32, Integer)], y: &Integer, b: &[(u32, Integer)]) -> SparseVector {
     let mut sum = SparseVector::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {

@@ -60,8 +60,8 @@ pub use surface_model::{
 };
 pub use triangulation::triangulated;
 pub use volume::homology_of_volume;
+pub use yin::{KinkRequest, PlanarSet, SetRequest};
 #[doc(hidden)]
 pub use yin::{SetPiece, set_pieces};
-pub use yin::{KinkRequest, PlanarSet, SetRequest};
 
 use labels::Labels;

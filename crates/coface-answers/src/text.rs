@@ -1,7 +1,7 @@
 //! The report for people: aligned, at 80 columns, with a gloss for each word a newcomer may not know.
 
-use anstyle::{AnsiColor, Style};
 use crate::{Answer, Kind, Problem, ProblemKind, Report};
+use anstyle::{AnsiColor, Style};
 use coface_complexes::simplicial::SimplexSet;
 use coface_topology::{AbelianGroup, Coefficients};
 use std::fmt::Write;

@@ -16,16 +16,16 @@ pub mod triangulation;
 
 pub use affine::AffineMap;
 pub use angle::Angle;
-pub use box_tree::{AxisBox, BoxTree, frame_around};
 #[doc(hidden)]
 pub use box_tree::boxes_meet;
-pub use measure::{cross, determinant};
+pub use box_tree::{AxisBox, BoxTree, frame_around};
 #[doc(hidden)]
-pub use measure::dot;
+pub use measure::Scaled;
 #[doc(hidden)]
 pub use measure::Sum;
 #[doc(hidden)]
-pub use measure::Scaled;
+pub use measure::dot;
+pub use measure::{cross, determinant};
 pub use measure::{enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_centroid, surface_moment};
 pub use positions::Positions;

@@ -490,11 +490,7 @@ fn open(path: &Path) -> Result<File, Error> {
 
 /// Reads a mesh of simplices from a file into flat files of a folder, without keeping it in memory; `None` if the file is of a format, or has
 /// elements, for which that is not done.
-pub fn stream_mesh(
-    path: &Path,
-    format: Option<Format>,
-    folder: &Path,
-) -> Result<Option<ScratchMesh>, Error> {
+pub fn stream_mesh(path: &Path, format: Option<Format>, folder: &Path) -> Result<Option<ScratchMesh>, Error> {
     let read = || {
         let mut file = watched(path)?;
         let (start, whole) = start_of(&mut file)?;

@@ -52,13 +52,13 @@ pub use doors::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
     read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
-pub use drawing::{Shape, shapes};
 #[doc(hidden)]
 pub use drawing::Features;
+pub use drawing::{Shape, shapes};
 pub use format::Format;
-pub use model::{Group, GroupKind, Model, Structure};
 pub use model::repeated_vertex;
 #[doc(hidden)]
 pub use model::segments;
+pub use model::{Group, GroupKind, Model, Structure};
 pub use output::{abandon_files, replace_file};
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};

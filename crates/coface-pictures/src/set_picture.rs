@@ -1,8 +1,8 @@
 //! Pictures of sets.
 
-use coface_answers::{PlanarSet, SetPiece as Piece, set_pieces as pieces_of};
 use crate::picture::{Anchor, Color, FlatPicture, Step, color_of};
 use coface_algebra::Error;
+use coface_answers::{PlanarSet, SetPiece as Piece, set_pieces as pieces_of};
 use coface_io::yin::flattened;
 use coface_yin::{Curve, Order};
 
@@ -90,8 +90,7 @@ fn panel(set: &PlanarSet, size: [f64; 2], view: &View) -> Result<FlatPicture, Er
 fn with_kinks(set: &PlanarSet) -> Result<FlatPicture, Error> {
     let view = View::of(set.frame());
     let mut picture = panel(set, [SIDE, SIDE], &view)?;
-    let knots =
-        (0..set.set().curve_count()).map(|curve| set.set().curve(curve).piece_count()).sum::<usize>();
+    let knots = (0..set.set().curve_count()).map(|curve| set.set().curve(curve).piece_count()).sum::<usize>();
     if knots <= MOST_DOTS {
         for curve in (0..set.set().curve_count()).map(|curve| set.set().curve(curve)) {
             for knot in 0..curve.piece_count() {

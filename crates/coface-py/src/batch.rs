@@ -4,9 +4,9 @@ use crate::errors::{OrRaise, invalid};
 use crate::model::format_of;
 use crate::volumes::{Voxels, reading_of};
 use crate::work::run;
-use coface::{Error, ErrorKind};
 use coface::scale::batch::{Batch, Reading, TableFormat};
 use coface::scale::workers::{Limits, WorkerCommand, WorkerPool};
+use coface::{Error, ErrorKind};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -134,6 +134,8 @@ pub(crate) fn _serve(py: Python<'_>, fetch: Py<PyAny>) -> PyResult<()> {
             })
         }))
     };
-    py.detach(|| coface::scale::workers::serve(|request| coface::scale::batch::examine_with(request, bytes_at)))
-        .or_raise(py)
+    py.detach(|| {
+        coface::scale::workers::serve(|request| coface::scale::batch::examine_with(request, bytes_at))
+    })
+    .or_raise(py)
 }

@@ -441,7 +441,6 @@ impl Model {
             Structure::Chains(_) => "chains",
             Structure::Gluings(_) => "gluings",
             Structure::Volume(_) => "volume",
-            _ => "other",
         })
     }
 

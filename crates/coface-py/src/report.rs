@@ -277,7 +277,10 @@ impl Report {
             .map(|(svg, caption)| (coface::pictures::pages::html::Figure::Svg(svg), caption))
             .collect();
         let object = format!("{:#}", self.report.to_json(PLACES));
-        coface::pictures::pages::html::page(title, &[coface::pictures::pages::html::Section { items, figures, object }])
+        coface::pictures::pages::html::page(
+            title,
+            &[coface::pictures::pages::html::Section { items, figures, object }],
+        )
     }
 
     fn __str__(&self) -> String {

@@ -154,7 +154,8 @@ fn to_vector(matrix: &WideMatrix, column: u32) -> SparseVector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::chains::{Reduction, random_complexes};
+    use coface_algebra::chains::Reduction;
+    use coface_algebra::samples::random_complexes;
     use proptest::prelude::*;
 
     proptest! {

@@ -322,7 +322,8 @@ pub(super) fn to_chain(complex: &ChainComplex, degree: usize, terms: SparseVecto
 mod tests {
     use super::*;
     use crate::{Cocycle, cohomology, homology, homology_with};
-    use coface_algebra::chains::{Cochain, random_complexes};
+    use coface_algebra::chains::Cochain;
+    use coface_algebra::samples::random_complexes;
     use proptest::prelude::*;
 
     /// Integers for one test, over and over.

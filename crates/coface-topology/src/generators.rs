@@ -32,7 +32,7 @@ pub fn generators(complex: &ChainComplex) -> Vec<Vec<Generator>> {
 mod tests {
     use super::*;
     use crate::homology;
-    use coface_algebra::chains::random_complexes;
+    use coface_algebra::samples::random_complexes;
     use coface_algebra::{Integer, SparseMatrix, WideMatrix, smith_form};
     use proptest::prelude::*;
 

@@ -163,7 +163,7 @@ fn change_coefficients(integral: &Homology, coefficients: Coefficients) -> Homol
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::chains::random_complexes;
+    use coface_algebra::samples::random_complexes;
     use proptest::prelude::*;
 
     /// The second method: Smith normal form of the whole boundary matrices, without any matching.

@@ -224,7 +224,7 @@ pub(super) fn map_of_generators(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::chains::random_complexes;
+    use coface_algebra::samples::random_complexes;
     use proptest::prelude::*;
 
     fn order(n: i64) -> Option<Integer> {

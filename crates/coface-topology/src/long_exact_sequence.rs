@@ -164,7 +164,7 @@ impl LongExactSequence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::chains::{closed_cells, random_complexes};
+    use coface_algebra::samples::{closed_cells, random_complexes};
     use coface_complexes::simplicial::known_spaces::{projective_plane, triangle_strip};
     use proptest::prelude::*;
 

@@ -64,7 +64,8 @@ pub fn reduced_generators(complex: &WideComplex) -> Vec<Vec<(Option<Integer>, Sp
 mod tests {
     use super::*;
     use crate::{HomologyBasis, homology};
-    use coface_algebra::chains::{Parts, random_complexes};
+    use coface_algebra::chains::Parts;
+    use coface_algebra::samples::random_complexes;
     use coface_complexes::simplicial::known_spaces as spaces;
     use proptest::prelude::*;
 

@@ -92,7 +92,7 @@ impl ChainComplex {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::chains::random_complexes;
+    use crate::samples::random_complexes;
     use crate::{CellId, ErrorKind};
     use crate::{Integer, Rational, Residue, SparseMatrix};
     use proptest::prelude::*;

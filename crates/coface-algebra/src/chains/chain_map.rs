@@ -162,7 +162,7 @@ impl ChainMap {
 mod tests {
     use super::*;
     use crate::Integer;
-    use crate::chains::{closed_cells, random_complexes};
+    use crate::samples::{closed_cells, random_complexes};
     use proptest::prelude::*;
 
     proptest! {

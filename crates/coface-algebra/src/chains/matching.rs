@@ -454,7 +454,7 @@ fn collapse<E: Entry>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::random_complexes;
+    use crate::samples::random_complexes;
     use proptest::prelude::*;
 
     proptest! {

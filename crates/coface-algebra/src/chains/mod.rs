@@ -40,6 +40,3 @@ pub use product::ProductNumbers;
 pub use reduction::Reduction;
 pub use selection::Selection;
 pub use two_skeleton::TwoSkeleton;
-
-#[cfg(test)]
-pub(crate) use complex::tests::{closed_cells, random_complexes};

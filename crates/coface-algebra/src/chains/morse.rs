@@ -279,7 +279,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
 mod tests {
     use super::*;
     use crate::SparseMatrix;
-    use crate::chains::random_complexes;
+    use crate::samples::random_complexes;
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 

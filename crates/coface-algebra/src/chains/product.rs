@@ -226,7 +226,7 @@ impl ProductNumbers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::random_complexes;
+    use crate::samples::random_complexes;
     use proptest::prelude::*;
 
     proptest! {

@@ -197,7 +197,7 @@ fn narrow_complex(morse: &MorseComplex<'_>) -> Option<ChainComplex> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::random_complexes;
+    use crate::samples::random_complexes;
     use proptest::prelude::*;
 
     /// The boundary of a chain of a complex.

@@ -203,7 +203,7 @@ impl fmt::Display for Selection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chains::random_complexes;
+    use crate::samples::random_complexes;
     use crate::{Rational, Residue, SparseMatrix};
     use proptest::prelude::*;
     use std::collections::BTreeMap;

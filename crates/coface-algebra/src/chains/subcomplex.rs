@@ -192,8 +192,8 @@ impl ChainComplex {
 mod tests {
     use super::super::chain::tests::disk_of_four_triangles;
     use super::*;
-    use crate::chains::random_complexes;
     use crate::invariant_factors;
+    use crate::samples::random_complexes;
     use proptest::prelude::*;
 
     fn cells(numbers: &[usize]) -> Vec<CellId> {

@@ -126,10 +126,7 @@ impl CellSelection {
 
     /// The same with pinches still to be found.
     #[doc(hidden)]
-    pub fn boundary_without_pinches(
-        &self,
-        complex: &ChainComplex,
-    ) -> Result<SelectionBoundary, Error> {
+    pub fn boundary_without_pinches(&self, complex: &ChainComplex) -> Result<SelectionBoundary, Error> {
         let degree = complex.degree_count().saturating_sub(1);
         let boundaries = complex.boundary_matrix(degree);
         let Some(boundaries) = boundaries.filter(|matrix| matrix.column_count() == self.cells.len()) else {

@@ -161,11 +161,7 @@ impl Faces {
     /// The faces, given the halfedge directly below each component that has one, with the face on its left, and the components by
     /// rising lowest points.
     #[doc(hidden)]
-    pub fn new(
-        orbits: &Orbits,
-        below: &[Option<u32>],
-        components: impl Iterator<Item = usize>,
-    ) -> Self {
+    pub fn new(orbits: &Orbits, below: &[Option<u32>], components: impl Iterator<Item = usize>) -> Self {
         let mut is_outer = vec![false; orbits.orbits.len()];
         for &orbit in orbits.outer_orbits.iter().filter(|&&orbit| orbit != NONE) {
             is_outer[orbit as usize] = true;

@@ -37,9 +37,9 @@ pub use faces::Faces;
 pub use faces::Orbits;
 pub use gift_wrapping::gift_wrap;
 pub use options::PlanarOptions;
-pub use overlay::{ChainEdges, JordanFault, JordanRings, RingFault};
 #[doc(hidden)]
 pub use overlay::RingCells;
+pub use overlay::{ChainEdges, JordanFault, JordanRings, RingFault};
 pub use overlay::{PlanarOverlay, PlanarPolygons};
 pub use regions::PlanarRegions;
 pub use rounding::{RoundingCertificate, SnappedArrangement};

@@ -4,6 +4,7 @@ use super::faces::{Faces, NONE, Orbits};
 
 /// What happens on a tour. An edge is crossed from what is right of the halfedge `across` to what is left of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
 pub enum Step {
     /// Into a bounded face for the first time.
     Into { face: u32, across: u32 },

@@ -9,6 +9,7 @@ use crate::{input, surface};
 use clap::{Args, ValueEnum};
 use coface::algebra::chains::{Chain, ChainComplex, Cochain, TwoSkeleton};
 use coface::algebra::{Integer, RaggedArray, Sign};
+use coface::answers::text;
 use coface::answers::{Producer, edge_lengths, integer_to_json};
 use coface::complexes::surface::GeneralizedMap;
 use coface::io::{CellData, Format, GroupKind, Model, write_path};
@@ -17,7 +18,6 @@ use coface::topology::{
     cotangent_weights, exactness, exactness_within, harmonic_forms,
 };
 use coface::{EdgeId, Error, VertexId};
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

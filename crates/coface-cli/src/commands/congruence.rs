@@ -8,11 +8,11 @@ use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
+use coface::answers::text;
 use coface::answers::{BlockRule, CongruenceRequest, ModelCongruence};
 use coface::arrange::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
 use coface::io;
 use coface::io::Format;
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

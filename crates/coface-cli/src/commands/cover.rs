@@ -7,9 +7,9 @@ use crate::progress::Progress;
 use crate::surface;
 use clap::{ArgGroup, Args, ValueEnum};
 use coface::Error;
+use coface::answers::text;
 use coface::answers::{LayoutChoice, SurfaceModel};
 use coface::topology::{CoverExtent, UniversalCover};
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

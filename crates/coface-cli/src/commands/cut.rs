@@ -7,8 +7,8 @@ use crate::progress::Progress;
 use crate::surface;
 use clap::Args;
 use coface::algebra::Word;
-use coface::answers::{CutRequest, SurfaceCut, SurfaceModel};
 use coface::answers::text;
+use coface::answers::{CutRequest, SurfaceCut, SurfaceModel};
 use serde_json::Value;
 use std::path::PathBuf;
 

@@ -8,11 +8,11 @@ use crate::progress::Progress;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use clap::Args;
+use coface::answers::text;
 use coface::answers::{Producer, Report};
 use coface::io::{Format, Model};
-use coface::pictures::{Picture, PictureStyle, Scene, matrix_picture};
 use coface::pictures::pages::html::{self, Figure, Section};
-use coface::answers::text;
+use coface::pictures::{Picture, PictureStyle, Scene, matrix_picture};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -6,10 +6,10 @@ use crate::output::{give, is_json, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::algebra::Integer;
+use coface::answers::text;
 use coface::answers::{groups_to_json, integer_to_json};
 use coface::scale::shards::{FolderLevel, FolderSummary, ShardChain, ShardChains, ShardFolder, ShardTerm};
 use coface::topology::{AbelianGroup, Coefficients};
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

@@ -11,8 +11,8 @@ use clap::Args;
 use coface::answers::{PlanarSet, Report, SetRequest};
 use coface::io::Format;
 use coface::pictures::{
-    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture, set_picture,
-    matrix_picture, pane_picture,
+    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture,
+    matrix_picture, pane_picture, set_picture,
 };
 use coface::topology::{Coefficients, Filtration, persistence};
 use serde_json::json;

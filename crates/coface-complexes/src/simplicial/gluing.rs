@@ -127,11 +127,7 @@ impl GluingTable {
     /// # Errors
     /// As [`Self::from_rows`].
     #[doc(hidden)]
-    pub fn from_flat(
-        width: usize,
-        neighbors: Vec<Option<u32>>,
-        images: Vec<u8>,
-    ) -> Result<Self, Error> {
+    pub fn from_flat(width: usize, neighbors: Vec<Option<u32>>, images: Vec<u8>) -> Result<Self, Error> {
         let Some(dimension) = width.checked_sub(1) else {
             return Err(Error::invalid("simplex 0 has no facets").with_cure("give one entry for each facet"));
         };

@@ -63,10 +63,10 @@ pub use delta_subdivision::{Carrier, Subdivision};
 pub use extrusion::{Extrusion, extrude};
 pub use facets::{FacetTable, facets};
 pub use frozen::FrozenComplex;
-pub use gluing::{GluingRow, GluingTable};
-pub use gluing::no_permutation;
 #[doc(hidden)]
 pub use gluing::different_rows;
+pub use gluing::no_permutation;
+pub use gluing::{GluingRow, GluingTable};
 pub use gluing_faces::FaceClasses;
 pub use gluing_links::VertexLink;
 pub use gluing_manifold::{GluingCertificate, GluingFault, GluingVerdict, GluingWitness};

@@ -34,8 +34,9 @@ mod two_skeleton;
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
 pub use components::Components;
-#[cfg(test)]
-pub(crate) use generalized_map::samples;
+#[cfg(any(test, feature = "samples"))]
+#[doc(hidden)]
+pub use generalized_map::samples;
 pub use generalized_map::{FaceOrientation, GeneralizedMap, Glued, OrientationDoubleCover, PathKind, Slice};
 pub use halfedge::{
     CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh,

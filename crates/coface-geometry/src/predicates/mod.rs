@@ -37,8 +37,8 @@ mod spatial_tests;
 #[doc(hidden)]
 pub use dyadic::Dyadic;
 pub use orientation::{direction_turn, orientation};
-pub use planar_point::PlanarPoint;
 pub use planar_point::HomogeneousPoint;
+pub use planar_point::PlanarPoint;
 #[doc(hidden)]
 pub use planar_point::approximate_area;
 pub use plane_filter::PlaneFilter;

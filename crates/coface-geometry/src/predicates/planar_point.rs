@@ -232,9 +232,7 @@ fn approximate_crossing(s: PlanarLine, t: PlanarLine) -> Option<[Approximation; 
 
 /// The area within closed walks, positive where they run counterclockwise, with a bound on its error; `None` for numbers out
 /// of the ordinary.
-pub fn approximate_area<W: Iterator<Item = PlanarPoint>>(
-    walks: impl Iterator<Item = W>,
-) -> Option<[f64; 2]> {
+pub fn approximate_area<W: Iterator<Item = PlanarPoint>>(walks: impl Iterator<Item = W>) -> Option<[f64; 2]> {
     // Bounds are summed apart: what an addition makes wider is its own only.
     let (mut doubled, mut error) = (Approximation::new(0.0, 0.0), 0.0);
     for mut walk in walks {

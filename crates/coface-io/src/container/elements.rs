@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use xxhash_rust::xxh3::Xxh3;
 
 /// A number that sections hold.
-pub(crate) trait Element: Pod {
+pub trait Element: Pod {
     /// The number whose bytes, as they stand in a file, are those of `self` in memory; and back.
     fn swapped(self) -> Self;
 }

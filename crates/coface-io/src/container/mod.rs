@@ -37,9 +37,9 @@ mod reading;
 mod tests;
 mod writing;
 
-pub use complexes::{push_complex, to_complex, to_wide_complex};
 #[doc(hidden)]
 pub use complexes::push_wide_complex;
+pub use complexes::{push_complex, to_complex, to_wide_complex};
 pub use complexes::{read, write};
 pub use elements::array_of_bytes;
 #[doc(hidden)]
@@ -47,12 +47,12 @@ pub use elements::hash_array;
 pub use integers::integers;
 #[doc(hidden)]
 pub use integers::push_integers;
-pub use reading::checksum_of_header;
 #[doc(hidden)]
 pub use reading::Container;
-pub use writing::Written;
+pub use reading::checksum_of_header;
 #[doc(hidden)]
 pub use writing::ContainerWriter;
+pub use writing::Written;
 
 /// The first bytes of every container: no text, and changed by whatever takes it for one.
 pub(super) const MARK: [u8; 8] = *b"\x89cfc\r\n\x1a\n";
@@ -97,6 +97,7 @@ impl Kind {
 /// What a section is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u32)]
+#[doc(hidden)]
 pub enum Role {
     /// Numbers about the whole.
     Meta = 1,

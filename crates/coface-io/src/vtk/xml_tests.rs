@@ -10,22 +10,22 @@ use std::io::Write;
 
 /// Written by VTK 9.7, but for those that name another program: meshio 5.3, pyvista 0.49.
 const POLYGONS: [(&str, &[u8]); 4] = [
-    ("text", include_bytes!("../../../tests/vtk_xml/text.vtp")),
-    ("base64 packed, 64-bit lengths, big-endian", include_bytes!("../../../tests/vtk_xml/binary.vtp")),
-    ("appended base64", include_bytes!("../../../tests/vtk_xml/appended.vtp")),
-    ("appended base64 packed, big-endian", include_bytes!("../../../tests/vtk_xml/packed.vtp")),
+    ("text", include_bytes!("../../tests/vtk_xml/text.vtp")),
+    ("base64 packed, 64-bit lengths, big-endian", include_bytes!("../../tests/vtk_xml/binary.vtp")),
+    ("appended base64", include_bytes!("../../tests/vtk_xml/appended.vtp")),
+    ("appended base64 packed, big-endian", include_bytes!("../../tests/vtk_xml/packed.vtp")),
 ];
 const GRIDS: [(&str, &[u8]); 3] = [
-    ("appended bytes, 64-bit lengths", include_bytes!("../../../tests/vtk_xml/raw.vtu")),
-    ("appended bytes packed", include_bytes!("../../../tests/vtk_xml/packed.vtu")),
-    ("base64, big-endian", include_bytes!("../../../tests/vtk_xml/big.vtu")),
+    ("appended bytes, 64-bit lengths", include_bytes!("../../tests/vtk_xml/raw.vtu")),
+    ("appended bytes packed", include_bytes!("../../tests/vtk_xml/packed.vtu")),
+    ("base64, big-endian", include_bytes!("../../tests/vtk_xml/big.vtu")),
 ];
-const PIECES: &[u8] = include_bytes!("../../../tests/vtk_xml/pieces.vtu");
+const PIECES: &[u8] = include_bytes!("../../tests/vtk_xml/pieces.vtu");
 const MESHIO: [&[u8]; 2] = [
-    include_bytes!("../../../tests/vtk_xml/meshio.vtu"),
-    include_bytes!("../../../tests/vtk_xml/meshio_plain.vtu"),
+    include_bytes!("../../tests/vtk_xml/meshio.vtu"),
+    include_bytes!("../../tests/vtk_xml/meshio_plain.vtu"),
 ];
-const PYVISTA: &[u8] = include_bytes!("../../../tests/vtk_xml/pyvista.vtp");
+const PYVISTA: &[u8] = include_bytes!("../../tests/vtk_xml/pyvista.vtp");
 
 fn column(model: &Model, name: &str, kind: GroupKind) -> Vec<f64> {
     let data = model.data_named(name, kind).unwrap();

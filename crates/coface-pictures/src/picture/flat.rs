@@ -87,13 +87,7 @@ impl FlatPicture {
     }
 
     /// Draws a disk, with a rim if there is a stroke.
-    pub(crate) fn disk(
-        &mut self,
-        center: [f64; 2],
-        radius: f64,
-        fill: Color,
-        stroke: Option<(Color, f64)>,
-    ) {
+    pub(crate) fn disk(&mut self, center: [f64; 2], radius: f64, fill: Color, stroke: Option<(Color, f64)>) {
         let form = Form::Disk { center, radius };
         self.parts.push(Part { form, fill: Some(fill), stroke, opacity: 1.0 });
     }

@@ -1,7 +1,7 @@
 //! Finding the files that a batch is about.
 
-use coface_io::Format;
 use coface_algebra::{Error, ErrorKind};
+use coface_io::Format;
 use std::collections::HashSet;
 use std::fs;
 use std::io::Read;

@@ -1,7 +1,7 @@
 //! The pool: requests to worker processes, answers from them.
 
-use crate::workers::process::{Reply, WorkerCommand, WorkerProcess};
 use super::{Limits, Loss};
+use crate::workers::process::{Reply, WorkerCommand, WorkerProcess};
 use coface_algebra::progress;
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;

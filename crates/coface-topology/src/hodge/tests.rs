@@ -3,7 +3,8 @@
 use super::*;
 use crate::{Coefficients, HomologyBasis, generators, homology, homology_with};
 use coface_algebra::SparseMatrix;
-use coface_algebra::chains::{ChainComplex, Cochain, random_complexes};
+use coface_algebra::chains::{ChainComplex, Cochain};
+use coface_algebra::samples::random_complexes;
 use coface_algebra::{CellId, ErrorKind};
 use coface_complexes::simplicial::{SimplicialComplex, known_spaces};
 use proptest::prelude::*;

@@ -4,7 +4,8 @@ use super::*;
 use crate::{Coefficients, homology_with};
 use coface_algebra::ErrorKind;
 use coface_algebra::SparseMatrix;
-use coface_algebra::chains::{ChainComplex, random_complexes};
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::samples::random_complexes;
 use proptest::prelude::*;
 
 /// Values made monotone: each cell has the largest of its own number and those of its faces.

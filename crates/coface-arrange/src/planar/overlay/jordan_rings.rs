@@ -15,6 +15,7 @@ pub struct JordanRings {
 
 /// Where rings are not simple or not almost disjoint: the rings and the rounded point, or both ends of what they share.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub enum JordanFault {
     Overlap { rings: [u32; 2], ends: [[f64; 2]; 2] },
     SelfMeeting { ring: u32, point: [f64; 2] },

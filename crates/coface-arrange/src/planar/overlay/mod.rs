@@ -20,14 +20,14 @@ mod ring_nesting;
 mod tracing;
 
 #[doc(hidden)]
-pub use jordan_rings::JordanRings;
-#[doc(hidden)]
 pub use jordan_rings::JordanFault;
+#[doc(hidden)]
+pub use jordan_rings::JordanRings;
 pub use polygons::PlanarPolygons;
 pub use regions::PlanarOverlay;
 #[doc(hidden)]
-pub use ring_cells::RingCells;
-#[doc(hidden)]
 pub use ring_cells::ChainEdges;
+#[doc(hidden)]
+pub use ring_cells::RingCells;
 #[doc(hidden)]
 pub use ring_nesting::RingFault;

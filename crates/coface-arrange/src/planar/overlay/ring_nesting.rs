@@ -17,6 +17,7 @@ pub struct RingNesting {
 
 /// What keeps closed rings from being simple and almost disjoint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
 pub enum RingFault {
     /// Two parts of rings, or of one, run along an edge.
     Overlap { edge: u32, rings: [u32; 2] },
@@ -80,12 +81,7 @@ impl RingCells {
     /// Each face but the unbounded one was entered across one edge when winding numbers were found; going these ways again crosses
     /// each ring.
     #[doc(hidden)]
-    pub fn parents_in_order(
-        &self,
-        halfedges: &[u32],
-        starts: &[usize],
-        order: &[u32],
-    ) -> Vec<Option<u32>> {
+    pub fn parents_in_order(&self, halfedges: &[u32], starts: &[usize], order: &[u32]) -> Vec<Option<u32>> {
         // Twice the ring along each edge, and one more if it runs against the edge.
         let mut ring_of_edge = vec![NONE; self.edges.ends.len()];
         for (number, &ring) in (0u32..).zip(order) {

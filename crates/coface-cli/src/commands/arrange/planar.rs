@@ -6,9 +6,9 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
 use crate::target::{Target, write_seen};
+use coface::answers::text;
 use coface::answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing};
 use coface::io::{Model, replace_file};
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::Path;
 

@@ -7,11 +7,11 @@ use crate::output::{print_json, print_text, remark, write_json};
 use crate::progress::Progress;
 use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
+use coface::answers::text;
 use coface::answers::{SceneArrangement, SpatialRequest, SpatialScene};
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::Path;
 

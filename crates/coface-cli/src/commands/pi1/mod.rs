@@ -12,6 +12,7 @@ use clap::Args;
 use coface::VertexId;
 use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Word};
+use coface::answers::text;
 use coface::answers::{Producer, integer_to_json};
 use coface::geometry::Positions;
 use coface::io::{Model, write_path};
@@ -19,7 +20,6 @@ use coface::topology::{
     AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
     Simplification, SubgroupClass, SurfaceGroup, homology,
 };
-use coface::answers::text;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;

@@ -9,8 +9,8 @@ use crate::output::{remark, write_file};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use coface::answers::PlanarSet;
-use coface::yin::{Flow, RungeKutta, TrackingOptions, Verification, YinSet};
 use coface::answers::text;
+use coface::yin::{Flow, RungeKutta, TrackingOptions, Verification, YinSet};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

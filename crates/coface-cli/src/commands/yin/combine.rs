@@ -9,10 +9,10 @@ use crate::output::remark;
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::PlanarSet;
+use coface::answers::text;
 use coface::arrange::boolean::BooleanFormula;
 use coface::io::replace_file;
 use coface::yin::YinSet;
-use coface::answers::text;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -499,7 +499,8 @@ fn many_faces(skeleton: &TwoSkeleton, face_of: &[u32], edge: u32) -> Error {
     .with_cure("a surface has at most two there; split the edge first")
 }
 
-#[cfg(test)]
-pub(crate) mod samples;
+#[cfg(any(test, feature = "samples"))]
+#[doc(hidden)]
+pub mod samples;
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,5 @@
-//! Surfaces for tests.
+//! Surfaces for tests, of this crate and of those above it (feature `samples`).
+#![allow(clippy::unwrap_used, reason = "a sample that cannot be made is a failing test")]
 
 use crate::simplicial::{SimplicialComplex, known_spaces};
 use crate::surface::{GeneralizedMap, HalfedgeMesh};
@@ -6,13 +7,13 @@ use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error};
 use coface_algebra::{RaggedArray, Sign};
 
-pub(crate) fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap {
+pub fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap {
     GeneralizedMap::new(space.unwrap().freeze().two_skeleton().unwrap()).unwrap()
 }
 
 /// One polygon with these letters on its sides; letter -i is side i backwards. A letter that stands alone is on the
 /// boundary.
-pub(crate) fn polygon(letters: &[i32]) -> GeneralizedMap {
+pub fn polygon(letters: &[i32]) -> GeneralizedMap {
     let sides = letters.len() as u32;
     let flags = 2 * sides;
     let other_end = (0..flags).map(|flag| flag ^ 1).collect();
@@ -27,12 +28,12 @@ pub(crate) fn polygon(letters: &[i32]) -> GeneralizedMap {
 }
 
 /// The closed oriented surface of a permutation of halfedges.
-pub(crate) fn of_next(next: Vec<u32>) -> GeneralizedMap {
+pub fn of_next(next: Vec<u32>) -> GeneralizedMap {
     GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton()).unwrap()
 }
 
 /// The closed oriented surface of this genus, a sum of grids of tori.
-pub(crate) fn genus(genus: usize) -> GeneralizedMap {
+pub fn genus(genus: usize) -> GeneralizedMap {
     let torus = || known_spaces::torus_grid(&[4, 4]).unwrap();
     let sum =
         (1..genus).fold(torus(), |sum, _| known_spaces::oriented_sum(&sum, &torus(), Sign::Plus).unwrap());
@@ -40,7 +41,7 @@ pub(crate) fn genus(genus: usize) -> GeneralizedMap {
 }
 
 /// The same surface with some faces turned over; bit f of `turned` is for face f.
-pub(crate) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> GeneralizedMap {
+pub fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> GeneralizedMap {
     let skeleton = map.skeleton();
     let faces = skeleton.faces().iter().enumerate().map(|(face, rim)| {
         if turned >> (face % 64) & 1 == 0 {
@@ -56,7 +57,7 @@ pub(crate) fn with_faces_turned(map: &GeneralizedMap, turned: u64) -> Generalize
 
 /// The same surface without some faces, and without edges that no face is left at. What is left may have vertices of
 /// several fans, in which case nothing is given.
-pub(crate) fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<GeneralizedMap> {
+pub fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<GeneralizedMap> {
     let skeleton = map.skeleton();
     let rims =
         skeleton.faces().iter().enumerate().filter(|(face, _)| !gone.contains(face)).map(|(_, rim)| rim);
@@ -76,13 +77,13 @@ pub(crate) fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<Gene
 }
 
 /// The same surface without the faces that have a bit in `removed`; see [`without_faces`].
-pub(crate) fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<GeneralizedMap> {
+pub fn with_holes(map: &GeneralizedMap, removed: u64) -> Option<GeneralizedMap> {
     let gone = (0..map.f_vector()[2]).filter(|face| removed >> (face % 64) & 1 == 1);
     without_faces(map, &gone.collect::<Vec<_>>())
 }
 
 /// Surfaces of all kinds, with their names.
-pub(crate) fn all_kinds() -> Vec<(&'static str, GeneralizedMap)> {
+pub fn all_kinds() -> Vec<(&'static str, GeneralizedMap)> {
     vec![
         ("torus of 7 vertices", map_of(known_spaces::cyclic_torus(2))),
         ("sphere", map_of(known_spaces::simplex_boundary(2))),

@@ -1,0 +1,14 @@
+//! Tests of `coface-answers`, in one program: each test program links everything anew.
+
+mod covering;
+mod fundamental_groups;
+mod gluings;
+mod harmonic;
+mod lar;
+mod planar_drawings;
+mod planar_files;
+mod shapes;
+mod solid_booleans;
+mod surface_curves;
+mod volumes;
+mod yin_partitions;

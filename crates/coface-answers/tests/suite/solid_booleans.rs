@@ -1,0 +1,343 @@
+//! Boolean combinations of models in space: cubes with known volumes, volume meshes, open and inside-out surfaces, files with
+//! published results.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(clippy::print_stderr, reason = "a test that is skipped says so")]
+
+use coface_algebra::RaggedArray;
+use coface_algebra::{CellId, ErrorKind};
+use coface_answers::{InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+use coface_arrange::boolean::{BooleanFormula, InsideRule};
+use coface_complexes::cellular::CellShape;
+use coface_geometry::Positions;
+use coface_io as io;
+use coface_io::Model;
+use proptest::prelude::*;
+
+const SQUARES: [[u32; 4]; 6] =
+    [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+
+fn corners(low: [f64; 3], high: [f64; 3]) -> Positions {
+    let corner = |i: usize| (0..3).map(move |axis| if i >> axis & 1 == 0 { low[axis] } else { high[axis] });
+    Positions::from_flat(3, (0..8).flat_map(corner).collect()).unwrap()
+}
+
+/// A box with squares that run counterclockwise seen from outside.
+fn cuboid(low: [f64; 3], high: [f64; 3]) -> Model {
+    Model::from_polygons(corners(low, high), RaggedArray::from_lists(SQUARES)).unwrap()
+}
+
+fn cube(low: [f64; 3], side: f64) -> Model {
+    cuboid(low, low.map(|x| x + side))
+}
+
+fn arranged(models: &[Model]) -> SceneArrangement {
+    let names: Vec<String> = (0..models.len()).map(|i| format!("model {i}")).collect();
+    let named = names.iter().map(String::as_str).zip(models);
+    SceneArrangement::of(named, &SpatialRequest::default()).unwrap()
+}
+
+fn request(text: &str) -> SolidRequest {
+    SolidRequest::of(BooleanFormula::parse(text, &[]).unwrap())
+}
+
+fn combined<'a>(scene: &'a SceneArrangement, text: &str) -> SolidBoolean<'a> {
+    SolidBoolean::of(scene, &request(text)).unwrap()
+}
+
+#[test]
+fn shifted_cubes_combine() {
+    let scene = arranged(&[cube([0.0; 3], 1.0), cube([0.5; 3], 1.0)]);
+    for (text, volume, f_vector, area) in [
+        ("a | b", 1.875, [20, 30, 12], 10.5),
+        ("a & b", 0.125, [8, 12, 6], 1.5),
+        ("a - b", 0.875, [14, 21, 9], 6.0),
+        ("b - a", 0.875, [14, 21, 9], 6.0),
+        ("a ^ b", 1.75, [22, 36, 18], 12.0),
+        ("a - a", 0.0, [0, 0, 0], 0.0),
+    ] {
+        let result = combined(&scene, text);
+        assert_eq!((result.volume(), result.f_vector()), (Some(volume), f_vector), "{text}");
+        let object = result.to_json().unwrap();
+        assert_eq!(object["area"], area, "{text}");
+        assert_eq!(object["closed"], true);
+        let pinched = text == "a ^ b";
+        assert_eq!(object["manifold"]["verdict"], if pinched { "no" } else { "yes" });
+        assert_eq!(object["pinches"]["edge_count"], if pinched { 6 } else { 0 });
+        // The result is the union of itself.
+        if let Ok(model) = result.to_mesh()
+            && !pinched
+            && volume > 0.0
+        {
+            let again = arranged(&[model]);
+            assert_eq!(combined(&again, "a").f_vector(), f_vector, "{text}");
+        }
+    }
+    // The exterior is no cell, but its surface is that of the rest.
+    let outside = combined(&scene, "!(a | b)");
+    assert_eq!((outside.volume(), outside.f_vector()), (None, [20, 30, 12]));
+    assert_eq!(outside.to_chains().unwrap_err().kind(), ErrorKind::UnsupportedFormat);
+    assert!(SolidBoolean::of(&scene, &request("a | c")).is_err());
+}
+
+#[test]
+fn pinches_are_split_on_request() {
+    for (second, counts, components) in [
+        ([0.5; 3], [28, 42, 18], 2),
+        ([1.0; 3], [16, 24, 12], 2),
+        ([1.0, 1.0, 0.0], [16, 24, 12], 2),
+        // The edge is common in half its length only.
+        ([1.0, 1.0, 0.5], [18, 26, 12], 2),
+    ] {
+        let scene = arranged(&[cube([0.0; 3], 1.0), cube(second, 1.0)]);
+        for triangles in [false, true] {
+            let mut request = request("a ^ b");
+            request.triangles = triangles;
+            assert!(!SolidBoolean::of(&scene, &request).unwrap().mesh().manifold_verdict().is_manifold());
+            request.split_pinches = true;
+            let result = SolidBoolean::of(&scene, &request).unwrap();
+            let object = result.to_json().unwrap();
+            assert_eq!(object["manifold"]["verdict"], "yes", "{second:?}");
+            assert_eq!((&object["components"], &object["solids"]), (&components.into(), &components.into()));
+            assert!(result.copy_count() > 0);
+            if !triangles {
+                assert_eq!(result.f_vector(), counts, "{second:?}");
+            }
+            let [vertices, edges, faces] = result.f_vector().map(|count| count as i64);
+            assert_eq!(vertices - edges + faces, 4);
+        }
+    }
+}
+
+#[test]
+fn walls_and_cells_are_kept_on_request() {
+    let scene = arranged(&[cube([0.0; 3], 1.0), cube([0.5; 3], 1.0)]);
+    let mut request = request("a | b");
+    for (keep_walls, f_vector) in [(false, [20, 30, 12, 1]), (true, [22, 36, 18, 3])] {
+        request.keep_walls = keep_walls;
+        let result = SolidBoolean::of(&scene, &request).unwrap();
+        let chains = result.to_chains().unwrap();
+        let Some(io::Structure::Chains(complex)) = chains.structure() else { panic!() };
+        assert_eq!(complex.f_vector(), f_vector);
+        let mesh = result.to_mesh().unwrap();
+        assert_eq!(mesh.polygons().len(), f_vector[2]);
+        // What is written is an input again, with the same inside.
+        let again = arranged(&[chains]);
+        assert_eq!(again.input_state(0), InputState::Closed);
+        let union = combined(&again, "a");
+        assert_eq!((union.volume(), again.complex().f_vector()), (Some(1.875), &f_vector[..]));
+        request.triangles = keep_walls;
+    }
+    let mesh = SolidBoolean::of(&scene, &request).unwrap().to_mesh().unwrap();
+    assert!(mesh.polygons().iter().all(|polygon| polygon.len() == 3));
+    assert!(mesh.data_named("cell_front", io::GroupKind::Polygons).is_some());
+    request.split_pinches = true;
+    assert!(SolidBoolean::of(&scene, &request).is_err());
+}
+
+#[test]
+fn faces_with_holes_count_once() {
+    let rod = cuboid([0.25, 0.25, -0.5], [0.75, 0.75, 1.5]);
+    let scene = arranged(&[cube([0.0; 3], 1.0), rod]);
+    assert_eq!(
+        (scene.complex().f_vector(), scene.to_json(Default::default()).unwrap()["holes"].as_i64()),
+        (&[24, 40, 22, 4][..], Some(2))
+    );
+    let drilled = combined(&scene, "a - b");
+    assert_eq!((drilled.volume(), drilled.f_vector(), drilled.faces_cut()), (Some(0.75), [16, 24, 10], 2));
+    let object = drilled.to_json().unwrap();
+    assert_eq!((&object["genus"], &object["manifold"]["verdict"]), (&1.into(), &"yes".into()));
+    let chains = drilled.to_chains().unwrap();
+    let Some(io::Structure::Chains(complex)) = chains.structure() else { panic!() };
+    assert_eq!(complex.f_vector(), [16, 24, 10, 1]);
+    // Faces with holes are read back as such.
+    let again = arranged(&[chains]);
+    assert_eq!(combined(&again, "a").f_vector(), [16, 24, 10]);
+}
+
+#[test]
+fn nested_cubes_have_a_void() {
+    let scene = arranged(&[cube([0.0; 3], 1.0), cube([0.25; 3], 0.5)]);
+    let object = scene.to_json(Default::default()).unwrap();
+    assert_eq!((&object["voids"], &object["components"]), (&1.into(), &2.into()));
+    let shell = combined(&scene, "a - b");
+    assert_eq!((shell.volume(), shell.part_counts()), (Some(0.875), [1, 1]));
+    let object = shell.to_json().unwrap();
+    assert_eq!((&object["components"], &object["solids"]), (&2.into(), &1.into()));
+    let chains = shell.to_chains().unwrap();
+    assert_eq!(combined(&arranged(&[chains]), "a").volume(), Some(0.875));
+}
+
+#[test]
+fn solids_inside_out_are_told_and_count() {
+    let mut turned = SQUARES;
+    turned.iter_mut().for_each(|square| square.reverse());
+    let turned = Model::from_polygons(corners([0.5; 3], [1.5; 3]), RaggedArray::from_lists(turned)).unwrap();
+    let scene = arranged(&[cube([0.0; 3], 1.0), turned]);
+    assert_eq!(combined(&scene, "a | b").volume(), Some(1.875));
+    let mut positive = request("a | b");
+    positive.rule = InsideRule::Positive;
+    assert_eq!(SolidBoolean::of(&scene, &positive).unwrap().volume(), Some(1.0));
+    let object = scene.to_json(Default::default()).unwrap();
+    assert_eq!(object["files"][1]["reversed_cells"], 2);
+    assert_eq!(object["inside"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn open_surfaces_are_refused_with_their_rim_or_decided_by_generalized_winding_numbers() {
+    let lidless =
+        Model::from_polygons(corners([0.0; 3], [1.0; 3]), RaggedArray::from_lists(&SQUARES[..5])).unwrap();
+    let scene = arranged(&[lidless, cube([0.25, 0.25, 0.25], 0.5)]);
+    assert_eq!(scene.input_state(0), InputState::Open { edges: 4 });
+    let error = SolidBoolean::of(&scene, &request("a - b")).unwrap_err();
+    assert_eq!((error.kind(), error.file()), (ErrorKind::NotACycle, Some("model 0")));
+    for corner in ["(1, 0, 0)", "(1, 1, 0)", "(1, 1, 1)", "(1, 0, 1)", "4 edges"] {
+        assert!(error.to_string().contains(corner), "{error}");
+    }
+    // The cube without a lid encloses nothing by itself; what is in the small cube is mostly seen from inside.
+    let mut request = request("a & b");
+    request.open = OpenInputs::Generalized;
+    let result = SolidBoolean::of(&scene, &request).unwrap();
+    assert_eq!(result.volume(), Some(0.125));
+    assert_eq!(result.to_json().unwrap()["files"][0]["inside_by"], "generalized_winding");
+    assert_eq!(scene.to_json(Default::default()).unwrap()["inside"], serde_json::json!([[1]]));
+}
+
+#[test]
+fn directions_that_disagree_are_told_apart_from_holes() {
+    let mut squares = SQUARES;
+    squares[5].reverse();
+    let model =
+        || Model::from_polygons(corners([0.0; 3], [1.0; 3]), RaggedArray::from_lists(squares)).unwrap();
+    let scene = arranged(&[model(), cube([0.5; 3], 1.0)]);
+    assert_eq!(scene.input_state(0), InputState::Incoherent { edges: 6 });
+    let error = SolidBoolean::of(&scene, &request("a | b")).unwrap_err();
+    assert!(error.to_string().contains("do not agree in direction"), "{error}");
+    let mut odd = request("a | b");
+    odd.rule = InsideRule::Odd;
+    let result = SolidBoolean::of(&scene, &odd).unwrap();
+    assert_eq!(result.volume(), Some(1.875));
+    assert_eq!(result.to_json().unwrap()["files"][0]["inside_by"], "parity");
+}
+
+#[test]
+fn volume_meshes_are_the_union_of_their_cells() {
+    // A box of two hexahedra, the second listed inside out, and a tetrahedron.
+    let flat: Vec<f64> =
+        (0..12).flat_map(|i| [f64::from(i / 4), f64::from(i / 2 % 2), f64::from(i % 2)]).collect();
+    let hexahedra = RaggedArray::from_lists([[0, 4, 6, 2, 1, 5, 7, 3], [5, 9, 11, 7, 4, 8, 10, 6]]);
+    let grid =
+        Model::from_cells(Positions::from_flat(3, flat).unwrap(), vec![CellShape::Hexahedron; 2], hexahedra)
+            .unwrap();
+    let flat = vec![0.5, 0.25, 0.25, 1.5, 0.25, 0.25, 0.5, 0.75, 0.25, 0.5, 0.25, 0.75];
+    let tetrahedron = Model::from_cells(
+        Positions::from_flat(3, flat).unwrap(),
+        vec![CellShape::Tetrahedron],
+        RaggedArray::from_lists([[0, 1, 2, 3]]),
+    )
+    .unwrap();
+    let scene = arranged(&[grid, tetrahedron]);
+    assert_eq!((scene.input_state(0), scene.input_state(1)), (InputState::Closed, InputState::Closed));
+    assert_eq!(scene.complex().cell_count(3), 4);
+    let difference = combined(&scene, "a - b");
+    assert!((difference.volume().unwrap() - (2.0 - 1.0 / 24.0)).abs() < 1e-15);
+    // One solid with a void. The wall between the hexahedra goes, but for its trace on the surface.
+    assert_eq!((difference.part_counts(), difference.boundary().walls().len()), ([1, 1], 1));
+    assert_eq!(combined(&scene, "b - a").volume(), Some(0.0));
+    let sources = difference.provenance().unwrap();
+    assert!(sources["polygons"].as_array().unwrap().iter().all(|list| {
+        let expected = if list[0][0] == 0 { 1 } else { -1 };
+        list[0][2] == expected
+    }));
+}
+
+proptest! {
+    /// Boxes with small integer corners: volumes are those of unit cubes, whatever faces, edges and corners they share.
+    #[test]
+    fn boxes_combine_like_sets_of_unit_cubes(
+        places in prop::collection::vec(((0i32..4), (0i32..4), (0i32..4), (1i32..4), (1i32..4), (1i32..4)), 1..5),
+        text in prop::sample::select(vec!["a|b|c|d", "a&b", "a-b-c-d", "a^b^c^d", "(a|b)-c&d", "(a^b)&(c|d)"]),
+    ) {
+        let boxes: Vec<[[i32; 3]; 2]> =
+            places.iter().map(|&(x, y, z, u, v, w)| [[x, y, z], [x + u, y + v, z + w]]).collect();
+        let models: Vec<Model> =
+            (0..4).map(|i| boxes[i % boxes.len()].map(|p| p.map(f64::from))).map(|[low, high]| cuboid(low, high)).collect();
+        let scene = arranged(&models);
+        let formula = BooleanFormula::parse(text, &[]).unwrap();
+        let mut volume = 0.0;
+        for i in 0..343 {
+            let place = [i / 49, i / 7 % 7, i % 7];
+            let is_in = |input: usize| {
+                let [low, high] = boxes[input % boxes.len()];
+                (0..3).all(|axis| low[axis] <= place[axis] && place[axis] < high[axis])
+            };
+            volume += f64::from(u8::from(formula.evaluate(is_in)));
+        }
+        let result = combined(&scene, text);
+        // Faces are made of triangles whose sides may cross at thirds, which are rounded: the last bits may be off.
+        let slack = 4.0 * f64::EPSILON * volume;
+        prop_assert!(result.volume().is_some_and(|found| (found - volume).abs() <= slack), "{:?} {volume}", result.volume());
+        prop_assert!(scene.products_are_zero().unwrap());
+        let object = result.to_json().unwrap();
+        prop_assert_eq!(&object["closed"], true);
+        let is_pinched = object["pinches"]["edge_count"] != 0 || object["pinches"]["vertex_count"] != 0;
+        prop_assert_eq!(&object["manifold"]["verdict"], if is_pinched { "no" } else { "yes" });
+        // By the theorem of Gauss the surface encloses the same volume.
+        let mesh = result.to_mesh().unwrap();
+        let enclosed = coface_geometry::enclosed_volume(mesh.positions(), mesh.polygons());
+        prop_assert!((enclosed.unwrap_or(0.0) - volume).abs() < 1e-9);
+        // The complement of the complement, and De Morgan.
+        for (same, other) in [("a|b", "!(!a&!b)"), ("a-b", "a&!b"), ("a", "(a-b)|(a&b)"), ("(a^b)^c", "a^(b^c)")] {
+            let [same, other] = [same, other].map(|text| combined(&scene, text).selection().clone());
+            prop_assert_eq!(same, other);
+        }
+    }
+}
+
+/// The models of a folder of real data; the test is skipped without it.
+fn data(names: &[&str]) -> Option<Vec<Model>> {
+    let Some(folder) = std::env::var_os("COFACE_DATA") else {
+        eprintln!("skipped: COFACE_DATA is not set");
+        return None;
+    };
+    let read = |name: &&str| io::read_path(std::path::Path::new(&folder).join(name), None).unwrap();
+    Some(names.iter().map(read).collect())
+}
+
+#[test]
+fn three_cubes_in_one_file_have_seven_cells() {
+    let Some(models) = data(&["surfaces/three_cubes.stl"]) else { return };
+    let scene = arranged(&models);
+    assert_eq!(scene.complex().cell_count(3), 7);
+    let numbers: f64 = scene.volumes().iter().sum();
+    let union = combined(&scene, "a");
+    assert_eq!(union.volume(), Some(numbers));
+    assert_eq!(union.to_json().unwrap()["components"], 1);
+    assert!((0..7).all(|cell| union.selection().contains(CellId::new(cell))));
+    assert!(scene.to_json(Default::default()).unwrap()["files"][0]["overlapping_cells"].as_u64() > Some(0));
+}
+
+/// Counts and volumes as libigl's exact Booleans find them, with a box that reaches to 3.4e38.
+#[test]
+fn a_box_of_the_size_of_the_largest_single_precision_number_cuts_a_small_solid() {
+    let Some(models) = data(&["surfaces/Cray_left.obj", "surfaces/Cray_right.obj"]) else { return };
+    let scene = arranged(&models);
+    for (text, volume, area, f_vector, components) in [
+        ("a & b", 974446020000.0, 7859152560.0, [214, 636, 424], 1),
+        ("a - b", 982418629000.0, 7923164750.0, [262, 780, 520], 1),
+        ("a | b", 1.57607997e116, 1.85267321e78, [270, 798, 532], 2),
+    ] {
+        let mut request = request(text);
+        request.triangles = true;
+        let result = SolidBoolean::of(&scene, &request).unwrap();
+        let object = result.to_json().unwrap();
+        assert_eq!(result.f_vector(), f_vector, "{text}");
+        assert_eq!(
+            (&object["components"], &object["manifold"]["verdict"]),
+            (&components.into(), &"yes".into())
+        );
+        for (found, expected) in [(&object["measure"], volume), (&object["area"], area)] {
+            let found = found.as_f64().unwrap();
+            assert!((found / expected - 1.0).abs() < 1e-8, "{text}: {found} for {expected}");
+        }
+    }
+}

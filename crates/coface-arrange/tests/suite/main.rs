@@ -1,0 +1,15 @@
+//! Tests of `coface-arrange`, in one program: each test program links everything anew.
+
+mod boolean_properties;
+mod booleans;
+mod congruence;
+mod congruence_rewrap;
+mod planar_arrangements;
+mod planar_booleans;
+mod planar_overlays;
+mod planar_soups;
+mod reference;
+mod selection_meshes;
+mod solids;
+mod spatial_congruence;
+mod spatial_soups;

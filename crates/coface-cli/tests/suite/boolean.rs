@@ -1,0 +1,324 @@
+//! `coface arrange` and `coface boolean` in space, as a user runs them.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{Run, argument, coface};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::PathBuf;
+use tempfile::TempDir;
+
+type Motion = fn([f64; 3]) -> [f64; 3];
+
+const SQUARES: [[usize; 4]; 6] =
+    [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+
+/// A folder for files of one test.
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn text(&self, name: &str, text: &str) -> PathBuf {
+        std::fs::write(self.path(name), text).unwrap();
+        self.path(name)
+    }
+
+    /// The first `count` squares of a box, moved.
+    fn squares(&self, name: &str, low: [f64; 3], high: [f64; 3], count: usize, motion: Motion) -> PathBuf {
+        let mut text = String::new();
+        for i in 0..8 {
+            let [x, y, z] =
+                motion([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { low[axis] } else { high[axis] }));
+            writeln!(text, "v {x:?} {y:?} {z:?}").unwrap();
+        }
+        for [a, b, c, d] in &SQUARES[..count] {
+            writeln!(text, "f {} {} {} {}", a + 1, b + 1, c + 1, d + 1).unwrap();
+        }
+        self.text(name, &text)
+    }
+
+    fn cuboid(&self, name: &str, low: [f64; 3], high: [f64; 3]) -> PathBuf {
+        self.squares(name, low, high, 6, |point| point)
+    }
+
+    fn cube(&self, name: &str, low: [f64; 3], side: f64) -> PathBuf {
+        self.cuboid(name, low, low.map(|x| x + side))
+    }
+}
+
+fn run(verb: &[&str], inputs: &[&PathBuf], options: &[&str]) -> Run {
+    let inputs = inputs.iter().map(|path| argument(path));
+    let all: Vec<&str> = verb.iter().copied().chain(inputs).chain(options.iter().copied()).collect();
+    coface(&all)
+}
+
+fn arranged(inputs: &[&PathBuf], options: &[&str]) -> Value {
+    run(&["arrange", "--json", "--quiet"], inputs, options).json()
+}
+
+fn combined(operation: &str, inputs: &[&PathBuf], options: &[&str]) -> Value {
+    run(&["boolean", operation, "--json", "--quiet"], inputs, options).json()
+}
+
+fn formula(text: &str, inputs: &[&PathBuf], options: &[&str]) -> Value {
+    run(&["boolean", "--json", "--quiet", "--formula", text], inputs, options).json()
+}
+
+fn sorted(values: &Value) -> Vec<f64> {
+    let mut values: Vec<f64> = values.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+fn turned(axis: usize, angle: f64, mut p: [f64; 3]) -> [f64; 3] {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (sine, cosine) = angle.sin_cos();
+    (p[i], p[j]) = (cosine * p[i] - sine * p[j], sine * p[i] + cosine * p[j]);
+    p
+}
+
+fn second(p: [f64; 3]) -> [f64; 3] {
+    use std::f64::consts::PI;
+    let [x, y, z] = turned(0, PI / 5.0, turned(2, PI / 12.0, p));
+    [x + 0.3, y + 0.4, z + 0.25]
+}
+
+fn third(p: [f64; 3]) -> [f64; 3] {
+    use std::f64::consts::PI;
+    let [x, y, z] = turned(1, PI / 5.0, turned(1, PI / 12.0, p));
+    second([x - 0.2, y + 0.4, z - 0.2])
+}
+
+#[test]
+fn cubes_that_touch_have_the_known_cells() {
+    let folder = Folder::new();
+    let a = folder.cube("a.obj", [0.0; 3], 1.0);
+    for (low, high, counts, volumes) in [
+        ([0.5, 0.5, 0.5], [1.5, 1.5, 1.5], [22, 36, 18, 3], vec![0.125, 0.875, 0.875]),
+        ([1.0, 0.0, 0.0], [2.0, 1.0, 1.0], [12, 20, 11, 2], vec![1.0, 1.0]),
+        ([1.0, 0.5, 0.5], [2.0, 1.5, 1.5], [18, 28, 13, 2], vec![1.0, 1.0]),
+        ([1.0, 1.0, 0.0], [2.0, 2.0, 1.0], [14, 23, 12, 2], vec![1.0, 1.0]),
+        ([1.0, 1.0, 1.0], [2.0, 2.0, 2.0], [15, 24, 12, 2], vec![1.0, 1.0]),
+        ([3.0, 0.0, 0.0], [4.0, 1.0, 1.0], [16, 24, 12, 2], vec![1.0, 1.0]),
+        ([0.25, 0.25, 0.25], [0.75, 0.75, 0.75], [16, 24, 12, 2], vec![0.125, 0.875]),
+        ([0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [8, 12, 6, 1], vec![1.0]),
+        ([0.25, 0.25, -0.5], [0.75, 0.75, 1.5], [24, 40, 22, 4], vec![0.125, 0.125, 0.25, 0.75]),
+    ] {
+        let b = folder.cuboid("b.obj", low, high);
+        let object = arranged(&[&a, &b], &[]);
+        assert_eq!((&object["f_vector"], &object["dimension"]), (&json!(counts), &json!(3)), "{low:?}");
+        assert_eq!(sorted(&object["measures"]), volumes);
+        assert_eq!(object["products_zero"], json!(true));
+        // Inclusion and exclusion, over four runs.
+        let measure = |operation: &str| combined(operation, &[&a, &b], &[])["measure"].as_f64().unwrap();
+        let own: f64 = (0..3).map(|axis| high[axis] - low[axis]).product();
+        assert_eq!(1.0 + own, measure("union") + measure("intersection"));
+        assert_eq!(1.0, measure("difference") + measure("intersection"));
+        assert_eq!(measure("xor"), measure("union") - measure("intersection"));
+    }
+}
+
+#[test]
+fn three_turned_cubes_have_seven_cells() {
+    let folder = Folder::new();
+    let cube = |name: &str, motion: Motion| folder.squares(name, [0.0; 3], [1.0; 3], 6, motion);
+    let (a, b, c) = (cube("a.obj", |p| p), cube("b.obj", second), cube("c.obj", third));
+    let split = ["--non-planar", "split"];
+    assert_eq!(arranged(&[&a, &b, &c], &split)["f_vector"], json!([49, 88, 47, 7]));
+    for (text, volume) in [
+        ("a & b", 0.3559135818),
+        ("a & c", 0.1059069904),
+        ("b & c", 0.1130602363),
+        ("a & b & c", 0.0590344335),
+        ("a | b | c", 2.4841536249),
+        ("!(!a & !b) & !(a & b)", 1.2881728364),
+    ] {
+        let object = formula(text, &[&a, &b, &c], &split);
+        assert!(
+            (object["measure"].as_f64().unwrap() - volume).abs() < 2e-10,
+            "{text}: {}",
+            object["measure"]
+        );
+        assert_eq!(object["closed"], json!(true));
+    }
+    // Rounded vertices are told; after snapping there are none.
+    let object = combined("union", &[&a, &b], &split);
+    assert_eq!(object["rounding"]["exact"], json!(false));
+    let out = folder.path("snapped.json");
+    let snapped = combined("union", &[&a, &b], &["--non-planar", "split", "--snap", "-o", argument(&out)]);
+    assert_eq!(snapped["rounding"]["exact"], json!(true));
+    let again = combined("union", &[&out], &[]);
+    assert_eq!(again["f_vector"], snapped["f_vector"]);
+    // The same cells added up in another order.
+    let [found, expected] = [&again, &snapped].map(|object| object["measure"].as_f64().unwrap());
+    assert!((found - expected).abs() < 1e-15);
+    // Polygons that are not quite planar are refused with the deviation otherwise.
+    let refused = run(&["arrange"], &[&a, &b], &[]);
+    let message = refused.fails_with(1);
+    assert!(message.contains("b.obj: polygon") && message.contains("away from a plane"), "{message}");
+}
+
+#[test]
+fn results_are_written_in_every_format_and_read_again() {
+    let folder = Folder::new();
+    let (a, b) = (folder.cube("a.obj", [0.0; 3], 1.0), folder.cube("b.obj", [0.5; 3], 1.0));
+    for extension in ["obj", "off", "ply", "stl", "vtk", "vtu", "vtp", "mesh", "msh", "json"] {
+        let out = folder.path(&format!("union.{extension}"));
+        let triangles = matches!(extension, "stl" | "mesh" | "msh");
+        let mut options = vec!["-o", argument(&out)];
+        if triangles {
+            options.push("--triangles");
+        }
+        let object = combined("union", &[&a, &b], &options);
+        let counts = if triangles { [20, 54, 36] } else { [20, 30, 12] };
+        assert_eq!(object["f_vector"], json!(counts), "{extension}");
+        let again = combined("union", &[&out], &["--polygons"]);
+        assert_eq!((&again["measure"], &again["area"]), (&json!(1.875), &json!(10.5)), "{extension}");
+        let out = folder.path(&format!("cells.{extension}"));
+        let options =
+            if triangles { vec!["-o", argument(&out), "--triangles"] } else { vec!["-o", argument(&out)] };
+        assert_eq!(arranged(&[&a, &b], &options)["f_vector"], json!([22, 36, 18, 3]));
+        let again = arranged(&[&out], &[]);
+        assert_eq!(sorted(&again["measures"]), [0.125, 0.875, 0.875], "{extension}");
+        if extension == "json" {
+            assert_eq!(again["inside"], json!([[0], [0], [0]]));
+        }
+    }
+    let out = folder.path("walls.json");
+    combined("union", &[&a, &b], &["--keep-walls", "-o", argument(&out)]);
+    assert_eq!(arranged(&[&out], &[])["f_vector"], json!([22, 36, 18, 3]));
+    let wrong = run(&["boolean", "union"], &[&a, &b], &["-o", "out.wkt"]);
+    assert!(wrong.fails_with(1).contains("holds no polygons in space"));
+}
+
+#[test]
+fn provenance_names_file_polygon_and_direction() {
+    let folder = Folder::new();
+    let (a, b) = (folder.cube("a.obj", [0.0; 3], 1.0), folder.cube("b.obj", [0.5; 3], 1.0));
+    let out = folder.path("sources.json");
+    let written = run(&["boolean", "difference"], &[&a, &b], &["--provenance", argument(&out)]);
+    assert_eq!((written.status, written.stdout.as_str()), (0, ""));
+    let wrong = run(&["arrange"], &[&a, &b], &["--provenance", "sources.csv"]);
+    assert!(wrong.fails_with(1).contains("name a .json file"));
+    let sources: Value = serde_json::from_str(&std::fs::read_to_string(&out).unwrap()).unwrap();
+    assert_eq!(
+        sources["polygons"],
+        json!([
+            [[0, 0, 1]],
+            [[0, 1, 1]],
+            [[0, 2, 1]],
+            [[0, 3, 1]],
+            [[0, 4, 1]],
+            [[0, 5, 1]],
+            [[1, 0, -1]],
+            [[1, 2, -1]],
+            [[1, 4, -1]]
+        ])
+    );
+    assert_eq!(sources["files"], json!([argument(&a), argument(&b)]));
+}
+
+#[test]
+fn pinches_are_told_with_coordinates_and_split_on_request() {
+    let folder = Folder::new();
+    let (a, b) = (folder.cube("a.obj", [0.0; 3], 1.0), folder.cube("b.obj", [1.0; 3], 1.0));
+    let object = combined("union", &[&a, &b], &[]);
+    assert_eq!(object["f_vector"], json!([15, 24, 12]));
+    assert_eq!(object["manifold"]["verdict"], json!("no"));
+    assert_eq!(object["manifold"]["witness"]["points"], json!([[[1.0, 1.0, 1.0]]]));
+    assert_eq!(object["pinches"]["vertices"], json!([[1.0, 1.0, 1.0]]));
+    let object = combined("union", &[&a, &b], &["--pinches", "split"]);
+    assert_eq!((&object["f_vector"], &object["manifold"]["verdict"]), (&json!([16, 24, 12]), &json!("yes")));
+    assert_eq!((&object["components"], &object["solids"]), (&json!(2), &json!(2)));
+    let both = run(&["boolean", "union"], &[&a, &b], &["--pinches", "split", "--keep-walls"]);
+    assert!(both.fails_with(1).contains("while walls are kept"));
+}
+
+#[test]
+fn results_do_not_depend_on_threads_or_on_the_order_of_inputs() {
+    let folder = Folder::new();
+    let cube = |name: &str, motion: Motion| folder.squares(name, [0.0; 3], [1.0; 3], 6, motion);
+    let (a, b, c) = (cube("a.obj", |p| p), cube("b.obj", second), cube("c.obj", third));
+    let bytes = |threads: &str| {
+        let out = folder.path("out.ply");
+        let options = ["--non-planar", "split", "--threads", threads, "-o", argument(&out)];
+        let object = combined("xor", &[&a, &b, &c], &options);
+        (object, std::fs::read(&out).unwrap())
+    };
+    assert_eq!(bytes("1"), bytes("3"));
+    let options = ["--non-planar", "split"];
+    let (one, other) = (combined("xor", &[&a, &b, &c], &options), combined("xor", &[&c, &a, &b], &options));
+    for key in ["f_vector", "components", "solids", "voids", "genus", "closed"] {
+        assert_eq!(one[key], other[key], "{key}");
+    }
+}
+
+#[test]
+fn what_cannot_be_combined_is_named() {
+    let folder = Folder::new();
+    let a = folder.cube("a.obj", [0.0; 3], 1.0);
+    let lidless = folder.squares("lidless.obj", [0.5; 3], [1.5; 3], 5, |point| point);
+    let union = |other: &PathBuf, options: &[&str]| run(&["boolean", "union"], &[&a, other], options);
+    let open = union(&lidless, &[]);
+    let message = open.fails_with(1);
+    for part in
+        ["lidless.obj", "is open along 4 edges", "(1.5, 0.5, 0.5)", "(1.5, 1.5, 1.5)", "--open winding"]
+    {
+        assert!(message.contains(part), "{message}");
+    }
+    let object = combined("union", &[&a, &lidless], &["--open", "winding"]);
+    assert_eq!(object["files"][1]["inside_by"], json!("generalized_winding"));
+    // The arrangement only says so.
+    let object = arranged(&[&a, &lidless], &[]);
+    assert_eq!((&object["files"][1]["closed"], &object["files"][1]["rim_edges"]), (&json!(false), &json!(4)));
+
+    let nan = folder.text("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 1\nf 1 2 3\n");
+    assert!(union(&nan, &[]).fails_with(1).contains("nan.obj:1"));
+    assert!(union(&folder.path("none.obj"), &[]).fails_with(1).contains("no such file"));
+    let flat = folder.text("flat.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))\n");
+    assert!(union(&flat, &[]).fails_with(1).contains("flat.wkt: the positions have 2 coordinates"));
+    let facets = folder.text("facets.json", "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]\n");
+    assert!(
+        union(&facets, &["--dimension", "3"])
+            .fails_with(1)
+            .contains("facets.json: the vertices have no positions")
+    );
+    let lines = folder.text("lines.obj", "v 0 0 1\nv 1 0 2\nl 1 2\n");
+    assert!(union(&lines, &[]).fails_with(1).contains("lines.obj: there is no polygon"));
+    // The sides cross at one half.
+    let bow = folder.text("bow.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nf 1 2 3 4\n");
+    assert!(run(&["arrange"], &[&a, &bow], &[]).fails_with(1).contains("bow.obj: polygon 0"));
+    let unknown = run(&["boolean", "--formula", "a - c"], &[&a, &lidless], &[]);
+    assert!(unknown.fails_with(1).contains("names input 2"));
+    assert!(
+        run(&["arrange"], &[&a, &lidless], &["--max-cells", "20"]).fails_with(1).contains("more than 20")
+    );
+    assert!(run(&["boolean", "union"], &[], &[]).fails_with(2).contains("name the inputs"));
+    assert!(run(&["boolean", "minus"], &[&a, &lidless], &[]).fails_with(2).contains("no operation"));
+}
+
+#[test]
+fn many_solids_are_combined_at_once() {
+    let folder = Folder::new();
+    // Five cubes in a row, each half in the next.
+    let row: Vec<PathBuf> =
+        (0..5).map(|i| folder.cube(&format!("{i}.obj"), [0.5 * f64::from(i), 0.0, 0.0], 1.0)).collect();
+    let row: Vec<&PathBuf> = row.iter().collect();
+    for (operation, volume, solids) in
+        [("union", 3.0, 1), ("xor", 1.0, 2), ("intersection", 0.0, 0), ("difference", 0.5, 1)]
+    {
+        let object = combined(operation, &row, &[]);
+        assert_eq!((&object["measure"], &object["solids"]), (&json!(volume), &json!(solids)), "{operation}");
+    }
+    // Coplanar faces of one result are merged on request.
+    let object = combined("union", &row, &["--merge-coplanar"]);
+    assert_eq!(object["measure"], json!(3.0));
+    let deep = formula("(a ^ b) & !(c | d) | e - d", &row, &[]);
+    assert_eq!(deep["measure"], json!(1.0));
+}

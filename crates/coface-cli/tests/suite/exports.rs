@@ -1,0 +1,162 @@
+//! Files for other programs: VTK XML, glTF, colors; the report as a page; and what an interrupt leaves behind.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{argument, coface};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use tempfile::TempDir;
+
+/// Two triangles with a common side, and one apart.
+const SHEETS: &str =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 1 3 4\nf 5 6 7\n";
+
+fn file(folder: &TempDir, name: &str, text: &str) -> PathBuf {
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+fn converted(folder: &TempDir, name: &str, options: &[&str]) -> Vec<u8> {
+    let input = file(folder, "sheets.obj", SHEETS);
+    let out = folder.path().join(name);
+    let run = coface(&[&["convert", argument(&input), "-o", argument(&out)], options].concat());
+    assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""), "{name} {options:?}");
+    std::fs::read(&out).unwrap()
+}
+
+#[test]
+fn vertices_have_the_color_of_their_component() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = String::from_utf8(converted(&folder, "a.obj", &["--color-by", "component"])).unwrap();
+    let blue = "0 0.4471 0.698";
+    let orange = "0.8353 0.3686 0";
+    assert!(
+        text.contains(&format!("v 0 1 0 {blue}\n")) && text.contains(&format!("v 5 0 0 {orange}\n")),
+        "{text}"
+    );
+    let ply = folder.path().join("a.ply");
+    converted(&folder, "a.ply", &["--color-by", "component"]);
+    let back = coface(&["info", argument(&ply), "--json"]).json();
+    let names: Vec<&str> =
+        back["data"].as_array().unwrap().iter().map(|data| data["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["red", "green", "blue"]);
+    assert_eq!(back["data"][2]["range"], serde_json::json!([0.0, 178.0]));
+    let off = folder.path().join("a.off");
+    let input = folder.path().join("sheets.obj");
+    let arguments = ["convert", argument(&input), "-o", argument(&off), "--color-by", "component"];
+    assert!(coface(&arguments).fails_with(1).contains("holds no colors; write obj"));
+    assert!(!off.exists());
+}
+
+#[test]
+fn boundaries_and_generators_are_colored() {
+    let folder = tempfile::tempdir().unwrap();
+    // A fan around vertex 1, which alone is not on the boundary.
+    let fan = file(&folder, "fan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 -1 0\nf 1 2 3\nf 1 3 4\nf 1 4 2\n");
+    let red = "0.8157 0.0078 0.1059";
+    let colors = |how: &str| {
+        let run = coface(&["convert", argument(&fan), "--to", "obj", "--color-by", how]);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        run.stdout
+    };
+    assert_eq!(colors("boundary").matches(red).count(), 3);
+    let result = file(&folder, "r.json", r#"{"generators":[[],[{"order":0,"chain":[[1,[1,2]]]}]]}"#);
+    assert_eq!(colors(argument(&result)).matches("0 0.4471 0.698").count(), 2);
+}
+
+#[test]
+fn vtk_xml_is_written_and_read_by_every_door() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, kind) in [("a.vtu", "UnstructuredGrid"), ("a.vtp", "PolyData")] {
+        let text = String::from_utf8(converted(&folder, name, &[])).unwrap();
+        assert!(text.contains(&format!("<VTKFile type=\"{kind}\"")) && text.ends_with("</VTKFile>\n"));
+        assert!(text.contains("NumberOfPoints=\"7\""));
+        let path = folder.path().join(name);
+        let object = coface(&["info", argument(&path), "--json"]).json();
+        assert_eq!((&object["f_vector"], &object["format"]), (&json!([7, 8, 3]), &json!(&name[2..])));
+    }
+    let input = folder.path().join("sheets.obj");
+    let out = folder.path().join("g.vtp");
+    let run = coface(&["homology", argument(&input), "--generators", argument(&out), "--quiet"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert!(std::fs::read_to_string(&out).unwrap().contains("NumberOfVerts=\"2\""));
+}
+
+#[test]
+fn gltf_holds_triangles_and_generators() {
+    let folder = tempfile::tempdir().unwrap();
+    let bytes = converted(&folder, "a.glb", &[]);
+    assert_eq!(u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize, bytes.len());
+    let result = file(&folder, "r.json", r#"{"generators":[[],[{"order":0,"chain":[[1,[1,2]]]}]]}"#);
+    let text = converted(&folder, "a.gltf", &["--color-by", argument(&result)]);
+    let document: Value = serde_json::from_slice(&text).unwrap();
+    assert_eq!(document["nodes"][1]["name"], "H1 generator 0");
+    assert_eq!(document["meshes"][1]["primitives"][0]["mode"], 1);
+    let colored = converted(&folder, "a.gltf", &["--color-by", "component"]);
+    let document: Value = serde_json::from_slice(&colored).unwrap();
+    assert!(document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].is_u64());
+    let input = folder.path().join("sheets.obj");
+    let out = folder.path().join("b.glb");
+    let object = coface(&["convert", argument(&input), "-o", argument(&out), "--json"]).json();
+    assert_eq!(object["output_format"], "glb");
+}
+
+#[test]
+fn a_report_is_a_page_with_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = file(&folder, "a <b>.obj", SHEETS);
+    let out = folder.path().join("page.html");
+    let run = coface(&["info", argument(&input), "--html", argument(&out)]);
+    assert_eq!((run.status, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+    let page = std::fs::read_to_string(&out).unwrap();
+    assert_eq!(page.matches("<svg ").count(), 2);
+    assert!(page.contains("a &lt;b&gt;.obj") && !page.contains("a <b>"));
+    assert!(page.contains("<th scope=\"row\">Euler char.</th><td class=\"plain\">2</td>"));
+    assert!(page.contains("#d0021b"), "the boundary is red");
+    for address in ["http://", "https://"] {
+        let own = page.matches("http://www.w3.org/2000/svg").count();
+        let others = page.matches(address).count() - if address == "http://" { own } else { 0 };
+        assert_eq!(others, 0, "{address}");
+    }
+    let again = folder.path().join("again.html");
+    let object = coface(&["info", argument(&input), "-o", argument(&again), "--json"]).json();
+    assert_eq!((object["components"].as_u64(), std::fs::read_to_string(&again).unwrap()), (Some(2), page));
+    let both = folder.path().join("both.html");
+    let run = coface(&["info", argument(&input), argument(&input), "-o", argument(&both)]);
+    assert_eq!(run.status, 0);
+    assert_eq!(std::fs::read_to_string(&both).unwrap().matches("<article>").count(), 2);
+}
+
+/// Sends a signal (that of Ctrl-C is INT) to a program that makes a large file, as soon as `is_time` says; gives how it ended.
+#[cfg(unix)]
+fn ended_by(signal: &str, out: &std::path::Path, is_time: impl Fn() -> bool) -> std::process::ExitStatus {
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(env!("CARGO_BIN_EXE_coface"))
+        .args(["generate", "torus", "--columns", "900", "--rows", "600", "--to", "obj", "-o", argument(out)])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    while !is_time() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+    child.wait().unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("torus.obj");
+    let files = || std::fs::read_dir(folder.path()).unwrap().count();
+    // While it computes, and while it writes: then there is a temporary file.
+    for (signal, status) in [("-INT", 130), ("-TERM", 143)] {
+        let start = std::time::Instant::now();
+        let ended = ended_by(signal, &out, || start.elapsed() > std::time::Duration::from_millis(300));
+        assert_eq!((ended.code(), files()), (Some(status), 0));
+        let ended = ended_by(signal, &out, || files() > 0);
+        assert_eq!((ended.code(), files()), (Some(status), 0));
+    }
+}

@@ -1,0 +1,29 @@
+//! Tests of the program as a user runs it, in one test program.
+
+mod arrange;
+mod bad_input;
+mod batch;
+mod boolean;
+mod congruence;
+mod exports;
+mod generate;
+mod homology;
+mod incidence;
+mod manifest;
+mod mass;
+mod persistence;
+mod pi1;
+mod pictures;
+mod program;
+mod regions;
+mod render;
+mod shards;
+mod surfaces;
+mod three_manifolds;
+mod verbs;
+mod view;
+mod volumes;
+mod yin;
+mod yin_faults;
+mod yin_motion;
+mod yin_rules;

@@ -1,0 +1,292 @@
+//! `coface render`: pixels where they belong, hidden lines left out, and what is refused.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{argument, coface, coface_reading};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
+    f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+const BLUE: [u8; 3] = [0, 114, 178];
+const RED: [u8; 3] = [208, 2, 27];
+const WHITE: [u8; 3] = [255; 3];
+
+fn file(folder: &TempDir, name: &str, text: &str) -> PathBuf {
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+/// Pixels in rows.
+fn decoded(path: &Path) -> ([usize; 2], Vec<[u8; 3]>) {
+    let bytes = std::io::Cursor::new(std::fs::read(path).unwrap());
+    let mut reader = png::Decoder::new(bytes).read_info().unwrap();
+    let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut buffer).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    let pixels = buffer[..info.buffer_size()].chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+    ([info.width as usize, info.height as usize], pixels)
+}
+
+/// Draws a file as PNG of 120 by 90 pixels.
+fn drawn(folder: &TempDir, input: &Path, options: &[&str]) -> Vec<[u8; 3]> {
+    let out = folder.path().join("drawn.png");
+    let run =
+        coface(&[&["render", argument(input), "--size", "120x90", "-o", argument(&out)], options].concat());
+    assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""), "{options:?}");
+    let (size, pixels) = decoded(&out);
+    assert_eq!(size, [120, 90]);
+    pixels
+}
+
+fn drawn_as_svg(input: &Path, options: &[&str]) -> String {
+    let run = coface(&[&["render", argument(input)], options].concat());
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert!(run.stdout.starts_with("<svg ") && run.stdout.ends_with("</svg>\n"));
+    run.stdout
+}
+
+fn count(pixels: &[[u8; 3]], color: [u8; 3]) -> usize {
+    pixels.iter().filter(|&&pixel| pixel == color).count()
+}
+
+/// The data of the path with this stroke.
+fn path_of<'a>(svg: &'a str, stroke: &str) -> &'a str {
+    let line =
+        svg.lines().find(|line| line.starts_with("<path") && line.contains(stroke)).unwrap_or_default();
+    line.split(" d=\"").nth(1).unwrap_or_default()
+}
+
+#[test]
+fn a_cube_shows_nine_of_its_edges() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    for view in [&["--from", "1,0.8,1.5"][..], &["--from", "1,0.8,1.5", "--perspective=40"]] {
+        let svg = drawn_as_svg(&cube, view);
+        let edges = path_of(&svg, "stroke=\"#5c6670\"");
+        assert_eq!(edges.matches('L').count(), 9, "{edges}");
+        // Three faces, a color each.
+        let mut colors: Vec<&str> =
+            svg.lines().filter_map(|line| line.strip_prefix("<path color=")).map(|line| &line[..9]).collect();
+        colors.sort_unstable();
+        colors.dedup();
+        assert_eq!(colors.len(), 3);
+    }
+    assert_eq!(path_of(&drawn_as_svg(&cube, &["--no-edges"]), "stroke=\"#5c6670\""), "");
+}
+
+#[test]
+fn a_square_covers_what_it_should_from_both_sides_alike() {
+    let folder = tempfile::tempdir().unwrap();
+    let square = file(&folder, "square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    let options = ["--from", "0,0,1", "--no-edges"];
+    let pixels = drawn(&folder, &square, &options);
+    let is_covered = |x: usize, y: usize| pixels[y * 120 + x] != WHITE;
+    // 92 of 100 of the height.
+    let covered = (0..90).map(|y| (0..120).filter(|&x| is_covered(x, y)).count()).sum::<usize>();
+    assert!(covered.abs_diff(83 * 83) < 3 * 83, "{covered}");
+    assert!((0..90).all(|y| (0..60).all(|x| is_covered(x, y) == is_covered(119 - x, y))));
+    assert!((0..45).all(|y| (0..120).all(|x| is_covered(x, y) == is_covered(x, 89 - y))));
+    assert_eq!(drawn(&folder, &square, &["--from", "0,0,-1", "--no-edges"]), pixels);
+}
+
+#[test]
+fn generators_have_their_color_and_shine_through_what_hides_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let result = |edges: &str| {
+        let text = format!(r#"{{"generators":[[],[{{"order":0,"chain":[{edges}]}}]]}}"#);
+        file(&folder, "result.json", &text)
+    };
+    // An edge in front, then one behind.
+    let front = result("[1,[4,5]]");
+    let view = ["--from", "1,0.8,1.5"];
+    let seen = drawn(&folder, &cube, &[&["--with", argument(&front)], &view[..]].concat());
+    assert!(count(&seen, BLUE) > 40);
+    assert_eq!(count(&drawn(&folder, &cube, &view), BLUE), 0);
+    let svg = drawn_as_svg(&cube, &[&["--with", argument(&front)], &view[..]].concat());
+    assert!(svg.contains("stroke=\"#0072b2\"") && svg.contains("<title>H1 generator 0</title>"));
+    assert!(!svg.contains("stroke-opacity"));
+    let behind = result("[1,[0,1]]");
+    let hidden = drawn(&folder, &cube, &[&["--with", argument(&behind)], &view[..]].concat());
+    // Nothing but the ends, which are corners that are seen.
+    assert!(count(&hidden, BLUE) < 5);
+    assert_ne!(hidden, drawn(&folder, &cube, &view), "it shines through");
+    let svg = drawn_as_svg(&cube, &[&["--with", argument(&behind)], &view[..]].concat());
+    assert!(svg.contains("stroke-opacity") && !svg.contains("stroke-width=\"3\""));
+}
+
+#[test]
+fn witnesses_are_red() {
+    let folder = tempfile::tempdir().unwrap();
+    let book = file(
+        &folder,
+        "book.obj",
+        "v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 1\nv -1 0 -1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n",
+    );
+    assert!(count(&drawn(&folder, &book, &["--witness"]), RED) > 30);
+    assert_eq!(count(&drawn(&folder, &book, &[]), RED), 0);
+}
+
+#[test]
+fn the_same_picture_has_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    for name in ["a.png", "a.svg"] {
+        let out = folder.path().join(name);
+        let bytes = |threads: &str| {
+            let arguments =
+                ["render", argument(&cube), "--size", "80x60", "-o", argument(&out), "--threads", threads];
+            assert_eq!(coface(&arguments).status, 0);
+            std::fs::read(&out).unwrap()
+        };
+        assert_eq!(bytes("1"), bytes("3"));
+    }
+    let out = folder.path().join("b.svg");
+    let object = coface(&["render", argument(&cube), "-o", argument(&out), "--json"]).json();
+    assert_eq!(object["bytes"].as_u64(), Some(std::fs::metadata(&out).unwrap().len()));
+}
+
+#[test]
+fn every_sort_of_model_is_seen() {
+    let folder = tempfile::tempdir().unwrap();
+    let yin = r#"{"order":4,"curves":[{"points":[[0,0],[4,0],[5,2],[4,4],[0,4]],"kinks":[0,4]}]}"#;
+    let tetrahedra = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n\
+        Tetrahedra\n2\n1 2 3 4 0\n2 3 4 5 0\nEnd\n";
+    for (name, text, parts) in [
+        ("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\n", &["<circle"][..]),
+        (
+            "rp2.json",
+            "[[0,1,2],[0,1,5],[0,2,4],[0,3,4],[0,3,5],[1,2,3],[1,3,4],[1,4,5],[2,3,5],[2,4,5]]",
+            &["color="],
+        ),
+        ("graph.json", "[[0,1],[1,2],[2,0],[3]]", &["stroke-width=\"1.6\"", "<circle"]),
+        ("two.mesh", tetrahedra, &["color="]),
+        ("cross.lines", "0,0,1,1\n0,1,1,0\n", &["stroke-width=\"1.6\""]),
+        ("set.json", yin, &["C", "<circle", "#cc3333"]),
+        ("ring.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))", &["evenodd"]),
+        ("torus.json", r#"{"next":[2,3,4,5,0,1]}"#, &["color="]),
+    ] {
+        let path = file(&folder, name, text);
+        let pixels = drawn(&folder, &path, &[]);
+        assert!(count(&pixels, WHITE) < 120 * 90 - 50, "{name}");
+        let svg = drawn_as_svg(&path, &["--size", "120x90"]);
+        parts.iter().for_each(|part| assert!(svg.contains(part), "{name}: {part}"));
+        assert!(svg.contains("width=\"120\" height=\"90\""), "{name}");
+    }
+}
+
+#[test]
+fn a_region_is_filled_but_for_its_holes() {
+    let folder = tempfile::tempdir().unwrap();
+    let ring = file(&folder, "ring.wkt", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))");
+    let pixels = drawn(&folder, &ring, &[]);
+    let pale = count(&pixels, [0x99, 0xaa, 0xcc]) as f64;
+    assert_eq!(pixels[45 * 120 + 60], WHITE);
+    // 72 of 81 of the square that the panel leaves.
+    let side = 90.0 * (480.0 - 56.0) / 480.0 / 1.04;
+    assert!((pale / (side * side * 72.0 / 81.0) - 1.0).abs() < 0.1, "{pale}");
+}
+
+#[test]
+fn matrices_diagrams_and_forests_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let svg = drawn_as_svg(&cube, &["--matrix"]);
+    assert!(svg.contains("degree 1: 8 x 12, 24 entries") && svg.contains("degree 2: 12 x 6, 24 entries"));
+    assert!(count(&drawn(&folder, &cube, &["--matrix"]), BLUE) > 20);
+
+    // The walls of the cube by height: one component for ever, one sphere at the top.
+    let svg = drawn_as_svg(&cube, &["--diagram"]);
+    assert!(svg.contains("H_0: 1") && svg.contains("H_2: 1"), "{svg}");
+    let json = folder.path().join("diagram.json");
+    let pers = folder.path().join("diagram.pers");
+    for out in [&json, &pers] {
+        assert_eq!(coface(&["persistence", argument(&cube), "-o", argument(out)]).status, 0);
+        let again = drawn_as_svg(out, &["--diagram"]);
+        assert_eq!(again.matches("<circle").count(), svg.matches("<circle").count());
+    }
+    assert!(count(&drawn(&folder, &json, &["--diagram"]), WHITE) < 120 * 90 - 200);
+    let falling = drawn_as_svg(&cube, &["--diagram", "--upper-star", "--function", "x"]);
+    assert!(falling.contains("H_2: 1"));
+
+    let ring = file(&folder, "ring.wkt", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))");
+    let svg = drawn_as_svg(&ring, &["--forest"]);
+    assert!(svg.contains(">outside</text>") && svg.matches("<circle").count() == 2);
+    assert!(count(&drawn(&folder, &ring, &["--forest"]), WHITE) < 120 * 90 - 500);
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let out = folder.path().join("a.png");
+    let fails = |options: &[&str], status: i32| {
+        coface(&[&["render", argument(&cube)], options].concat()).fails_with(status).to_owned()
+    };
+    for size in ["0x5", "5x0", "x", "-3x4", "10", "1e3x5", "99999999999999999999x1"] {
+        let text = fails(&[&format!("--size={size}"), "-o", argument(&out)], 2);
+        assert!(text.contains("like 1200x900"), "{text}");
+    }
+    let text = fails(&["--size", "40000x40000", "-o", argument(&out)], 1);
+    assert!(text.contains("make a smaller picture"), "{text}");
+    assert!(fails(&["--from", "0,0,0"], 2).contains("not all 0"));
+    assert!(fails(&["--perspective=180"], 1).contains("between 1 and 170"));
+    assert!(fails(&["--edges", "--no-edges"], 2).contains("cannot be used with"));
+    assert!(fails(&["--matrix", "--witness"], 2).contains("cannot be used with"));
+    assert!(fails(&["-o", "a.bmp"], 1).contains("*.png or *.svg"));
+    assert!(fails(&["-o", "a"], 1).contains("*.png or *.svg"));
+    assert!(fails(&["--forest"], 1).contains("cube.obj"));
+    for (text, said) in [
+        ("no JSON", "give the JSON that another verb"),
+        ("{\"betti\": 3}", "nothing that could be shown"),
+        (
+            r#"{"generators":[[],[{"chain":[[1,[0,8]]]}]]}"#,
+            "the model has 8 vertices, but H1 generator 0 has vertex 8",
+        ),
+    ] {
+        let result = file(&folder, "result.json", text);
+        let message = fails(&["--with", argument(&result)], 1);
+        assert!(message.contains("result.json") && message.contains(said), "{message}");
+    }
+    assert!(fails(&["--with", "missing.json"], 1).contains("missing.json"));
+    for (name, text) in [("a.pers", "2 0 1\nfoo\n"), ("a.json", r#"{"diagram":[{"degree":0}]}"#)] {
+        let path = file(&folder, name, text);
+        assert!(coface(&["render", argument(&path), "--diagram"]).fails_with(1).contains(name));
+    }
+    assert!(!out.exists());
+}
+
+#[test]
+fn a_drawing_that_bounds_nothing_shows_its_lines() {
+    let text =
+        "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0L4 1L2 5' fill='none' stroke='#000'/></svg>";
+    let run = coface_reading(&["render", "-", "-q"], text.as_bytes());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert!(!run.stdout.contains("d=\"\"") && run.stdout.matches('L').count() == 2, "{}", run.stdout);
+}
+
+#[test]
+fn answers_with_a_picture_of_their_own_are_drawn_or_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let [torus, cover, picture] =
+        ["torus.off", "cover.json", "cover.svg"].map(|name| folder.path().join(name));
+    let [torus, cover, picture] = [&torus, &cover, &picture].map(|path| argument(path));
+    let done = |arguments: &[&str]| {
+        let run = coface(arguments);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        run.stderr
+    };
+    done(&["generate", "torus", "--columns", "6", "--rows", "5", "-o", torus]);
+    done(&["cover", torus, "--radius", "1", "-o", cover]);
+    let said = done(&["render", torus, "--with", cover, "-o", picture]);
+    assert!(said.contains("universal cover in the plane") && said.contains("--pane"), "{said}");
+    done(&["render", torus, "--with", cover, "--pane", "-o", picture]);
+    let drawn = std::fs::read_to_string(picture).unwrap();
+    assert!(drawn.contains("<title>universal cover in the plane</title>"), "{drawn:.200}");
+    // The deck transformations of the four neighbors stand on them.
+    assert_eq!(drawn.matches("<text").count(), 5);
+    let none = coface(&["render", torus, "--with", cover, "--pane=forest", "-o", picture]);
+    assert!(none.status == 1 && none.stderr.contains("universal cover in the plane"), "{}", none.stderr);
+}

@@ -1,0 +1,368 @@
+//! The verbs of surfaces, and the data on cells that they write.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{argument, coface, coface_reading};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// The torus with seven vertices.
+const TORUS: &str = r#"{"facets":[[0,1,3],[1,2,4],[2,3,5],[3,4,6],[4,5,0],[5,6,1],[6,0,2],
+    [0,2,3],[1,3,4],[2,4,5],[3,5,6],[4,6,0],[5,0,1],[6,1,2]]}"#;
+/// The projective plane with six vertices.
+const PLANE: &str =
+    r#"{"facets":[[0,1,2],[0,1,5],[0,2,4],[0,3,4],[0,3,5],[1,2,3],[1,3,4],[1,4,5],[2,3,5],[2,4,5]]}"#;
+/// An octahedron with positions.
+const OCTAHEDRON: &str = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n\
+    3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
+/// The surface of genus 2 made of one octagon, a b a^-1 b^-1 c d c^-1 d^-1.
+const OCTAGON: &str = r#"{"next":[2,3,1,4,6,7,5,0]}"#;
+
+/// A model that is shipped in `data/`.
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
+}
+
+fn reading(arguments: &[&str], input: &str) -> Value {
+    coface_reading(arguments, input.as_bytes()).json()
+}
+
+fn keys_of(value: &Value, keys: &[&str]) -> Vec<Value> {
+    keys.iter().map(|key| value[key].clone()).collect()
+}
+
+#[test]
+fn data_on_cells_are_told_and_kept_where_the_format_can() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(
+        path("a.ply"),
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n\
+         element face 1\nproperty list uchar int vertex_indices\nproperty double weight\nelement edge 1\nproperty int vertex1\n\
+         property int vertex2\nproperty int end_0\nproperty int end_1\nend_header\n0 0 0 0\n1 0 0 7\n0 1 0 255\n3 0 1 2 0.25\n0 1 -3 4\n",
+    )
+    .unwrap();
+    let expected = json!([
+        {"name": "red", "on": "vertices", "components": 1, "type": "integer", "range": [0.0, 255.0]},
+        {"name": "weight", "on": "polygons", "components": 1, "type": "real", "range": [0.25, 0.25]},
+        {"name": "end", "on": "lines", "components": 2, "type": "integer", "range": [-3.0, 4.0]},
+    ]);
+    assert_eq!(coface(&["info", "--json", argument(&path("a.ply"))]).json()["data"], expected);
+    let page = coface(&["info", argument(&path("a.ply"))]).stdout;
+    assert!(page.contains("end on lines  2 integers each, -3 to 4"), "{page}");
+    let converted = coface(&["convert", argument(&path("a.ply")), "-o", argument(&path("b.ply"))]);
+    assert!(converted.stderr.is_empty(), "{}", converted.stderr);
+    assert_eq!(coface(&["info", "--json", argument(&path("b.ply"))]).json()["data"], expected);
+    let converted = coface(&["convert", argument(&path("a.ply")), "-o", argument(&path("b.obj"))]);
+    assert!(converted.stderr.contains("OBJ does not keep data on cells: 3 left out"), "{}", converted.stderr);
+    coface(&["convert", argument(&path("a.ply")), "-o", argument(&path("b.vtk"))]);
+    let data = coface(&["info", "--json", argument(&path("b.vtk"))]).json()["data"].clone();
+    // VTK has one array over all cells.
+    assert_eq!(data.as_array().unwrap().len(), 5);
+    assert!(data.as_array().unwrap().contains(&expected[0]));
+}
+
+#[test]
+fn data_that_a_format_cannot_hold_leave_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(
+        path("a.vtk"),
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n\
+         POINT_DATA 3\nSCALARS big vtktypeint64\nLOOKUP_TABLE default\n0 1 1099511627776\n",
+    )
+    .unwrap();
+    let run = coface(&["convert", argument(&path("a.vtk")), "-o", argument(&path("b.ply"))]);
+    let message = run.fails_with(1);
+    assert!(message.contains("the data \"big\" on vertices have larger ones; write VTK"), "{message}");
+    assert!(!path("b.ply").exists());
+}
+
+#[test]
+fn surfaces_are_cut_to_disks() {
+    let component = |arguments: &[&str], input: &str| reading(arguments, input)["components"][0].clone();
+    let numbers = ["cut_edges", "boundary_edges", "euler_characteristic"];
+    let torus = component(&["cut", "-", "--json"], TORUS);
+    assert_eq!(keys_of(&torus, &numbers), [8, 16, 1]);
+    assert_eq!(torus["f_vector"], json!([16, 29, 14]));
+    assert_eq!((torus["surface"].as_str(), torus["generators"].as_i64()), (Some("torus"), Some(2)));
+    assert_eq!(torus["relator"].as_array().unwrap().len(), 4);
+    let sphere = component(&["cut", "-", "--json"], OCTAHEDRON);
+    assert_eq!(keys_of(&sphere, &numbers), [5, 10, 1]);
+    assert_eq!(sphere["relator"], json!([]));
+    let sphere = component(&["cut", "-", "--json", "--simplify"], OCTAHEDRON);
+    // A slit of two edges stays open when edges are told by their ends.
+    assert_eq!(keys_of(&sphere, &numbers), [2, 4, 1]);
+    assert_eq!(sphere["seams"][0]["kind"], "slit");
+    let plane = component(&["cut", "-", "--json", "--simplify"], PLANE);
+    assert_eq!(keys_of(&plane, &numbers), [3, 6, 1]);
+    assert_eq!(plane["seams"][0]["kind"], "crosscap");
+    assert_eq!(plane["word"][0], plane["word"][1]);
+    let band = coface(&["cut", "--simplify", "--json", argument(&shipped("moebius.obj"))]).json();
+    assert_eq!(band["components"][0]["euler_characteristic"], 1);
+    let disk = component(&["cut", "-", "--json", "--simplify"], "[[0,1,2],[1,2,3]]");
+    assert_eq!(keys_of(&disk, &numbers), [0, 4, 1]);
+    assert_eq!(reading(&["cut", "-", "--json"], "OFF\n1 0 0\n0 0 0\n")["components"], json!([]));
+    // Each seam is met twice around the domain.
+    for input in [TORUS, PLANE, OCTAHEDRON] {
+        let component = component(&["cut", "-", "--json"], input);
+        assert_eq!(
+            component["word"].as_array().unwrap().len(),
+            2 * component["seams"].as_array().unwrap().len()
+        );
+    }
+    let page = coface(&["cut", argument(&shipped("spot.obj"))]).stdout;
+    assert!(page.contains("sphere") && page.contains("it is a disk"), "{page}");
+}
+
+#[test]
+fn a_cut_mesh_says_where_it_comes_from() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("a.off"), OCTAHEDRON).unwrap();
+    for name in ["b.vtk", "b.ply"] {
+        coface(&["cut", "--simplify", argument(&path("a.off")), "-q", "-o", argument(&path(name))]);
+        let report = coface(&["info", "--json", argument(&path(name))]).json();
+        assert_eq!((&report["name"], &report["f_vector"]), (&json!("disk"), &json!([7, 14, 8])));
+        let data = report["data"].as_array().unwrap();
+        let on = |name: &str, on: &str| data.iter().any(|data| data["name"] == name && data["on"] == on);
+        assert!(on("source", "vertices") && on("face", "polygons") && on("seam", "lines"), "{data:?}");
+        assert!(on("source", "lines"));
+    }
+    coface(&["cut", argument(&path("a.off")), "-q", "-o", argument(&path("b.json"))]);
+    let cut: Value = serde_json::from_slice(&std::fs::read(path("b.json")).unwrap()).unwrap();
+    assert_eq!(cut["source"].as_array().unwrap().len(), 10);
+    let report = coface(&["info", "--json", argument(&path("b.json"))]).json();
+    assert_eq!(report["name"], "disk");
+    let remark = coface(&["cut", argument(&path("a.off")), "-o", argument(&path("b.obj"))]).stderr;
+    assert!(remark.contains("OBJ does not keep data"), "{remark}");
+}
+
+#[test]
+fn paths_are_cut_open() {
+    let along =
+        |path: &str, input: &str| coface_reading(&["cut", "-", "--json", "--along", path], input.as_bytes());
+    let annulus = along("0 1 2 0", TORUS).json();
+    assert_eq!(annulus["path"], json!({"kind": "two-sided", "edges": 3}));
+    assert_eq!(annulus["components"][0]["surface"], "annulus");
+    let halves = along("0 2 1 3 0", OCTAHEDRON).json();
+    assert_eq!(halves["components"].as_array().unwrap().len(), 2);
+    let slit = along("0 2", OCTAHEDRON).json();
+    assert_eq!(
+        (&slit["path"]["kind"], &slit["components"][0]["boundary_edges"]),
+        (&json!("open"), &json!(2))
+    );
+    for (path, input, message) in [
+        ("0 1", OCTAHEDRON, "goes from vertex 0 to vertex 1, but no edge joins them"),
+        ("0 9", OCTAHEDRON, "there is no vertex 9"),
+        ("0", OCTAHEDRON, "two vertices at least"),
+        ("0 x", OCTAHEDRON, "\"x\" is no vertex"),
+        ("0 2 0", OCTAHEDRON, "edge"),
+        ("0 1 2 0", PLANE, "--along"),
+    ] {
+        let run = along(path, input);
+        if path == "0 1 2 0" && run.status == 0 {
+            // It bounds a triangle: two-sided.
+            continue;
+        }
+        let text = run.fails_with(1);
+        assert!(text.contains(message), "{text}");
+    }
+    // A line of the projective plane.
+    let text = along("0 1 3 0", PLANE).fails_with(1).to_owned();
+    assert!(text.contains("one-sided"), "{text}");
+}
+
+#[test]
+fn covers_grow_as_their_groups_do() {
+    let genus_2 = reading(&["cover", "-", "--json", "--radius", "3"], OCTAGON);
+    assert_eq!(genus_2["spheres"], json!([1, 8, 56, 392]));
+    assert_eq!((&genus_2["copies"], &genus_2["euler_characteristic"]), (&json!(457), &json!(1)));
+    assert_eq!(genus_2["words"].as_array().unwrap().len(), 457);
+    let torus = reading(&["cover", "-", "--json", "--copies", "7"], TORUS);
+    assert_eq!(torus["spheres"], json!([1, 4, 2]));
+    assert_eq!(torus["f_vector"][2], 7 * 14);
+    let plane = reading(&["cover", "-", "--json", "--copies", "2"], PLANE);
+    assert_eq!(
+        keys_of(&plane, &["f_vector", "euler_characteristic", "complete"]),
+        [json!([12, 30, 20]), json!(2), json!(true)]
+    );
+    let double = reading(&["cover", "-", "--json", "--orientation"], PLANE);
+    assert_eq!((&double["surfaces"], &double["copies"]), (&json!(["sphere"]), &json!(2)));
+    for (arguments, input, message) in [
+        (["--radius", "5"], OCTAHEDRON, "1 copy"),
+        (["--radius", "12"], OCTAGON, "copies"),
+        (["--copies", "0"], TORUS, "cop"),
+        (["--component", "3"], TORUS, "component"),
+    ] {
+        let mut all = vec!["cover", "-", "--json"];
+        all.extend(arguments);
+        if arguments[0] == "--component" {
+            all.extend(["--radius", "1"]);
+        }
+        let run = coface_reading(&all, input.as_bytes());
+        let text = run.fails_with(1);
+        assert!(text.contains(message), "{text}");
+    }
+    coface_reading(&["cover", "-"], TORUS.as_bytes()).fails_with(2);
+}
+
+#[test]
+fn covers_are_laid_out_and_project() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("cover.vtk");
+    let torus = ["cover", "-", "--json", "--radius", "1", "-o", argument(&out)];
+    assert_eq!(reading(&torus, TORUS)["layout"], "flat");
+    let report = coface(&["info", "--json", argument(&out)]).json();
+    assert_eq!((&report["name"], &report["f_vector"][2]), (&json!("disk"), &json!(70)));
+    let data = report["data"].as_array().unwrap();
+    let names: Vec<String> = data.iter().map(|data| format!("{} {}", data["name"], data["on"])).collect();
+    for name in ["source", "copy"] {
+        assert!(names.contains(&format!("\"{name}\" \"vertices\"")), "{names:?}");
+    }
+    for name in ["face", "copy", "length"] {
+        assert!(names.contains(&format!("\"{name}\" \"polygons\"")), "{names:?}");
+    }
+    let flat = coface_reading(&["cover", "-", "--copies", "1", "--layout", "flat"], OCTAHEDRON.as_bytes());
+    flat.fails_with(1);
+}
+
+#[test]
+fn cocycles_are_dual_to_loops() {
+    let torus = reading(&["cocycles", "-", "--json"], TORUS);
+    assert_eq!(
+        keys_of(&torus, &["rank", "pairing", "determinant", "method"]),
+        [json!(2), json!([[1, 0], [0, 1]]), json!(1), json!("crossing")]
+    );
+    let matrix = &torus["intersection"]["matrix"];
+    assert_eq!((matrix[0][0].as_i64(), matrix[0][1].as_i64().map(i64::abs)), (Some(0), Some(1)));
+    assert_eq!(torus["intersection"]["determinant"], 1);
+    // The values on the loops are the pairing.
+    for (i, cocycle) in torus["cocycles"].as_array().unwrap().iter().enumerate() {
+        for (j, walk) in torus["loops"].as_array().unwrap().iter().enumerate() {
+            let walk: Vec<u64> = walk.as_array().unwrap().iter().map(|v| v.as_u64().unwrap()).collect();
+            let terms = cocycle.as_array().unwrap();
+            let on = |a: u64, b: u64| -> i64 {
+                let found = terms.iter().filter(|term| term[1] == json!([a, b]));
+                found.map(|term| term[0].as_i64().unwrap()).sum()
+            };
+            let value = |from: u64, to: u64| on(from, to) - on(to, from);
+            let sum: i64 = walk.windows(2).map(|pair| value(pair[0], pair[1])).sum();
+            assert_eq!(sum, i64::from(i == j));
+        }
+    }
+    for method in ["slicing", "general"] {
+        let found = reading(&["cocycles", "-", "--json", "--method", method], TORUS);
+        assert_eq!(keys_of(&found, &["rank", "determinant"]), [2, 1]);
+        assert_eq!(found["pairing"], json!([[1, 0], [0, 1]]));
+    }
+    let disk = r#"{"facets":[[0,1,2]]}"#;
+    assert_eq!(reading(&["cocycles", "-", "--json"], disk)["rank"], 0);
+    // A Klein bottle of 5 by 5 squares: one loop of infinite order, and one cocycle dual to it.
+    let corner = |i: u32, j: u32| i % 5 * 5 + if i == 5 { (5 - j % 5) % 5 } else { j % 5 };
+    let squares = (0..25)
+        .map(|k| (k / 5, k % 5))
+        .map(|(i, j)| [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]);
+    let klein: Vec<[u32; 3]> = squares.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let klein = reading(&["cocycles", "-", "--json"], &json!(klein).to_string());
+    assert_eq!(keys_of(&klein, &["rank", "pairing", "determinant"]), [json!(1), json!([[1]]), json!(1)]);
+    let plane = reading(&["cocycles", "-", "--json"], PLANE);
+    assert_eq!(keys_of(&plane, &["rank", "pairing", "determinant"]), [json!(0), json!([]), json!(1)]);
+    coface_reading(&["cocycles", "-", "--method", "slicing"], PLANE.as_bytes()).fails_with(1);
+    let band = coface(&["cocycles", "--harmonic", "--json", argument(&shipped("moebius.obj"))]).json();
+    assert_eq!((&band["rank"], &band["weights"]), (&json!(1), &json!("uniform")));
+    assert_eq!(
+        band["harmonic"][0]["values"].as_array().unwrap().len(),
+        band["edges"].as_array().unwrap().len()
+    );
+    // A complex that is no surface.
+    let book = r#"[[0,1],[1,2],[0,2],[0,3],[2,3]]"#;
+    assert_eq!(
+        keys_of(&reading(&["cocycles", "-", "--json"], book), &["rank", "method"]),
+        [json!(2), json!("general")]
+    );
+}
+
+#[test]
+fn cochains_are_tested_with_proof() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("w.json");
+    let test = |cochain: &str, input: &str, more: &[&str]| {
+        std::fs::write(&file, cochain).unwrap();
+        let arguments = [&["cocycles", "-", "--json", "--test", argument(&file)], more].concat();
+        coface_reading(&arguments, input.as_bytes())
+    };
+    let rim = "[[0,1],[1,2],[0,2]]";
+    let exact = test("[[1,[0,1]],[1,[0,2]]]", rim, &[]).json();
+    assert_eq!(keys_of(&exact, &["closed", "exact"]), [true, true]);
+    assert_eq!(exact["potential"], json!([[1, [1]], [1, [2]]]));
+    let closed = test("[[-3,[1,0]]]", rim, &[]).json();
+    assert_eq!(keys_of(&closed, &["closed", "exact"]), [true, false]);
+    assert_eq!(
+        (closed["period"].as_i64().map(i64::abs), closed["walk"].as_array().unwrap().len()),
+        (Some(3), 4)
+    );
+    let open = test("[[1,[0,1]]]", "[[0,1,2]]", &[]).json();
+    assert_eq!(keys_of(&open, &["closed", "exact"]), [false, false]);
+    assert_eq!(open["face"], json!([0, 1, 2]));
+    let real = test("[[0.5,[0,1]],[0.5,[1,2]],[1.0,[0,2]]]", rim, &["--tolerance", "1e-9"]).json();
+    assert_eq!(real["exact"], true);
+    let text = test("[[0.5,[0,1]]]", rim, &[]).fails_with(1).to_owned();
+    assert!(text.contains("--tolerance"), "{text}");
+    let text = test("[[1,[0,7]]]", rim, &[]).fails_with(1).to_owned();
+    assert!(text.contains("w.json"), "{text}");
+}
+
+#[test]
+fn values_on_edges_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let band = shipped("moebius.obj");
+    for name in ["w.vtk", "w.ply"] {
+        let out = folder.path().join(name);
+        coface(&["cocycles", "--harmonic", "-q", argument(&band), "-o", argument(&out)]);
+        let report = coface(&["info", "--json", argument(&out)]).json();
+        let data = report["data"].as_array().unwrap();
+        let on_lines = |name: &str| data.iter().any(|data| data["name"] == name && data["on"] == "lines");
+        assert!(on_lines("cocycle_1") && on_lines("harmonic_1"), "{data:?}");
+    }
+    let text =
+        coface_reading(&["cocycles", "-", "-o", argument(&folder.path().join("t.vtk"))], TORUS.as_bytes());
+    assert!(text.fails_with(1).contains("write the cocycles as .json"));
+}
+
+#[test]
+fn what_is_no_surface_is_refused_with_the_cure() {
+    let fan = shipped("fan3.obj");
+    for verb in [&["cut"][..], &["cover", "--radius", "1"]] {
+        let run = coface(&[verb, &[argument(&fan)]].concat());
+        let text = run.fails_with(1);
+        assert!(text.contains("is on 3 sides of faces") && text.contains("--split-edges"), "{text}");
+    }
+    let beam = shipped("beam_h5t12.mesh");
+    let text = coface(&["cut", argument(&beam)]).fails_with(1).to_owned();
+    assert!(text.contains("--boundary"), "{text}");
+    let text = coface(&["cut", "--boundary", argument(&beam)]).fails_with(1).to_owned();
+    assert!(text.contains("the boundary is no surface") && !text.contains("--split"), "{text}");
+    let cylinder = shipped("cylinder.vtk");
+    let report = coface(&["cut", "--boundary", "--simplify", "--json", argument(&cylinder)]).json();
+    assert_eq!(report["components"][0]["euler_characteristic"], 1);
+    let text = coface_reading(&["cut", "-", "--base", "77"], TORUS.as_bytes()).fails_with(1).to_owned();
+    assert!(text.contains("there is no vertex 77"), "{text}");
+}
+
+#[test]
+fn halfedges_become_facet_lists_with_labels() {
+    let folder = tempfile::tempdir().unwrap();
+    let [facets, labels] = ["facets.json", "labels.json"].map(|name| folder.path().join(name));
+    // The torus with one vertex, of two triangles: it takes the second subdivision.
+    let torus = br#"{"next":[2,3,4,5,0,1]}"#;
+    let words =
+        ["convert", "-", "--triangulate", "--labels", argument(&labels), "-o", argument(&facets), "--quiet"];
+    assert_eq!(coface_reading(&words, torus).status, 0);
+    let answer = coface(&["info", argument(&facets), "--json"]).json();
+    assert_eq!((&answer["name"], &answer["f_vector"][2]), (&"torus".into(), &72.into()));
+    let labels: Value = serde_json::from_str(&std::fs::read_to_string(&labels).unwrap()).unwrap();
+    let labels = labels["carriers"].as_array().unwrap();
+    assert_eq!(labels.iter().filter(|label| label[0] == 0).count(), 1, "the one vertex");
+    assert_eq!(labels.iter().filter(|label| label[0] == 1).count(), 9, "three in each edge");
+}

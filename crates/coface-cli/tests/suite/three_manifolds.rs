@@ -1,0 +1,138 @@
+//! The census of 3-manifolds through the program: what it says about gluing tables, against what Regina found, and
+//! isomorphism signatures there and back.
+//!
+//! The folder named by the environment variable `COFACE_DATA` holds the tables; without it this test says that it skips.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(clippy::print_stdout, reason = "a skipped test says so")]
+
+use crate::program::{argument, coface, coface_reading};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// The file of the tables and its entries, if it is there.
+fn census() -> Option<(PathBuf, Vec<Value>)> {
+    let Some(folder) = std::env::var_os("COFACE_DATA").map(PathBuf::from) else {
+        println!("COFACE_DATA is not set: the census of 3-manifolds is skipped");
+        return None;
+    };
+    let path = folder.join("complexes/three_manifolds.json");
+    let list: Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    Some((path, list.as_array().unwrap().clone()))
+}
+
+fn even(orders: &Value) -> u64 {
+    orders.as_array().unwrap().iter().filter(|order| order.as_u64().unwrap() % 2 == 0).count() as u64
+}
+
+#[test]
+fn every_table_has_the_answers_of_the_census() {
+    let Some((path, entries)) = census() else { return };
+    assert_eq!(entries.len(), 53);
+    for entry in &entries {
+        let name = entry["name"].as_str().unwrap();
+        let place = format!("{}#{name}", argument(&path));
+        let report = coface(&["info", "--json", &place]).json();
+        assert_eq!(report["kind"], "complex", "{name}");
+        assert_eq!(report["f_vector"], entry["f_vector"], "{name}");
+        assert_eq!(report["orientable"], entry["orientable"], "{name}");
+        assert_eq!(report["manifold"], json!({"verdict": "yes", "closed": true, "witness": null}), "{name}");
+        assert_eq!(report["components"], 1, "{name}");
+        let groups = coface(&["homology", "--json", &place]).json()["homology"].clone();
+        assert_eq!(report["homology"], groups, "{name}");
+        let h1 = json!({"rank": groups[1]["betti"], "torsion": groups[1]["torsion"]});
+        assert_eq!(h1, entry["H1"], "{name}");
+        // Universal coefficients over F_2, and the program itself over F_2.
+        let betti2 =
+            groups[2]["betti"].as_u64().unwrap() + even(&groups[2]["torsion"]) + even(&groups[1]["torsion"]);
+        assert_eq!(Value::from(betti2), entry["betti2_F2"], "{name}");
+        let over_f2 = coface(&["homology", "--json", "--coefficients", "f2", &place]).json();
+        assert_eq!(over_f2["homology"][2]["betti"], entry["betti2_F2"], "{name}");
+    }
+}
+
+#[test]
+fn every_table_has_the_signature_of_the_census() {
+    let Some((path, entries)) = census() else { return };
+    for entry in &entries {
+        let name = entry["name"].as_str().unwrap();
+        let run = coface(&["convert", "--to", "isosig", &format!("{}#{name}", argument(&path))]);
+        assert_eq!(run.status, 0, "{name}: {}", run.stderr);
+        assert_eq!(run.stdout.trim_end(), entry["isosig"].as_str().unwrap(), "{name}");
+        let table = coface_reading(&["convert", "--to", "json", "-"], run.stdout.as_bytes());
+        assert_eq!(table.status, 0, "{name}: {}", table.stderr);
+        let again = coface_reading(&["convert", "--to", "isosig", "-"], table.stdout.as_bytes());
+        assert_eq!(again.stdout, run.stdout, "{name}");
+        let report = coface_reading(&["info", "--json", "-"], run.stdout.as_bytes()).json();
+        assert_eq!(report["format"], "isosig");
+        assert_eq!(report["f_vector"], entry["f_vector"], "{name}");
+    }
+}
+
+#[test]
+fn signatures_are_chosen_by_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("list.isosig");
+    std::fs::write(&path, "# two\ncMcabbgqw\ncPcbbbiht\n").unwrap();
+    let message = coface(&["info", argument(&path)]).fails_with(1).to_owned();
+    assert!(message.contains("2 signatures") && message.contains("#3"), "{message}");
+    let report = coface(&["info", "--json", &format!("{}#2", argument(&path))]).json();
+    assert_eq!(report["manifold"]["witness"]["kind"], "link_not_a_sphere");
+    assert_eq!(report["manifold"]["witness"]["cells"], json!([[0]]));
+    assert!(
+        coface(&["info", &format!("{}#3", argument(&path))])
+            .fails_with(1)
+            .contains("there is no signature 3")
+    );
+    std::fs::write(&path, "cMcabb?qw\n").unwrap();
+    let message = coface(&["info", argument(&path)]).fails_with(1).to_owned();
+    assert!(message.contains(":1:") && message.contains("character 7"), "{message}");
+}
+
+#[test]
+fn tables_become_no_meshes() {
+    let table = br#"{"gluings":[[null,null,[0,[1,2,0]]],"#;
+    let fault = coface_reading(&["info", "-"], table);
+    fault.fails_with(1);
+    // A Moebius band of one triangle.
+    let table = br#"{"name": "band", "gluings": [[[0,[2,0,1]], null, [0,[1,2,0]]]], "more": 1}"#;
+    let report = coface_reading(&["info", "--json", "-"], table).json();
+    assert_eq!(report["name"], "Moebius band");
+    assert_eq!((&report["boundary_loops"], &report["orientable"]), (&json!(1), &json!(false)));
+    let output = coface_reading(&["convert", "--to", "off", "-"], table);
+    assert!(output.fails_with(1).contains("error"));
+    let output = coface_reading(&["convert", "--to", "isosig", "-"], table);
+    assert!(output.fails_with(1).contains("dimension 2"));
+    let output = coface_reading(&["link", "--simplices", "0", "-"], table);
+    output.fails_with(1);
+    let generators = coface_reading(&["homology", "--json", "-", "--generators"], table).json();
+    assert_eq!(generators["generators"][1][0]["order"], 0);
+}
+
+/// A table becomes a facet list with the same homology, and each new vertex says which cell of the table it lies in.
+#[test]
+fn tables_become_simplicial_complexes() {
+    let folder = tempfile::tempdir().unwrap();
+    let [table, facets, labels] =
+        ["lens.isosig", "facets.json", "labels.json"].map(|name| folder.path().join(name));
+    std::fs::write(&table, "cMcabbjxr\n").unwrap();
+    let run = coface(&[
+        "convert",
+        argument(&table),
+        "--triangulate",
+        "-o",
+        argument(&facets),
+        "--labels",
+        argument(&labels),
+    ]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let report = coface(&["info", argument(&facets), "--json"]).json();
+    assert_eq!((&report["manifold"]["verdict"], &report["orientable"]), (&json!("yes"), &json!(true)));
+    assert_eq!(report["homology"][1]["torsion"], json!([5]));
+    let labels: Value = serde_json::from_str(&std::fs::read_to_string(&labels).unwrap()).unwrap();
+    let carriers = labels["carriers"].as_array().unwrap();
+    assert_eq!(carriers.len() as u64, report["f_vector"][0].as_u64().unwrap());
+    assert_eq!(carriers.iter().filter(|carrier| carrier[0] == 0).count(), 1);
+    let mesh = coface(&["convert", argument(&facets), "--triangulate", "--to", "json"]);
+    assert!(mesh.fails_with(1).contains("gluing tables"), "{}", mesh.stderr);
+}

@@ -1,0 +1,209 @@
+//! `coface yin advect`: schemes, verification, repair, turning, names, and what is refused.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{argument, coface};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use tempfile::TempDir;
+
+fn yin(arguments: &[&str]) -> Value {
+    coface(&[&["yin"], arguments, &["--json", "--quiet"]].concat()).json()
+}
+
+fn fails(arguments: &[&str]) -> String {
+    coface(&[&["yin"], arguments, &["--json", "--quiet"]].concat()).fails_with(1).to_owned()
+}
+
+fn file(folder: &TempDir, name: &str, value: &Value) -> PathBuf {
+    let path = folder.path().join(name);
+    std::fs::write(&path, value.to_string()).unwrap();
+    path
+}
+
+/// The points of a circle, counterclockwise.
+fn ring(center: [f64; 2], radius: f64, count: u32) -> Vec<[f64; 2]> {
+    (0..count)
+        .map(|i| f64::from(i) * std::f64::consts::TAU / f64::from(count))
+        .map(|t| [center[0] + radius * t.cos(), center[1] + radius * t.sin()])
+        .collect()
+}
+
+fn disk(folder: &TempDir, order: usize) -> PathBuf {
+    let points = ring([0.5, 0.75], 0.15, 48);
+    file(folder, "disk.json", &json!({"order": order, "curves": [{"name": "drop", "points": points}]}))
+}
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap()
+}
+
+#[test]
+fn schemes_have_their_orders() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = disk(&folder, 4);
+    // Half a turn in few steps: what is lost of the area is what the scheme misses.
+    let turn = |scheme: &[&str]| {
+        let common = ["advect", argument(&path), "--flow", "rotation", "--center", "0.5,0.5"];
+        let more = ["--speed", "3.141592653589793", "--step", "0.1", "--spacing", "0.05"];
+        yin(&[&common, &more[..], scheme].concat())
+    };
+    let mut misses = Vec::new();
+    for (scheme, order) in [("midpoint", 2), ("classical", 4), ("verner", 6), ("cooper-verner", 8)] {
+        let moved = turn(&["--scheme", scheme]);
+        assert_eq!((&moved["scheme"], &moved["steps"]), (&json!(order), &json!(10)));
+        misses.push((number(&moved, "area") - number(&moved, "area_before")).abs());
+    }
+    assert!(misses[0] > 1e-4 && misses.windows(2).all(|pair| pair[1] < 0.5 * pair[0]), "{misses:?}");
+    assert!(misses[2] < 1e-8, "{misses:?}");
+    // The scheme of the order of the set, if none is named.
+    assert_eq!(turn(&[])["scheme"], json!(4));
+    let high = disk(&folder, 8);
+    let moved = yin(&["advect", argument(&high), "--flow", "translation", "--spacing", "0.05"]);
+    assert_eq!((&moved["scheme"], &moved["order"]), (&json!(8), &json!(8)));
+}
+
+#[test]
+fn turning_markers_are_nearer_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = disk(&folder, 4);
+    let moved = |turn: &[&str]| {
+        let common = ["advect", argument(&path), "--flow", "vortex", "--time", "1", "--spacing", "0.05"];
+        yin(&[&common, turn].concat())["curves"][0]["knots"].as_u64().unwrap()
+    };
+    let [none, wide, narrow] = [moved(&[]), moved(&["--turn", "30"]), moved(&["--turn", "5"])];
+    assert!(none <= wide && wide < narrow, "{none} {wide} {narrow}");
+}
+
+#[test]
+fn what_meets_is_refused_or_repaired() {
+    let folder = tempfile::tempdir().unwrap();
+    // A long thin thread with too few markers comes to cross itself.
+    let points = ring([0.5, 0.75], 0.15, 12);
+    let path =
+        file(&folder, "drop.json", &json!({"order": 4, "curves": [{"name": "drop", "points": points}]}));
+    let output = folder.path().join("moved.json");
+    let flow = ["advect", argument(&path), "--flow", "vortex", "--period", "16", "--time", "8"];
+    let common = [&flow[..], &["--spacing", "0.15", "--step", "0.1", "-o", argument(&output)]].concat();
+    let run = |more: &[&str]| yin(&[&common, more].concat());
+    let message = fails(&common);
+    assert!(
+        message.contains("in step ") && message.contains("at time ") && message.contains('('),
+        "{message}"
+    );
+    assert!(message.contains("--repair nonzero") && message.contains("drop.json"), "{message}");
+    assert!(!output.exists(), "nothing is written");
+    let repaired = run(&["--repair", "nonzero"]);
+    let repairs = repaired["repairs"].as_array().unwrap();
+    assert!(!repairs.is_empty() && repairs[0]["fault"].as_str().unwrap().contains('('), "{repaired}");
+    assert!(repairs[0]["step"].as_u64().unwrap() >= 1 && repairs[0]["time"].as_f64().unwrap() > 0.0);
+    // The result is a set, its parts are those of the drop: it is read again.
+    let again = yin(&["info", argument(&output)]);
+    assert_eq!(again["area"], repaired["area"]);
+    assert!(again["curves"].as_array().unwrap().iter().all(|curve| curve["name"] == "drop"), "{again}");
+    // Not verified it goes on, until what it bounds is to be counted.
+    std::fs::remove_file(&output).unwrap();
+    let unseen = fails(&[&common[..], &["--verify", "never"]].concat());
+    assert!(unseen.contains("curve 0 comes to (") && unseen.contains("--repair"), "{unseen}");
+    assert!(!output.exists(), "nothing is written");
+    assert!(
+        fails(&[&common[..], &["--verify", "never", "--repair", "nonzero"]].concat())
+            .contains("--verify never")
+    );
+    // Looked at in the end alone, it is the last step that is named.
+    let late = fails(&[&common[..], &["--verify", "end"]].concat());
+    assert!(late.contains("in step 80, at time 8"), "{late}");
+}
+
+#[test]
+fn names_and_kinks_come_along() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hole = ring([0.5, 0.75], 0.03, 24);
+    hole.reverse();
+    let curves = json!({"order": 4, "next_vertex": 50, "curves": [
+        {"name": "drop", "points": ring([0.5, 0.75], 0.15, 48), "kinks": [0, 12], "vertices": [7, 40]},
+        {"name": "bubble", "points": hole},
+        {"points": ring([0.2, 0.2], 0.05, 24)}]});
+    let path = file(&folder, "a.json", &curves);
+    let output = folder.path().join("b.json");
+    let names = |value: &Value| -> Vec<Value> {
+        value["curves"].as_array().unwrap().iter().map(|curve| curve["name"].clone()).collect()
+    };
+    let moved = yin(&[
+        "advect",
+        argument(&path),
+        "--flow",
+        "translation",
+        "--spacing",
+        "0.05",
+        "--frames",
+        "3",
+        "-o",
+        argument(&output),
+    ]);
+    assert_eq!(names(&moved), [json!("drop"), json!("bubble"), Value::Null]);
+    assert_eq!(moved["curves"][0]["vertices"], json!([7, 40]));
+    let read = yin(&["info", argument(&folder.path().join("b-002.json"))]);
+    assert_eq!((names(&read), &read["curves"][0]["vertices"]), (names(&moved), &json!([7, 40])));
+    // A curve that vanishes is told by its number at the beginning, whatever the frame.
+    let gone = yin(&[
+        "advect",
+        argument(&path),
+        "--flow",
+        "translation",
+        "--spacing",
+        "2",
+        "--least-ratio",
+        "0.25",
+        "--frames",
+        "2",
+    ]);
+    let numbers: Vec<&Value> = gone["vanished"].as_array().unwrap().iter().map(|own| &own["curve"]).collect();
+    assert_eq!((numbers, &gone["empty"]), (vec![&json!(0), &json!(1), &json!(2)], &json!(true)), "{gone}");
+    // Curves of one curve keep its name in a combination.
+    let outside = yin(&["complement", argument(&path)]);
+    assert!(names(&outside).contains(&json!("bubble")), "{outside}");
+    assert_eq!(outside["uncertified"], json!([]));
+}
+
+#[test]
+fn options_without_meaning_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = disk(&folder, 4);
+    for (words, said) in [
+        (&["vortex", "--spacing", "0"][..], "spacing 0"),
+        (&["vortex", "--spacing", "-1"], "spacing -1"),
+        (&["vortex", "--spacing", "nan"], "spacing NaN"),
+        (&["vortex", "--step", "0"], "steps of 0"),
+        (&["vortex", "--step", "-1"], "steps of -1"),
+        (&["vortex", "--step", "1e-300"], "steps of"),
+        (&["vortex", "--time", "inf"], "--time inf"),
+        (&["vortex", "--period", "0"], "--period 0"),
+        (&["vortex", "--least-ratio", "0.5"], "least ratio 0.5"),
+        (&["vortex", "--least-ratio", "-0.1"], "least ratio -0.1"),
+        (&["vortex", "--turn", "0"], "turn by at most 0"),
+        (&["vortex", "--turn", "-3"], "turn by at most"),
+        (&["rotation", "--speed", "nan"], "--speed NaN"),
+    ] {
+        let said_of = fails(&[&["advect", argument(&path), "--flow"], words].concat());
+        assert!(said_of.contains(said) && said_of.contains("; "), "{words:?}: {said_of}");
+    }
+    for words in [&["vortex", "--frames", "0"][..], &["deformation", "--vortices", "0"], &["drift"]] {
+        let run = coface(&[&["yin", "advect", argument(&path), "--flow"], words].concat());
+        assert_eq!(run.status, 2, "{words:?}");
+    }
+    // Of several files none is written if one cannot be.
+    let output = folder.path().join("way.wkt");
+    let said = fails(&[
+        "advect",
+        argument(&path),
+        "--flow",
+        "translation",
+        "--frames",
+        "2",
+        "-o",
+        argument(&output),
+    ]);
+    assert!(said.contains("way-001.wkt") && said.contains("--flatten"), "{said}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}

@@ -1,0 +1,17 @@
+//! Tests of `coface-yin`, in one program: each test program links everything anew.
+
+mod splines;
+mod yin_booleans;
+mod yin_curved;
+mod yin_curves;
+mod yin_cut_cells;
+mod yin_flows;
+mod yin_homology;
+mod yin_interfaces;
+mod yin_invariance;
+mod yin_kinks;
+mod yin_lattice;
+mod yin_sets;
+mod yin_soups;
+mod yin_tangencies;
+mod yin_tracking;

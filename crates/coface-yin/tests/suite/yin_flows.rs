@@ -1,0 +1,87 @@
+//! Benchmarks of interface tracking: flows that come back, measured by the area of what is in the wrong place.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use coface_yin::{Curve, Flow, Order, RungeKutta, TrackingOptions, Verification, YinSet};
+use std::f64::consts::TAU;
+
+/// How far a disk is from itself after a flow there and back.
+#[derive(Debug)]
+struct Miss {
+    /// The differences of the areas at the middle and at the end.
+    areas: [f64; 2],
+    /// The area of the symmetric difference of the sets at the beginning and at the end.
+    geometric: f64,
+}
+
+fn area(set: &YinSet) -> f64 {
+    set.area().unwrap()
+}
+
+fn there_and_back(flow: Flow, period: f64, center: [f64; 2], step: f64, spacing: f64) -> Miss {
+    let count = (TAU * 0.15 / spacing).ceil() as usize + 1;
+    let disk = YinSet::new(&[Curve::circle(center, 0.15, count, Order::CUBIC).unwrap()]).unwrap();
+    // What is rounded off in time is far below what is in space.
+    let mut options = TrackingOptions {
+        scheme: Some(RungeKutta::CooperVerner),
+        verification: Verification::End,
+        ..TrackingOptions::new(0.5 * period, step, spacing)
+    };
+    let half = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
+    (options.start, options.end) = (0.5 * period, period);
+    let back = half.set().advected(|p, t| flow.velocity(p, t), &options).unwrap().into_set();
+    Miss {
+        areas: [area(half.set()) - area(&disk), area(&back) - area(&disk)],
+        geometric: difference(&back, &disk),
+    }
+}
+
+/// The area of the symmetric difference, exactly of polylines with forty chords for each piece where the curves run so near each other
+/// that the resolution does not tell how they cross.
+fn difference(a: &YinSet, b: &YinSet) -> f64 {
+    a.symmetric_difference(b).map_or_else(
+        |_| {
+            let [a, b] = [a, b].map(|set| {
+                let curve = set.curve(0);
+                let count = 40 * curve.piece_count();
+                let last = curve.knots()[curve.piece_count()];
+                let ring: Vec<[f64; 2]> =
+                    (0..=count).map(|i| curve.point(last * (i % count) as f64 / count as f64)).collect();
+                YinSet::new(&[Curve::polyline(&ring).unwrap()]).unwrap()
+            });
+            area(&a.symmetric_difference(&b).unwrap())
+        },
+        |set| area(&set),
+    )
+}
+
+/// The mean order over two halvings of the spacing.
+fn check_order(misses: &[Miss; 3]) {
+    let order = (misses[0].geometric / misses[2].geometric).log2() / 2.0;
+    assert!(order > 3.5, "order {order}: {misses:?}");
+    // Areas cannot differ by more than what is in the wrong place.
+    assert!(misses.iter().all(|miss| miss.areas[1].abs() <= 1.01 * miss.geometric), "{misses:?}");
+}
+
+#[test]
+fn the_deformation_test_converges_at_order_four() {
+    let flow = Flow::Deformation { period: 2.0, vortices: 4 };
+    let misses = [0.01, 0.005, 0.0025].map(|h| there_and_back(flow, 2.0, [0.5, 0.5], 0.02, h));
+    check_order(&misses);
+    assert!(misses[2].geometric < 1e-7);
+}
+
+#[test]
+fn the_vortex_with_period_four_converges_at_order_four() {
+    let flow = Flow::Vortex { period: 4.0 };
+    let misses = [0.02, 0.01, 0.005].map(|h| there_and_back(flow, 4.0, [0.5, 0.75], 0.04, h));
+    check_order(&misses);
+    assert!(misses[2].geometric < 3e-7);
+}
+
+#[test]
+fn the_vortex_with_period_eight_converges_at_order_four() {
+    let flow = Flow::Vortex { period: 8.0 };
+    let misses = [0.02, 0.01, 0.005].map(|h| there_and_back(flow, 8.0, [0.5, 0.75], 0.04, h));
+    check_order(&misses);
+    assert!(misses[2].geometric < 3e-6);
+}
