@@ -5,7 +5,7 @@ use super::producer::Cells;
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Error, VertexId};
 use coface_algebra::{Integer, Sign};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_io::{Group, GroupKind, Model};
 use std::collections::BTreeMap;
 

@@ -131,7 +131,7 @@ mod tests {
     use super::*;
     use crate::{Answer, Problem, ProblemKind};
     use coface_algebra::RaggedArray;
-    use coface_complexes::cellular::CellShape;
+    use coface_complexes::cell_mesh::CellShape;
     use coface_complexes::simplicial::FrozenComplex;
     use coface_geometry::Positions;
     use proptest::prelude::*;

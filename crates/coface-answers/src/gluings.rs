@@ -5,9 +5,7 @@ use super::polygons::counted;
 use super::{Problem, ProblemKind};
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
-use coface_complexes::simplicial::{
-    FaceClasses, GluingOrientation, GluingTable, GluingVerdict, GluingWitness,
-};
+use coface_complexes::gluing::{FaceClasses, GluingOrientation, GluingTable, GluingVerdict, GluingWitness};
 use coface_complexes::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
 use coface_topology::homology;
 

@@ -2,7 +2,7 @@
 
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, FaceId};
-use coface_complexes::cellular::CellMesh;
+use coface_complexes::cell_mesh::CellMesh;
 use coface_geometry::{MassProperties, Positions, enclosed_moment, surface_centroid, surface_moment};
 
 /// The largest sum of exponents: beyond it numbers leave the range of floating point.

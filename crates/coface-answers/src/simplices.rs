@@ -2,7 +2,7 @@
 
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
 use coface_geometry::Positions;
 use coface_io::{Model, Structure};

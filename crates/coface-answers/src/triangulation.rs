@@ -17,7 +17,7 @@ use coface_io::{Model, Structure};
 /// ```
 /// use coface_io::{Model, Structure};
 /// use coface_answers::triangulated;
-/// use coface_complexes::simplicial::GluingTable;
+/// use coface_complexes::gluing::GluingTable;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let table = GluingTable::from_isomorphism_signature("cMcabbgqw", 3)?;
 /// let (model, carriers) = triangulated(&Model::from_structure(Structure::Gluings(table)))?;

@@ -3,7 +3,7 @@
 use super::facts::{Answer, Kind, Report};
 use coface_algebra::chains::{ChainComplex, Part, PartTree, Parts};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::{CubicalBlocks, CubicalVolume};
+use coface_complexes::cubical::{CubicalBlocks, CubicalVolume};
 use coface_geometry::Positions;
 use coface_topology::{Homology, homology};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -105,7 +105,7 @@ impl VolumeCells {
 ///
 /// # Examples
 /// ```
-/// use coface_complexes::cellular::CubicalVolume;
+/// use coface_complexes::cubical::CubicalVolume;
 /// use coface_answers::homology_of_volume;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let torus = CubicalVolume::full(&[20, 20, 20], &[true; 3])?;

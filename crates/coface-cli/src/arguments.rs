@@ -3,7 +3,7 @@
 use crate::commands;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Command, CommandFactory, Parser, Subcommand};
-use coface::complexes::cellular::CubicalVolume;
+use coface::complexes::cubical::CubicalVolume;
 use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
 use serde_json::{Value, json};
 use std::path::PathBuf;

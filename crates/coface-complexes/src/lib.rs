@@ -1,5 +1,19 @@
-//! Producers: cell complexes of every kind, and the chain complexes they give.
+//! Producers: cell complexes of every kind, and the chain complexes that they give.
+//!
+//! * [`simplicial`]: simplicial complexes of any dimension with star, closure, link and boundary; complexes with ordered simplices.
+//! * [`gluing`]: simplices with facets glued in pairs, and isomorphism signatures.
+//! * [`known_spaces`]: named triangulations with published answers.
+//! * [`surface`]: polygon meshes, halfedge meshes and generalized maps.
+//! * [`cell_mesh`]: tetrahedra, hexahedra, wedges and pyramids with shared faces.
+//! * [`lar`]: cells as lists of vertices, incidence operators, oriented boundaries.
+//! * [`grids`], [`cubical`], [`shapes`]: products of intervals, voxels, and mapped grids with positions.
 
-pub mod cellular;
+pub mod cell_mesh;
+pub mod cubical;
+pub mod gluing;
+pub mod grids;
+pub mod known_spaces;
+pub mod lar;
+pub mod shapes;
 pub mod simplicial;
 pub mod surface;

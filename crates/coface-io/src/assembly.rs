@@ -6,7 +6,7 @@ use super::lists::Lists;
 use super::model::{Group, GroupKind, Model, repeated_vertex};
 use super::scratch_mesh::ScratchMesh;
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
 use std::collections::BTreeMap;
 

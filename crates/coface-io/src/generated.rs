@@ -3,7 +3,8 @@
 use super::{Group, GroupKind, Model, Structure};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, VertexId};
-use coface_complexes::cellular::{CellKind, CellShape, FlatAssembly, PlacedCells, turn_cell};
+use coface_complexes::cell_mesh::CellShape;
+use coface_complexes::shapes::{CellKind, FlatAssembly, PlacedCells, turn_cell};
 use coface_geometry::Positions;
 use std::collections::BTreeMap;
 
@@ -27,7 +28,7 @@ impl Model {
     /// # Examples
     /// ```
     /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::cellular::{CellKind, PlacedCells};
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
     /// use coface_geometry::Positions;
     /// use coface_io::Model;
     /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -111,7 +112,8 @@ impl Model {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::cellular::{Assembly, shapes};
+    /// use coface_complexes::shapes;
+    /// use coface_complexes::shapes::Assembly;
     /// use coface_io::Model;
     /// use std::sync::Arc;
     /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -237,7 +239,7 @@ fn volume_sign(positions: &Positions, kind: CellKind, cell: &[u32]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_complexes::cellular::cell_volumes;
+    use coface_complexes::cell_mesh::cell_volumes;
 
     fn cube(dimension: usize) -> Positions {
         let corner = |i: usize| (0..dimension).map(move |axis| (i >> (dimension - 1 - axis) & 1) as f64);

@@ -6,7 +6,7 @@
 
 use super::{Model, Structure};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::simplicial::GluingTable;
+use coface_complexes::gluing::GluingTable;
 use std::io::{BufRead, BufReader, Read, Write};
 
 /// The dimension of the tables: signatures do not tell it.

@@ -456,7 +456,7 @@ fn what_a_format_cannot_hold_is_refused() {
     let points = Model { polygons: RaggedArray::new(), ..square.clone() };
     assert!(to_stl(&points).contains("the coordinate 1e300 of v3 is too large"));
     let cell = Model {
-        shapes: vec![coface_complexes::cellular::CellShape::Tetrahedron],
+        shapes: vec![coface_complexes::cell_mesh::CellShape::Tetrahedron],
         cells: RaggedArray::from_lists([[0, 1, 2, 3]]),
         ..square
     };

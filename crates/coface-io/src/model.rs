@@ -5,8 +5,9 @@ use super::{CellData, Format};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, VertexId};
-use coface_complexes::cellular::{CellShape, CubicalVolume};
-use coface_complexes::simplicial::GluingTable;
+use coface_complexes::cell_mesh::CellShape;
+use coface_complexes::cubical::CubicalVolume;
+use coface_complexes::gluing::GluingTable;
 use coface_geometry::Positions;
 use std::fmt;
 

@@ -5,7 +5,7 @@ use super::model::{Group, GroupKind, Model};
 use super::numbers::Numbers;
 use coface_algebra::RaggedArray;
 use coface_algebra::VertexId;
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
 use proptest::collection::vec;
 use proptest::prelude::*;

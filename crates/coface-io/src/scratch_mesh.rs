@@ -2,7 +2,7 @@
 
 use super::assembly::Kind;
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufWriter, Write};

@@ -9,7 +9,7 @@ use crate::work::run;
 use coface::Error;
 use coface::algebra::chains;
 use coface::algebra::{RaggedArray, SparseMatrix};
-use coface::complexes::cellular::{LarModel as Lar, Operator, Shared, TopOrientation};
+use coface::complexes::lar::{LarModel as Lar, Operator, Shared, TopOrientation};
 use coface::geometry::Positions;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;

@@ -3,7 +3,7 @@
 use crate::errors::{OrRaise, invalid};
 use crate::model::Model;
 use crate::work::run;
-use coface::complexes::cellular::CubicalVolume;
+use coface::complexes::cubical::CubicalVolume;
 use coface::io;
 use coface::io::{ReadOptions, Structure, VolumeReading, VoxelRule};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};

@@ -500,7 +500,7 @@ mod tests {
 
     #[test]
     fn what_is_no_cycle_is_refused() {
-        let edge = coface_complexes::simplicial::known_spaces::simplex(1).unwrap().chain_complex().unwrap();
+        let edge = coface_complexes::known_spaces::simplex(1).unwrap().chain_complex().unwrap();
         let chain = Chain::new(&edge, 1, [(CellId::new(0), Integer::ONE)]).unwrap();
         let basis = HomologyBasis::new(&edge);
         assert_eq!(basis.class_of(&chain).unwrap_err().kind(), ErrorKind::NotACycle);

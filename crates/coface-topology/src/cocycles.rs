@@ -15,7 +15,7 @@ impl HomologyBasis<'_> {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces::circle;
+    /// use coface_complexes::known_spaces::circle;
     /// use coface_topology::HomologyBasis;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let circle = circle(5)?.chain_complex()?;

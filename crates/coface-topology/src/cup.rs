@@ -111,7 +111,7 @@ impl CochainAlgebra {
     /// use coface_algebra::CellId;
     /// use coface_algebra::Integer;
     /// use coface_algebra::chains::{Chain, Cochain};
-    /// use coface_complexes::simplicial::known_spaces::simplex;
+    /// use coface_complexes::known_spaces::simplex;
     /// use coface_topology::CochainAlgebra;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The triangle 012 with the edges 01, 02, 12; the cochain is 5 on its front edge 01.

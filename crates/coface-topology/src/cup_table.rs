@@ -71,7 +71,7 @@ impl CupProductTable {
 /// # Examples
 /// On the projective plane the class of degree 1 over F_2 has a square that is not zero.
 /// ```
-/// use coface_complexes::simplicial::known_spaces::projective_plane;
+/// use coface_complexes::known_spaces::projective_plane;
 /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let plane = CochainAlgebra::new(projective_plane()?.freeze().to_delta()?)?;

@@ -24,7 +24,7 @@ impl CochainAlgebra {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_topology::CochainAlgebra;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let sphere = CochainAlgebra::new(known_spaces::simplex_boundary(1)?.freeze().to_delta()?)?;

@@ -101,7 +101,7 @@ impl IntersectionForm {
 /// # Examples
 /// The complex projective plane: a generator of $H^2$ has a square that generates $H^4$.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_topology::{CochainAlgebra, intersection_form};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let plane = known_spaces::complex_projective_plane()?.freeze().to_delta()?;

@@ -19,7 +19,7 @@ use coface_algebra::{CellId, Error, ErrorKind};
 /// The connecting map takes the disk, relative to its rim, to the loop around the rim:
 /// ```
 /// use coface_algebra::CellId;
-/// use coface_complexes::simplicial::known_spaces::simplex;
+/// use coface_complexes::known_spaces::simplex;
 /// use coface_topology::LongExactSequence;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let disk = simplex(2)?.chain_complex()?;
@@ -165,7 +165,7 @@ impl LongExactSequence {
 mod tests {
     use super::*;
     use coface_algebra::samples::{closed_cells, random_complexes};
-    use coface_complexes::simplicial::known_spaces::{projective_plane, triangle_strip};
+    use coface_complexes::known_spaces::{projective_plane, triangle_strip};
     use proptest::prelude::*;
 
     proptest! {

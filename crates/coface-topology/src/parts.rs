@@ -19,7 +19,7 @@ use coface_algebra::{Integer, SparseVector, WideMatrix};
 /// # Examples
 /// ```
 /// use coface_algebra::chains::{PartTree, Partition};
-/// use coface_complexes::simplicial::known_spaces::klein_grid;
+/// use coface_complexes::known_spaces::klein_grid;
 /// use coface_topology::generators_of_parts;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let bottle = klein_grid(6, 6)?.chain_complex()?;
@@ -66,7 +66,7 @@ mod tests {
     use crate::{HomologyBasis, homology};
     use coface_algebra::chains::Parts;
     use coface_algebra::samples::random_complexes;
-    use coface_complexes::simplicial::known_spaces as spaces;
+    use coface_complexes::known_spaces as spaces;
     use proptest::prelude::*;
 
     /// Checks everything that must hold of a complex in parts.

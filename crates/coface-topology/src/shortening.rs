@@ -278,7 +278,7 @@ mod tests {
     use crate::HomologyBasis;
     use coface_algebra::chains::ChainComplex;
     use coface_algebra::{Integer, SparseMatrix};
-    use coface_complexes::simplicial::known_spaces::torus_grid;
+    use coface_complexes::known_spaces::torus_grid;
 
     /// The loops of a torus of 6 by 9 squares cut by diagonals go around in 6 and 9 steps, or 9 along diagonals.
     #[test]

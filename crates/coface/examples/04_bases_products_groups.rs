@@ -5,8 +5,8 @@
 use coface::CellId;
 use coface::algebra::Integer;
 use coface::algebra::chains::Chain;
-use coface::complexes::simplicial::GluingTable;
-use coface::complexes::simplicial::known_spaces::{complex_projective_plane, projective_plane};
+use coface::complexes::gluing::GluingTable;
+use coface::complexes::known_spaces::{complex_projective_plane, projective_plane};
 use coface::topology::{Bounding, CochainAlgebra, EdgePathGroups, Effort, HomologyBasis, intersection_form};
 
 fn main() -> Result<(), coface::Error> {

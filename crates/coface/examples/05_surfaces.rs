@@ -4,7 +4,7 @@
 
 use coface::EdgeId;
 use coface::algebra::Sign;
-use coface::complexes::simplicial::known_spaces::{cyclic_torus, klein_grid, oriented_sum};
+use coface::complexes::known_spaces::{cyclic_torus, klein_grid, oriented_sum};
 use coface::complexes::surface::{GeneralizedMap, HalfedgeMesh};
 use coface::topology::{
     CocycleBasis, CoverExtent, CutSurface, CycleKind, SurfaceHomology, SurfaceHomotopy, TreeCotree,

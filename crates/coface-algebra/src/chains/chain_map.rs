@@ -14,7 +14,7 @@ use crate::{CellId, Error, ErrorKind};
 /// The circle of six edges runs twice around that of three:
 /// ```
 /// use coface_complexes::simplicial::SimplicialMap;
-/// use coface_complexes::simplicial::known_spaces::circle;
+/// use coface_complexes::known_spaces::circle;
 /// use coface_topology::{HomologyBasis, induced_maps};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let (six, three) = (circle(6)?.freeze(), circle(3)?.freeze());

@@ -19,7 +19,7 @@ use std::borrow::Cow;
 /// # Examples
 /// ```
 /// use coface_algebra::chains::Reduction;
-/// use coface_complexes::simplicial::known_spaces::torus_grid;
+/// use coface_complexes::known_spaces::torus_grid;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let torus = torus_grid(&[5, 5])?.chain_complex()?;
 /// let reduction = Reduction::new(&torus);

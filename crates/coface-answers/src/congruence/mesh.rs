@@ -5,7 +5,7 @@ use super::merging::source;
 use crate::producer::Cells;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_io::{Model, repeated_vertex, segments};
 
 /// What a model lists by itself, though it may be a face of something else.
@@ -295,7 +295,7 @@ mod tests {
         assert_eq!(wedge.complex().f_vector(), [6, 9, 5, 1]);
         assert_eq!((mesh.shapes(), mesh.polygons().len()), (&[CellShape::Wedge][..], 0));
         let volume = |mesh: &Model| {
-            coface_complexes::cellular::cell_volumes(mesh.positions(), mesh.shapes(), mesh.cells())
+            coface_complexes::cell_mesh::cell_volumes(mesh.positions(), mesh.shapes(), mesh.cells())
                 .unwrap()
                 .signed()
         };

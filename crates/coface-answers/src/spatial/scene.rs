@@ -4,7 +4,7 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign};
 use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
-use coface_complexes::cellular::CellMesh;
+use coface_complexes::cell_mesh::CellMesh;
 use coface_geometry::predicates::Dyadic;
 use coface_geometry::{Positions, determinant};
 use coface_io::{Model, Structure};

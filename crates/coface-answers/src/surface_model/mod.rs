@@ -10,7 +10,7 @@ use crate::producer::{Cells, Producer};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
-use coface_complexes::cellular::CellMesh;
+use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::surface::{GeneralizedMap, PolygonMesh};
 use coface_geometry::Positions;
 use coface_io::{CellData, Group, GroupKind, Model};

@@ -5,8 +5,8 @@
 use coface_algebra::{EdgeId, FaceId, VertexId};
 use coface_algebra::{Sign, Word};
 use coface_answers::Producer;
-use coface_complexes::simplicial::known_spaces;
-use coface_complexes::simplicial::known_spaces::{Solid, glued_solid};
+use coface_complexes::known_spaces;
+use coface_complexes::known_spaces::{Solid, glued_solid};
 use coface_complexes::simplicial::{Simplex, SimplicialComplex};
 use coface_complexes::surface::HalfedgeMesh;
 use coface_io as io;

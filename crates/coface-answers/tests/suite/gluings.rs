@@ -5,9 +5,8 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, ErrorKind};
 use coface_algebra::{Permutation, RaggedArray};
 use coface_answers::{Pair, Producer, Report};
-use coface_complexes::simplicial::{
-    DeltaComplex, FaceClasses, FrozenComplex, GluingFault, GluingTable, SimplicialComplex,
-};
+use coface_complexes::gluing::{FaceClasses, GluingFault, GluingTable};
+use coface_complexes::simplicial::{DeltaComplex, FrozenComplex, SimplicialComplex};
 use coface_io as io;
 use coface_io::{Format, Model, Structure};
 use coface_topology::{AbelianGroup, Coefficients, homology, homology_with};
@@ -134,14 +133,14 @@ proptest! {
             (0..images.len()).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|&(i, j)| images[i] < images[j]).count()
         };
         match table.orientation() {
-            coface_complexes::simplicial::GluingOrientation::Orientable(signs) => {
+            coface_complexes::gluing::GluingOrientation::Orientable(signs) => {
                 for (i, &sign) in signs.iter().enumerate() {
                     for (j, images) in (0..=table.dimension()).filter_map(|f| table.neighbor(i, f)) {
                         prop_assert_eq!((sign == signs[j]) as usize, parity(images) % 2);
                     }
                 }
             }
-            coface_complexes::simplicial::GluingOrientation::NonOrientable(chain) => {
+            coface_complexes::gluing::GluingOrientation::NonOrientable(chain) => {
                 let mut reversals = 0;
                 for (at, &(i, f)) in chain.iter().enumerate() {
                     let (j, images) = table.neighbor(i, f).unwrap();
@@ -447,7 +446,7 @@ fn signatures_of_special_tables() {
 
 #[test]
 fn faults_are_named() {
-    let fault = |rows: &[coface_complexes::simplicial::GluingRow]| {
+    let fault = |rows: &[coface_complexes::gluing::GluingRow]| {
         GluingTable::from_rows(rows).unwrap_err().to_string()
     };
     let to = |neighbor, images: &[u32]| Some((neighbor, images.to_vec()));

@@ -6,7 +6,7 @@
 use coface_algebra::CellId;
 use coface_algebra::chains::{ChainComplex, Cochain};
 use coface_answers::Producer;
-use coface_complexes::simplicial::known_spaces;
+use coface_complexes::known_spaces;
 use coface_io as io;
 use coface_topology::{HodgeSpace, HomologyBasis, MetricComplex, homology};
 use std::path::{Path, PathBuf};

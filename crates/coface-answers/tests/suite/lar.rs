@@ -5,7 +5,7 @@
 
 use coface_algebra::chains::ChainComplex;
 use coface_answers::Producer;
-use coface_complexes::cellular::{LarModel, TopOrientation, signed_measures};
+use coface_complexes::lar::{LarModel, TopOrientation, signed_measures};
 use coface_io::read_path;
 use coface_topology::homology;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{CellId, ErrorKind};
 use coface_answers::{InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
 use coface_io as io;
 use coface_io::Model;

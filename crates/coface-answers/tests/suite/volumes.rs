@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_answers::{Report, homology_of_volume};
-use coface_complexes::cellular::CubicalVolume;
+use coface_complexes::cubical::CubicalVolume;
 use coface_io as io;
 use coface_io::{ReadOptions, Structure, VoxelRule};
 use proptest::prelude::*;

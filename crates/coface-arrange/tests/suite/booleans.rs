@@ -7,7 +7,7 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, ErrorKind};
 use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
 use coface_arrange::spatial::SpatialCells;
-use coface_complexes::cellular::CuboidGrid;
+use coface_complexes::grids::CuboidGrid;
 use proptest::prelude::*;
 
 /// The boundaries of chains of cells.

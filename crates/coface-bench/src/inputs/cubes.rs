@@ -3,7 +3,7 @@
 use super::Mesh;
 use coface::Error;
 use coface::algebra::RaggedArray;
-use coface::complexes::cellular::CuboidGrid;
+use coface::complexes::grids::CuboidGrid;
 
 /// A block of cubes, each cut into the six tetrahedra of its monotone paths from the lowest corner to the highest
 /// (H. W. Kuhn, 1960), so that neighbors match; a direction that is `periodic` closes up.

@@ -2,7 +2,7 @@
 
 use coface::Error;
 use coface::algebra::RaggedArray;
-use coface::complexes::cellular::CellShape;
+use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::simplicial::SimplicialComplex;
 use coface::geometry::Positions;
 use coface::io::Model;

@@ -39,7 +39,7 @@ pub(crate) use random_simplices::random_values;
 pub(crate) use volumes::torus;
 
 use coface::Error;
-use coface::complexes::simplicial::known_spaces::sum_complex;
+use coface::complexes::known_spaces::sum_complex;
 use std::path::Path;
 
 /// The families, as a person writes them.

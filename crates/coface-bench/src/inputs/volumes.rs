@@ -1,7 +1,7 @@
 //! Volumes of voxels: NumPy arrays of bytes, or only a name where every voxel is set.
 
 use coface::Error;
-use coface::complexes::cellular::CubicalVolume;
+use coface::complexes::cubical::CubicalVolume;
 use coface::io::volume::write_npy;
 use std::fs::File;
 use std::io::BufWriter;

@@ -4,7 +4,8 @@ use super::{Clock, Task, Work};
 use crate::inputs::Mesh;
 use coface::Error;
 use coface::algebra::RaggedArray;
-use coface::complexes::cellular::{CuboidGrid, LarModel, Operator, Shared};
+use coface::complexes::grids::CuboidGrid;
+use coface::complexes::lar::{LarModel, Operator, Shared};
 use std::path::Path;
 
 pub(super) const FACES: Task = Task {

@@ -5,7 +5,7 @@ use crate::inputs::torus;
 use coface::Error;
 use coface::algebra::chains::{Part, PartTree, Parts};
 use coface::answers::homology_of_volume;
-use coface::complexes::cellular::{CubicalBlocks, FullVoxels, SimplicialBlocks};
+use coface::complexes::cubical::{CubicalBlocks, FullVoxels, SimplicialBlocks};
 use coface::io;
 use coface::io::Structure;
 use coface::topology::homology;

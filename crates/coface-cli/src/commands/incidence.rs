@@ -10,7 +10,7 @@ use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, SparseMatrix};
 use coface::answers::Producer;
 use coface::answers::text;
-use coface::complexes::cellular::{LarModel, Operator, Shared};
+use coface::complexes::lar::{LarModel, Operator, Shared};
 use coface::io::matrix_market;
 use coface::io::matrix_market::MatrixField;
 use coface::io::replace_file;

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use crate::program::{argument, coface, coface_reading};
-use coface::complexes::cellular::CubicalVolume;
+use coface::complexes::cubical::CubicalVolume;
 use coface::io::volume::write_npy;
 use std::fs;
 use std::path::Path;

@@ -115,7 +115,7 @@ impl SimplicialComplex {
     /// # Examples
     /// ```
     /// use coface_algebra::VertexId;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let (circle, v) = (known_spaces::circle(3)?, VertexId::new(0));
     /// let eight = circle.wedge(v, &circle, v)?;
@@ -141,7 +141,7 @@ impl SimplicialComplex {
     /// # Examples
     /// Two circles join to a 3-sphere.
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let circle = known_spaces::circle(3)?;
     /// assert_eq!(circle.join(&circle)?.complex().f_vector(), [6, 15, 18, 9]);
@@ -175,7 +175,7 @@ impl SimplicialComplex {
     /// # Examples
     /// ```
     /// use coface_algebra::VertexId;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let (disk, apex) = known_spaces::circle(5)?.cone()?;
     /// assert_eq!((disk.f_vector(), apex), (vec![6, 10, 5], VertexId::new(5)));
@@ -195,7 +195,7 @@ impl SimplicialComplex {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let (sphere, apexes) = known_spaces::circle(4)?.suspension()?;
     /// assert_eq!(sphere.f_vector(), [6, 12, 8]);
@@ -221,7 +221,7 @@ impl SimplicialComplex {
     /// Two tori with 7 vertices make a surface of genus 2 with 11.
     /// ```
     /// use coface_algebra::VertexId;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let torus = known_spaces::cyclic_torus(2)?;
     /// let facet = [0, 1, 3].map(VertexId::new);
@@ -341,7 +341,7 @@ impl SimplicialComplex {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let circle = known_spaces::circle(3)?;
     /// let (torus, pairs) = circle.product(&circle)?;

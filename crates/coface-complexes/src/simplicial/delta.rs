@@ -64,7 +64,8 @@ impl DeltaComplex {
     }
 
     /// The complex of faces that a construction has just made right.
-    pub(super) fn from_trusted_faces(vertex_count: usize, mut faces: Vec<Vec<u32>>) -> Self {
+    #[doc(hidden)]
+    pub fn from_trusted_faces(vertex_count: usize, mut faces: Vec<Vec<u32>>) -> Self {
         while faces.last().is_some_and(Vec::is_empty) {
             faces.pop();
         }

@@ -1,6 +1,7 @@
 //! The part of delta complexes and gluing tables that loops see.
 
-use super::{DeltaComplex, FaceClasses};
+use crate::gluing::FaceClasses;
+use super::DeltaComplex;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::TwoSkeleton;
@@ -49,7 +50,7 @@ impl FaceClasses {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::GluingTable;
+    /// use coface_complexes::gluing::GluingTable;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let mut band = GluingTable::unglued(2, 1)?;
     /// band.glue(0, 2, 0, &[1, 2, 0])?;

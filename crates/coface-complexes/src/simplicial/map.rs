@@ -109,7 +109,7 @@ impl<'a> SimplicialMap<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simplicial::known_spaces::{circle, simplex};
+    use crate::known_spaces::{circle, simplex};
 
     #[test]
     fn faults_are_named() {

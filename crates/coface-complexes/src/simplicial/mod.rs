@@ -21,33 +21,26 @@
 //!   that is swept along each axis.
 //! * A [`GluingTable`] has simplices with facets glued in pairs; its faces are the [`FaceClasses`].
 
-mod collapse;
+pub(crate) mod collapse;
 mod complex;
 mod components;
 mod construction;
 mod delta;
-mod delta_subdivision;
+pub(crate) mod delta_subdivision;
 mod delta_two_skeleton;
 mod extrusion;
 mod facets;
 mod frozen;
-mod gluing;
-mod gluing_faces;
-mod gluing_links;
-mod gluing_manifold;
-mod gluing_orientation;
 mod incidence;
-mod isomorphism_signature;
-pub mod known_spaces;
 mod lists;
-mod manifold;
+pub(crate) mod manifold;
 mod map;
 mod neighborhood;
 mod orientation;
 mod prism;
 mod signed_simplices;
 mod simplex;
-mod simplicial_grid;
+pub(crate) mod simplicial_grid;
 mod subcomplex;
 mod tree;
 mod tree_bulk;
@@ -63,14 +56,6 @@ pub use delta_subdivision::{Carrier, Subdivision};
 pub use extrusion::{Extrusion, extrude};
 pub use facets::{FacetTable, facets};
 pub use frozen::FrozenComplex;
-#[doc(hidden)]
-pub use gluing::different_rows;
-pub use gluing::no_permutation;
-pub use gluing::{GluingRow, GluingTable};
-pub use gluing_faces::FaceClasses;
-pub use gluing_links::VertexLink;
-pub use gluing_manifold::{GluingCertificate, GluingFault, GluingVerdict, GluingWitness};
-pub use gluing_orientation::GluingOrientation;
 pub use manifold::{LinkFault, ManifoldCertificate, ManifoldVerdict, ManifoldWitness};
 pub use map::SimplicialMap;
 pub use neighborhood::SimplexSet;

@@ -191,7 +191,8 @@ impl SimplicialComplex {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::{Orientability, known_spaces};
+    /// use coface_complexes::known_spaces;
+    /// use coface_complexes::simplicial::Orientability;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let Orientability::NonOrientable(cycle) = known_spaces::triangle_strip(5)?.orientability()? else {
     ///     panic!("a Moebius band is not orientable");
@@ -467,7 +468,8 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Simplex, known_spaces};
+    use crate::known_spaces;
+    use super::super::Simplex;
     use super::*;
     use proptest::prelude::*;
 

@@ -81,7 +81,8 @@ pub(super) fn fill_windows(simplex: &[u32], lower: u32, upper: u32, items: &mut 
 /// use coface_algebra::CellId;
 /// use coface_algebra::Integer;
 /// use coface_algebra::chains::Chain;
-/// use coface_complexes::simplicial::{Prism, known_spaces};
+/// use coface_complexes::known_spaces;
+/// use coface_complexes::simplicial::Prism;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let circle = known_spaces::circle(3)?.freeze();
 /// let annulus = Prism::new(&circle)?;

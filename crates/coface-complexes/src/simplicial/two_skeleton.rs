@@ -44,7 +44,7 @@ impl FrozenComplex {
 
 #[cfg(test)]
 mod tests {
-    use crate::simplicial::known_spaces;
+    use crate::known_spaces;
 
     #[test]
     fn it_is_the_chain_complex_up_to_degree_two() {

@@ -4,7 +4,7 @@
 ///
 /// # Examples
 /// ```
-/// use coface_complexes::simplicial::known_spaces::simplex_boundary;
+/// use coface_complexes::known_spaces::simplex_boundary;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let sphere = simplex_boundary(3)?;
 /// assert_eq!(sphere.manifold_verdict()?.as_str(), "yes");

@@ -6,7 +6,7 @@ use crate::{Model, Structure, segments};
 use coface_algebra::chains::{ChainComplex, WideComplex};
 use coface_algebra::{Entry, SparseMatrix, WideMatrix};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CellMesh;
+use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::simplicial::FrozenComplex;
 use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
 use coface_geometry::Positions;

@@ -9,7 +9,7 @@ use super::points::{PointList, Points};
 use crate::yin::BoundaryDrawing;
 use coface_algebra::Error;
 use coface_algebra::{RaggedArray, SparseMatrix};
-use coface_complexes::simplicial::GluingTable;
+use coface_complexes::gluing::GluingTable;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use std::cell::RefCell;
 use std::fmt;

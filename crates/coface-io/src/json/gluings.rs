@@ -3,7 +3,7 @@
 use super::document::Faults;
 use super::facets::Number;
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::simplicial::{GluingTable, different_rows, no_permutation};
+use coface_complexes::gluing::{GluingTable, different_rows, no_permutation};
 use serde::de::{DeserializeSeed, Deserializer, SeqAccess, Visitor};
 use std::fmt;
 

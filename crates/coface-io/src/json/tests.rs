@@ -2,7 +2,7 @@ use super::{read, write};
 use crate::{Model, Structure};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::surface::PolygonMesh;
 use coface_geometry::Positions;
 use proptest::prelude::*;

@@ -6,7 +6,7 @@ use crate::decimal::{flush, push_f64, push_natural};
 use crate::model::{Group, GroupKind};
 use crate::{Model, limits};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use std::io::Write;
 
 /// Writes a MEDIT mesh as text, section by section: polylines become edges, and cells are sorted by their shape, otherwise

@@ -2,7 +2,7 @@
 
 use super::numbers::NumberType;
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CubicalVolume;
+use coface_complexes::cubical::CubicalVolume;
 use std::io::Read;
 use std::path::PathBuf;
 

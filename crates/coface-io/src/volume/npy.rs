@@ -3,7 +3,7 @@
 use super::header::{Encoding, Skip, VolumeHeader, exactly, shape_of};
 use super::numbers::NumberType;
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CubicalVolume;
+use coface_complexes::cubical::CubicalVolume;
 use std::io::{Read, Write};
 
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
@@ -166,7 +166,7 @@ fn quoted(text: &str) -> Option<(&str, &str)> {
 ///
 /// # Examples
 /// ```
-/// use coface_complexes::cellular::CubicalVolume;
+/// use coface_complexes::cubical::CubicalVolume;
 /// use coface_io::volume;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let ring = CubicalVolume::new(&[3, 3], &[false; 2], |voxel| voxel != [1, 1])?;

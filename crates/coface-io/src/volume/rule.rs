@@ -1,7 +1,7 @@
 //! Which numbers set their voxels.
 
 use coface_algebra::Error;
-use coface_complexes::cellular::CubicalVolume;
+use coface_complexes::cubical::CubicalVolume;
 use std::fmt;
 
 /// Which numbers set their voxels; those that are no number (NaN) never do.

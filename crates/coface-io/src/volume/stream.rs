@@ -7,7 +7,7 @@ use super::{nifti, npy, nrrd};
 use crate::Format;
 use crate::watching::{name_of, reading};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::{CubicalVolume, VoxelBoxes, VoxelWindow};
+use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
 use flate2::read::MultiGzDecoder;
 use std::collections::BTreeMap;
 use std::fs::File;

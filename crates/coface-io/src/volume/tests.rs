@@ -4,7 +4,7 @@ use super::*;
 use crate as io;
 use crate::{Format, ReadOptions, Structure};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::{CubicalVolume, VoxelBoxes, Voxels};
+use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, Voxels};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use proptest::prelude::*;

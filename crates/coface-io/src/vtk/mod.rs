@@ -8,7 +8,7 @@
 //! XML files are read in every encoding: text, base64 within the XML or appended, appended bytes, with lengths of 32 or 64 bits, in both byte
 //! orders, as they are or compressed by zlib; several pieces become one mesh.
 //!
-//! [`CellShape`]: coface_complexes::cellular::CellShape
+//! [`CellShape`]: coface_complexes::cell_mesh::CellShape
 
 mod cell_types;
 mod data;

@@ -2,7 +2,7 @@ use super::{Encoding, read, write};
 use crate::samples::{Limits, meshes, with_data};
 use crate::{CellData, Group, GroupKind, Model};
 use coface_algebra::RaggedArray;
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use proptest::prelude::*;
 
 const POINTS: &str = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n\

@@ -5,7 +5,7 @@ use super::data;
 use crate::decimal::{flush, push_f64, push_natural};
 use crate::{CellData, GroupKind, Model, limits};
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use std::io::Write;
 
 /// How numbers are written.

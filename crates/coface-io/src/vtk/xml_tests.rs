@@ -4,7 +4,7 @@ use crate::samples::{Limits, meshes, with_data};
 use crate::{Format, GroupKind, Model, read_unknown};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use proptest::prelude::*;
 use std::io::Write;
 

@@ -8,7 +8,7 @@ use crate::{CellData, GroupKind, Model, limits};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::cellular::CellShape;
+use coface_complexes::cell_mesh::CellShape;
 use std::io::Write;
 
 /// Which of the VTK XML formats.

@@ -3,7 +3,7 @@
 use crate::arrays;
 use crate::errors::invalid;
 use coface::algebra::RaggedArray;
-use coface::complexes::cellular::CellShape;
+use coface::complexes::cell_mesh::CellShape;
 use coface::geometry::Positions;
 use coface::io;
 use coface::io::GroupKind;

@@ -7,9 +7,7 @@ use super::shard::write_grid_shard;
 use coface_algebra::Error;
 use coface_algebra::chains::Part;
 use coface_algebra::progress;
-use coface_complexes::cellular::{
-    CubicalBlocks, FullVoxels, SimplicialBlocks, VoxelBoxes, VoxelWindow, Voxels,
-};
+use coface_complexes::cubical::{CubicalBlocks, FullVoxels, SimplicialBlocks, VoxelBoxes, VoxelWindow, Voxels};
 use coface_io::container::{Container, ContainerWriter, Role, hash_array};
 use std::path::Path;
 use xxhash_rust::xxh3::Xxh3;
@@ -28,7 +26,7 @@ pub enum GridSort {
 /// # Examples
 /// A torus of 16 x 16 x 16 voxels, of which only descriptions are stored:
 /// ```
-/// use coface_complexes::cellular::VoxelBoxes;
+/// use coface_complexes::cubical::VoxelBoxes;
 /// use coface_scale::shards::{GridShards, GridSort, ShardSource};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let folder = std::env::temp_dir().join("coface-grid-shards");

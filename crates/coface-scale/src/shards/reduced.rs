@@ -88,7 +88,7 @@ pub fn reduce(shard: &[u8]) -> Result<Vec<u8>, Error> {
 /// use coface_algebra::chains::{Partition, Parts};
 /// use coface_scale::shards;
 /// use coface_scale::shards::ShardPlace;
-/// use coface_complexes::simplicial::known_spaces::klein_grid;
+/// use coface_complexes::known_spaces::klein_grid;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let bottle = klein_grid(6, 6)?.chain_complex()?;
 /// let partition = Partition::by_walk(&bottle, 3)?;
@@ -144,7 +144,7 @@ pub fn root_homology(root: &[u8]) -> Result<Homology, Error> {
 /// use coface_algebra::chains::{Partition, Parts};
 /// use coface_scale::shards;
 /// use coface_scale::shards::ShardPlace;
-/// use coface_complexes::simplicial::known_spaces::klein_grid;
+/// use coface_complexes::known_spaces::klein_grid;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let bottle = klein_grid(6, 6)?.chain_complex()?;
 /// let part = Partition::by_walk(&bottle, 1)?.part(0)?;

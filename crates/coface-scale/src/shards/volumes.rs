@@ -6,7 +6,7 @@ use super::manifest::ShardSource;
 use super::models::ShardRequest;
 use coface_algebra::Error;
 use coface_algebra::progress;
-use coface_complexes::cellular::{CubicalVolume, VoxelBoxes};
+use coface_complexes::cubical::{CubicalVolume, VoxelBoxes};
 use coface_io::container::hash_array;
 use coface_io::{Format, VolumeReading, VolumeStream};
 use std::fs::File;
@@ -166,7 +166,7 @@ fn content_of(stream: &VolumeStream<'_>, how: &VolumeReading) -> Result<u64, Err
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_complexes::cellular::{CubicalBlocks, FullVoxels, SimplicialBlocks};
+    use coface_complexes::cubical::{CubicalBlocks, FullVoxels, SimplicialBlocks};
     use coface_io::volume::write_npy;
 
     #[test]

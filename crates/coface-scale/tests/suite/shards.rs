@@ -5,7 +5,8 @@
 use coface_algebra::chains::{Chain, ChainComplex, Partition, Parts};
 use coface_algebra::{CellId, ErrorKind};
 use coface_algebra::{Integer, SparseMatrix, WideMatrix, invariant_factors};
-use coface_complexes::simplicial::{SimplicialComplex, known_spaces as spaces};
+use coface_complexes::known_spaces as spaces;
+use coface_complexes::simplicial::SimplicialComplex;
 use coface_geometry::Positions;
 use coface_io as io;
 use coface_io::{Format, Model, Structure};

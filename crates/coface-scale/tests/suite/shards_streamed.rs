@@ -4,7 +4,7 @@
 
 use coface_algebra::chains::Parts;
 use coface_answers::Producer;
-use coface_complexes::cellular::{CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBoxes, Voxels};
+use coface_complexes::cubical::{CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBoxes, Voxels};
 use coface_io as io;
 use coface_io::{Format, Model};
 use coface_scale::shards::{

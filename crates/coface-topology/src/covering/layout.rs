@@ -77,7 +77,7 @@ impl UniversalCover {
     /// # Examples
     /// ```
     /// use coface_algebra::VertexId;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_complexes::surface::GeneralizedMap;
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {

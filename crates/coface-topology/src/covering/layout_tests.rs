@@ -4,7 +4,7 @@ use super::tests::{cover_of, map_of, polygon, split_edges, subdivided, without_f
 use super::{CoverExtent, CoverLayout, CoverPlane, UniversalCover};
 use coface_algebra::Sign;
 use coface_algebra::{EdgeId, FaceId, VertexId};
-use coface_complexes::simplicial::known_spaces;
+use coface_complexes::known_spaces;
 use coface_complexes::surface::GeneralizedMap;
 use proptest::prelude::*;
 use std::f64::consts::PI;

@@ -32,7 +32,7 @@ pub enum CoverExtent {
 /// # Examples
 /// The torus with 7 vertices. Around the first copy there are 4 others, and the plane has no hole:
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -77,7 +77,7 @@ impl UniversalCover {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_complexes::surface::GeneralizedMap;
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {

@@ -36,7 +36,7 @@ const NONE: u32 = u32::MAX;
 /// # Examples
 /// The torus with 7 vertices: two generators that commute.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_topology::EdgePathGroups;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let skeleton = known_spaces::cyclic_torus(2)?.freeze().two_skeleton()?;
@@ -352,7 +352,7 @@ impl EdgePathGroups {
     /// ```
     /// use coface_algebra::VertexId;
     /// use coface_algebra::Word;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_topology::EdgePathGroups;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let skeleton = known_spaces::circle(5)?.freeze().two_skeleton()?;
@@ -496,7 +496,7 @@ impl EdgePathGroups {
     /// # Examples
     /// ```
     /// use coface_algebra::Word;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_topology::EdgePathGroups;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let groups = EdgePathGroups::new(&known_spaces::circle(3)?.freeze().two_skeleton()?);
@@ -547,7 +547,7 @@ impl EdgePathGroups {
     /// ```
     /// use coface_algebra::EdgeId;
     /// use coface_algebra::Sign;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_topology::EdgePathGroups;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The edges are 01, 02, 12.

@@ -155,7 +155,7 @@ impl<'a> HodgeSpace<'a> {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces::circle;
+    /// use coface_complexes::known_spaces::circle;
     /// use coface_topology::{HodgeSpace, HomologyBasis, MetricComplex};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let circle = circle(5)?.chain_complex()?;
@@ -300,7 +300,7 @@ impl MetricComplex<'_> {
     /// # Examples
     /// A disk has a constant harmonic function and no other harmonic cochain.
     /// ```
-    /// use coface_complexes::simplicial::known_spaces::simplex;
+    /// use coface_complexes::known_spaces::simplex;
     /// use coface_topology::{HomologyBasis, MetricComplex};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let disk = simplex(2)?.chain_complex()?;

@@ -6,7 +6,8 @@ use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, Cochain};
 use coface_algebra::samples::random_complexes;
 use coface_algebra::{CellId, ErrorKind};
-use coface_complexes::simplicial::{SimplicialComplex, known_spaces};
+use coface_complexes::known_spaces;
+use coface_complexes::simplicial::SimplicialComplex;
 use proptest::prelude::*;
 
 /// What rounding may leave, relative to numbers of size 1.

@@ -15,7 +15,7 @@ use coface_algebra::{Integer, RaggedArray};
 /// Around the rim of a triangle with the edges 01, 02, 12.
 /// ```
 /// use coface_algebra::VertexId;
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_topology::ClosedWalk;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
@@ -172,7 +172,7 @@ impl ClosedWalk {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::known_spaces;
 
     #[test]
     fn walks_that_are_no_paths_are_refused() {

@@ -16,7 +16,7 @@ use coface_complexes::surface::GeneralizedMap;
 /// # Examples
 /// The torus with 7 vertices: two loops that cross once.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
 /// # fn main() -> Result<(), coface_algebra::Error> {

@@ -28,7 +28,7 @@ const NONE: u32 = u32::MAX;
 /// # Examples
 /// The torus with 7 vertices: of 8 edges that the cotree does not cross, those remain that no loose end has.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{CutGraph, SeamKind, TreeCotree};
 /// # fn main() -> Result<(), coface_algebra::Error> {

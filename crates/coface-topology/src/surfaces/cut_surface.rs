@@ -27,7 +27,7 @@ const NONE: u32 = u32::MAX;
 /// # Examples
 /// The torus with 7 vertices: 8 edges are cut, the domain has 16 sides, and the relator is a commutator.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{CutSurface, TreeCotree};
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -228,7 +228,7 @@ impl CutSurface {
     /// # Examples
     /// The loop of a generator has the word of that generator.
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_complexes::surface::GeneralizedMap;
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {

@@ -49,7 +49,7 @@ pub enum Exactness<C> {
 /// use coface_algebra::CellId;
 /// use coface_algebra::Integer;
 /// use coface_algebra::chains::Cochain;
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_topology::{Exactness, exactness};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let rim = known_spaces::circle(3)?.freeze();
@@ -77,7 +77,7 @@ pub fn exactness(skeleton: &TwoSkeleton, cochain: &Cochain<Integer>) -> Result<E
 /// ```
 /// use coface_algebra::CellId;
 /// use coface_algebra::chains::Cochain;
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_topology::{Exactness, exactness_within};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let rim = known_spaces::circle(3)?.freeze();
@@ -213,7 +213,7 @@ mod tests {
     use super::*;
     use crate::HomologyBasis;
     use coface_algebra::chains::ChainComplex;
-    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::known_spaces;
     use proptest::prelude::*;
 
     fn check(skeleton: &TwoSkeleton, complex: &ChainComplex, cochain: &Cochain<Integer>) -> &'static str {

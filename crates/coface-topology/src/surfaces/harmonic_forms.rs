@@ -283,7 +283,7 @@ mod tests {
     use super::*;
     use crate::{CocycleBasis, HomologyBasis, MetricComplex, SurfaceHomology, TreeCotree};
     use coface_algebra::CellId;
-    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::known_spaces;
     use coface_complexes::surface::samples::{all_kinds, genus, map_of};
 
     fn check(name: &str, map: &GeneralizedMap, weights: &[f64]) {

@@ -63,7 +63,7 @@ impl ShortestCycle {
 /// On a torus of 4 by 6 squares, each cut in two, every vertex is on a cycle of 4 edges.
 /// ```
 /// use coface_algebra::VertexId;
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{CycleKind, shortest_cycle_through};
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -103,7 +103,7 @@ pub fn shortest_cycle_through(
 ///
 /// # Examples
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{CycleKind, shortest_cycle};
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -206,7 +206,7 @@ pub(super) fn with_holes_filled(map: &GeneralizedMap) -> GeneralizedMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::known_spaces;
     use coface_complexes::surface::samples::{all_kinds, of_next, with_holes};
     use proptest::prelude::*;
 

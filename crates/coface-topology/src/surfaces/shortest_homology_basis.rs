@@ -29,7 +29,7 @@ use coface_complexes::surface::GeneralizedMap;
 /// # Examples
 /// On a torus of 4 by 6 squares, each cut in two, the shortest loops have 4 and 6 edges.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::shortest_homology_basis;
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -192,7 +192,7 @@ impl Bits {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::known_spaces;
     use coface_complexes::surface::samples::{all_kinds, genus, map_of, of_next, with_holes};
     use proptest::prelude::*;
 

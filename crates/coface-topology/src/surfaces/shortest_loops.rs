@@ -31,7 +31,7 @@ use coface_complexes::surface::GeneralizedMap;
 /// On a torus of 4 by 6 squares, each cut in two: loops of 4 and 6 edges at every vertex.
 /// ```
 /// use coface_algebra::VertexId;
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::shortest_loops;
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -68,7 +68,7 @@ mod tests {
     use super::*;
     use crate::{AbelianGroup, Presentation, SurfaceHomology, SurfaceHomotopy, TreeCotree};
     use coface_algebra::Word;
-    use coface_complexes::simplicial::known_spaces;
+    use coface_complexes::known_spaces;
     use coface_complexes::surface::samples::{all_kinds, map_of, of_next, with_holes};
     use proptest::prelude::*;
 

@@ -27,7 +27,7 @@ use coface_complexes::surface::GeneralizedMap;
 ///
 /// # Examples
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{Bounding, SurfaceHomology, TreeCotree};
 /// # fn main() -> Result<(), coface_algebra::Error> {

@@ -224,7 +224,7 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_complexes::surface::GeneralizedMap;
     /// use coface_topology::{SurfaceHomotopy, TreeCotree, intersection_number};
     /// # fn main() -> Result<(), coface_algebra::Error> {

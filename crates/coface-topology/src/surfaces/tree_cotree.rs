@@ -36,7 +36,7 @@ pub enum EdgeRole {
 /// # Examples
 /// The torus with 7 vertices, 21 edges and 14 triangles: 6 edges of the tree, 13 of the cotree, 2 generators.
 /// ```
-/// use coface_complexes::simplicial::known_spaces;
+/// use coface_complexes::known_spaces;
 /// use coface_complexes::surface::GeneralizedMap;
 /// use coface_topology::{EdgeRole, TreeCotree};
 /// # fn main() -> Result<(), coface_algebra::Error> {

@@ -4,8 +4,8 @@
 mod facts {
     use coface_algebra::ErrorKind;
     use coface_algebra::{Definiteness, Integer, Parity, Sign, SymmetricForm};
-    use coface_complexes::simplicial::known_spaces;
-    use coface_complexes::simplicial::known_spaces::Solid;
+    use coface_complexes::known_spaces;
+    use coface_complexes::known_spaces::Solid;
     use coface_complexes::simplicial::{DeltaComplex, SimplicialComplex};
     use coface_topology::{
         CochainAlgebra, Cocycle, Coefficients, HomologyBasis, IntersectionForm, cup_product_table,

@@ -2,7 +2,8 @@
 
 use coface_algebra::FaceId;
 use coface_algebra::chains::ChainComplex;
-use coface_complexes::simplicial::{SimplicialComplex, known_spaces};
+use coface_complexes::known_spaces;
+use coface_complexes::simplicial::SimplicialComplex;
 use coface_complexes::surface::HalfedgeMesh;
 use coface_topology::{AbelianGroup, homology};
 use proptest::prelude::*;

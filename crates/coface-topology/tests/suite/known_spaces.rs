@@ -5,8 +5,8 @@
 mod table {
     use coface_algebra::VertexId;
     use coface_algebra::{Integer, SparseMatrix, smith_form};
-    use coface_complexes::simplicial::known_spaces;
-    use coface_complexes::simplicial::known_spaces::{FlatManifold, Solid, glued_solid};
+    use coface_complexes::known_spaces;
+    use coface_complexes::known_spaces::{FlatManifold, Solid, glued_solid};
     use coface_complexes::simplicial::{Orientability, SimplicialComplex};
     use coface_topology::{AbelianGroup, Coefficients, HomologyBasis, homology, homology_with};
     use proptest::prelude::*;

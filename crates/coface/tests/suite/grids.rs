@@ -5,10 +5,10 @@
 use coface::CellId;
 use coface::algebra::chains::{ChainComplex, ProductComplex};
 use coface::algebra::{Integer, RaggedArray, Sign};
-use coface::complexes::cellular::{AxisSet, CuboidGrid, GridCell, LarModel, product};
-use coface::complexes::simplicial::{
-    FrozenComplex, Prism, SignedSimplices, SimplicialGrid, extrude, facets, known_spaces,
-};
+use coface::complexes::grids::{AxisSet, CuboidGrid, GridCell, product};
+use coface::complexes::lar::LarModel;
+use coface::complexes::known_spaces;
+use coface::complexes::simplicial::{FrozenComplex, Prism, SignedSimplices, SimplicialGrid, extrude, facets};
 use coface::geometry::Positions;
 use coface::io::read_path;
 use coface::topology::homology;

@@ -5,7 +5,7 @@
 
 use coface::Error;
 use coface::ErrorKind;
-use coface::complexes::cellular::{CellMesh, cell_volumes};
+use coface::complexes::cell_mesh::{CellMesh, cell_volumes};
 use coface::complexes::surface::{GeneralizedMap, PolygonMesh};
 use coface::geometry::{Positions, enclosed_volume, polygon_area};
 use coface::io::{Model, read_path};

@@ -7,7 +7,7 @@ use coface::algebra::{SparseMatrix, smith_form};
 use coface::answers::Report;
 use coface::arrange::congruence::{ClassRule, Representative, vertex_congruence};
 use coface::complexes::simplicial::SimplicialComplex;
-use coface::complexes::simplicial::known_spaces::torus_grid;
+use coface::complexes::known_spaces::torus_grid;
 use coface::complexes::surface::{GeneralizedMap, PolygonMesh};
 use coface::io;
 use coface::io::{Format, Model};

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 /// # Examples
 /// ```
 /// use coface_algebra::chains::{PartTree, Partition};
-/// use coface_complexes::simplicial::known_spaces::torus_grid;
+/// use coface_complexes::known_spaces::torus_grid;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let torus = torus_grid(&[8, 8])?.chain_complex()?;
 /// let partition = Partition::by_walk(&torus, 7)?;

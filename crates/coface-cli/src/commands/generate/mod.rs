@@ -14,7 +14,7 @@ use crate::target::unknown_extension;
 use clap::{Args, Subcommand};
 use coface::answers::Producer;
 use coface::answers::text;
-use coface::complexes::cellular::PlacedCells;
+use coface::complexes::shapes::PlacedCells;
 use coface::complexes::simplicial::{SimplexSet, SimplicialComplex};
 use coface::geometry::Positions;
 use coface::io;

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::progress::Progress;
 use clap::{Command, FromArgMatches, Subcommand};
-use coface::complexes::cellular::{Assembly, PlacedCells};
+use coface::complexes::shapes::{Assembly, PlacedCells};
 use coface::geometry::{AffineMap, Angle};
 use coface::io::Model;
 use coface::{Error, ErrorKind};

@@ -2,9 +2,9 @@
 
 use clap::{Args, Subcommand, ValueEnum};
 use coface::Error;
-use coface::complexes::cellular::shapes;
-use coface::complexes::cellular::shapes::{DiskGrid, SphereGrid};
-use coface::complexes::cellular::{CellKind, PlacedCells};
+use coface::complexes::shapes;
+use coface::complexes::shapes::{DiskGrid, SphereGrid};
+use coface::complexes::shapes::{CellKind, PlacedCells};
 
 /// A shape by its name; the numbers of cells are those along an axis.
 #[derive(Subcommand)]

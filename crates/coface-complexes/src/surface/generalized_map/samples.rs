@@ -1,7 +1,8 @@
 //! Surfaces for tests, of this crate and of those above it (feature `samples`).
 #![allow(clippy::unwrap_used, reason = "a sample that cannot be made is a failing test")]
 
-use crate::simplicial::{SimplicialComplex, known_spaces};
+use crate::known_spaces;
+use crate::simplicial::SimplicialComplex;
 use crate::surface::{GeneralizedMap, HalfedgeMesh};
 use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error};

@@ -1,6 +1,6 @@
 use super::samples::polygon;
 use super::*;
-use crate::simplicial::known_spaces;
+use crate::known_spaces;
 use crate::surface::{HalfedgeMesh, PolygonMesh};
 use coface_algebra::RaggedArray;
 use proptest::prelude::*;

@@ -110,7 +110,7 @@ impl HalfedgeMesh {
     /// # Examples
     /// ```
     /// use coface_complexes::surface::HalfedgeMesh;
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let torus = known_spaces::cyclic_torus(2)?;
     /// assert_eq!(HalfedgeMesh::from_simplicial_complex(&torus)?.to_simplicial_complex()?, torus);

@@ -85,7 +85,7 @@ impl HalfedgeMesh {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::simplicial::known_spaces;
+    /// use coface_complexes::known_spaces;
     /// use coface_complexes::surface::HalfedgeMesh;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let sphere = HalfedgeMesh::from_frozen_complex(&known_spaces::simplex_boundary(2)?.freeze())?;
@@ -312,7 +312,7 @@ fn skeleton_of(complex: &ChainComplex) -> Result<TwoSkeleton, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simplicial::known_spaces;
+    use crate::known_spaces;
     use coface_algebra::HalfedgeId;
     use proptest::prelude::*;
 

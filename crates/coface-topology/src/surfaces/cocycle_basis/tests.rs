@@ -4,7 +4,7 @@ use crate::{Bounding, Exactness, HomologyBasis, TreeCotree, exactness, homology,
 use coface_algebra::EdgeId;
 use coface_algebra::chains::Chain;
 use coface_algebra::{Sign, smith_form};
-use coface_complexes::simplicial::known_spaces;
+use coface_complexes::known_spaces;
 use coface_complexes::surface::samples::{
     all_kinds, genus, map_of, of_next, polygon, with_faces_turned, with_holes,
 };

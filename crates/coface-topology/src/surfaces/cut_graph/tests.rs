@@ -1,5 +1,5 @@
 use super::*;
-use coface_complexes::simplicial::known_spaces;
+use coface_complexes::known_spaces;
 use coface_complexes::surface::SurfaceType;
 use coface_complexes::surface::samples::{all_kinds, genus, map_of, of_next, with_holes};
 use proptest::prelude::*;

@@ -3,7 +3,8 @@ use crate::{AbelianGroup, EdgePathGroups, Presentation, homology};
 use coface_algebra::RaggedArray;
 use coface_algebra::VertexId;
 use coface_algebra::chains::TwoSkeleton;
-use coface_complexes::simplicial::{SimplicialComplex, known_spaces};
+use coface_complexes::known_spaces;
+use coface_complexes::simplicial::SimplicialComplex;
 use coface_complexes::surface::HalfedgeMesh;
 use proptest::prelude::*;
 
