@@ -1,7 +1,8 @@
 //! Random complexes for property tests, of this crate and of those above it (feature `samples`).
 
+use crate::CellId;
 use crate::chains::ChainComplex;
-use crate::{CellId, SparseMatrix};
+use crate::matrices::SparseMatrix;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 

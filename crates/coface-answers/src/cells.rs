@@ -6,7 +6,9 @@ use super::polygons::{VertexDegrees, counted, isolated_vertices};
 use super::{Problem, ProblemKind};
 use coface_algebra::RaggedArray;
 use coface_algebra::{CellId, EdgeId, FaceId};
-use coface_complexes::cell_mesh::{CellMesh, CellShape, VolumeDefect, VolumeOrientation, VolumeVerdict, cell_volumes};
+use coface_complexes::cell_mesh::{
+    CellMesh, CellShape, VolumeDefect, VolumeOrientation, VolumeVerdict, cell_volumes,
+};
 use coface_geometry::Positions;
 use coface_topology::homology;
 

@@ -16,57 +16,37 @@
 //!   [`FundamentalDomain`], whose boundary spells the relator of the fundamental group.
 //! * All answers about one complex go through the acyclic matching of [`coface_algebra::chains::MorseComplex`], then Smith normal form.
 
-mod adapted_basis;
-mod basis;
-mod cocycles;
-mod coefficients;
 mod covering;
-mod cup;
-mod cup_table;
-mod fundamental;
-mod fundamental_cycle;
-mod generators;
-mod group;
 mod hodge;
-mod homology;
-mod homology_class;
-mod homology_map;
-mod intersection_form;
-mod long_exact_sequence;
-mod parts;
 mod persistence;
-mod short_loops;
-mod shortening;
-mod surface_group;
-mod surfaces;
 
-pub use basis::HomologyBasis;
-pub use coefficients::Coefficients;
 pub use covering::{CoverExtent, CoverLayout, CoverPlane, UniversalCover};
-pub use cup::CochainAlgebra;
-pub use cup_table::{CupProductTable, cup_product_table};
-pub use fundamental::{
-    CosetTable, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
-    Simplification, SubgroupClass, TietzeMove,
-};
-pub use generators::generators;
-pub use group::AbelianGroup;
 pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
-pub use homology::{Homology, cohomology, homology, homology_with};
-pub use homology_class::{Bounding, Cocycle, Generator, HomologyClass};
-pub use homology_map::{HomologyMap, induced_maps};
-pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
-pub use long_exact_sequence::LongExactSequence;
-pub use parts::generators_of_parts;
-#[doc(hidden)]
-pub use parts::reduced_generators;
 pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
-pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};
-pub use surfaces::{
+
+mod curves;
+
+pub use curves::{
     ClosedWalk, CocycleBasis, CutGraph, CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain,
     HarmonicForm, Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
     TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
     shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops, slicing_cocycle,
+};
+
+mod groups;
+pub use groups::{
+    Ball, CanonicalSystem, ConjugacyForm, CosetTable, EdgePathGroups, Effort, GroupName, HomomorphismCount,
+    NormalForm, PermutationGroup, Presentation, Simplification, SubgroupClass, SurfaceGroup, TietzeMove,
+};
+
+mod homology;
+#[doc(hidden)]
+pub use homology::reduced_generators;
+pub use homology::{
+    AbelianGroup, Bounding, CochainAlgebra, Cocycle, Coefficients, CupProductTable, Generator, Homology,
+    HomologyBasis, HomologyClass, HomologyMap, IntersectionForm, LongExactSequence, MiddlePairing,
+    cohomology, cup_product_table, generators, generators_of_parts, homology, homology_with, induced_maps,
+    intersection_form,
 };

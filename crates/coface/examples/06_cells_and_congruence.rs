@@ -6,9 +6,9 @@ use coface::algebra::RaggedArray;
 use coface::arrange::congruence::{
     CellClasses, ClassRule, CongruenceOptions, Representative, chain_congruence, vertex_congruence,
 };
-use coface::complexes::shapes;
 use coface::complexes::grids::{AxisSet, CuboidGrid, GridCell};
 use coface::complexes::lar::{LarModel, Shared, oriented_boundary};
+use coface::complexes::shapes;
 use coface::complexes::shapes::CellKind;
 use coface::complexes::surface::PolygonMesh;
 use coface::geometry::MassProperties;

@@ -92,9 +92,10 @@ impl ChainComplex {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::integers::{Integer, Rational, Residue};
+    use crate::matrices::SparseMatrix;
     use crate::samples::random_complexes;
     use crate::{CellId, ErrorKind};
-    use crate::{Integer, Rational, Residue, SparseMatrix};
     use proptest::prelude::*;
 
     /// The disk of four triangles in the first figure of the third source text: nine edges, each with the direction

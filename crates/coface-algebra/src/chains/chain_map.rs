@@ -1,7 +1,7 @@
 //! Chain maps: linear maps between chain complexes that commute with boundaries.
 
 use super::{Chain, ChainComplex, Coefficient};
-use crate::SparseMatrix;
+use crate::matrices::SparseMatrix;
 use crate::{CellId, Error, ErrorKind};
 
 /// A chain map: in each degree k an integer matrix $f_k$ from the k-chains of a source to those of a target, with
@@ -161,7 +161,7 @@ impl ChainMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Integer;
+    use crate::integers::Integer;
     use crate::samples::{closed_cells, random_complexes};
     use proptest::prelude::*;
 

@@ -87,7 +87,7 @@ mod tests {
     use super::super::chain::tests::{complexes_with_chain, disk_of_four_triangles};
     use super::*;
     use crate::ErrorKind;
-    use crate::{Integer, Residue};
+    use crate::integers::{Integer, Residue};
     use proptest::prelude::*;
 
     proptest! {

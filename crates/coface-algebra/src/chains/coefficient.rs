@@ -1,7 +1,7 @@
 //! What chains and cochains may have as coefficients.
 
+use crate::integers::{Integer, Rational, Residue};
 use crate::{Error, ErrorKind};
-use crate::{Integer, Rational, Residue};
 use std::fmt;
 
 /// An element of a commutative ring, as chains and cochains need it: Z ([`Integer`]), Q ([`Rational`]), Z/n

@@ -1,6 +1,7 @@
 //! Chain complexes with a basis of cells in each degree.
 
-use crate::{Entry, Integer, SparseMatrix, WideMatrix};
+use crate::integers::Integer;
+use crate::matrices::{Entry, SparseMatrix, WideMatrix};
 use crate::{Error, ErrorKind};
 
 /// A finite chain complex of free abelian groups, each with a basis of cells.

@@ -1,8 +1,9 @@
 //! The gradient flow of an acyclic matching: elimination of matched faces from chains, and the dual sweep on cochains.
 
 use crate::chains::{AcyclicMatching, ChainComplex, MatchedPair};
+use crate::integers::Integer;
+use crate::matrices::{Entry, SparseMatrix, SparseVector};
 use crate::progress::{Steps, stage};
-use crate::{Entry, Integer, SparseMatrix, SparseVector};
 
 /// The elimination of matched faces from chains of one degree less than that of the pairs.
 pub(super) struct Flow<'a, E> {
@@ -311,7 +312,7 @@ impl Sweep {
                 let list = self.list(other);
                 if !list.is_empty() {
                     let factor = &minus_one * &entry.to_integer();
-                    total = crate::combination(&Integer::ONE, &total, &factor, list);
+                    total = crate::matrices::combination(&Integer::ONE, &total, &factor, list);
                 }
             }
             for (_, value) in &mut total {

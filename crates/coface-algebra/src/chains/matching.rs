@@ -5,8 +5,9 @@
 //! all pairs then leaves a chain complex on the unmatched, **critical** cells with the same integral homology.
 
 use crate::chains::ChainComplex;
+use crate::combinatorics::UnionFind;
+use crate::matrices::{Entry, SparseMatrix};
 use crate::progress::stage;
-use crate::{Entry, SparseMatrix, UnionFind};
 use std::sync::OnceLock;
 
 /// A pair of a cell and one of its faces that cancel, with unit incidence between them.

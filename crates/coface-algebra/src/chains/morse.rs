@@ -2,8 +2,9 @@
 
 use super::flow::{Flow, Sweep, inclusions};
 use crate::chains::{AcyclicMatching, ChainComplex};
+use crate::integers::Integer;
+use crate::matrices::{Entry, SparseVector, WideMatrix, linear_combination};
 use crate::progress::{Steps, stage};
-use crate::{Entry, Integer, SparseVector, WideMatrix, linear_combination};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -278,7 +279,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::SparseMatrix;
+    use crate::matrices::SparseMatrix;
     use crate::samples::random_complexes;
     use proptest::prelude::*;
     use std::collections::BTreeMap;

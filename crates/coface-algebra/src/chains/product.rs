@@ -1,7 +1,7 @@
 //! Products of chain complexes.
 
 use super::ChainComplex;
-use crate::SparseMatrix;
+use crate::matrices::SparseMatrix;
 use crate::{CellId, Error, ErrorKind};
 
 /// The product of two chain complexes, with the numbers of its cells.

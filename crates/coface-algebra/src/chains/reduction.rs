@@ -1,8 +1,9 @@
 //! A chain complex reduced by one acyclic matching after another.
 
 use super::{ChainComplex, MorseComplex};
+use crate::integers::Integer;
+use crate::matrices::{SparseMatrix, SparseVector, WideMatrix, linear_combination};
 use crate::progress::{Steps, stage};
-use crate::{Integer, SparseMatrix, SparseVector, WideMatrix, linear_combination};
 use std::borrow::Cow;
 
 /// A chain complex reduced by acyclic matchings, each taken in the Morse complex of the one before, until none finds a

@@ -1,15 +1,16 @@
 //! Chains with the coefficients -1, 0 and 1: cells that are chosen, perhaps turned around, or not.
 
 use super::{Chain, ChainComplex, Coefficient};
+use crate::Sign;
+use crate::integers::Integer;
 use crate::{CellId, Error, ErrorKind};
-use crate::{Integer, Sign};
 use std::fmt;
 
 /// Cells of one degree, each chosen once with a sign: a chain over {-1, 0, 1}.
 ///
 /// These three numbers are no group under addition of integers, since 1 + 1 is not among them. So a sum that would choose
 /// a cell twice is refused, and the boundary is a chain of integers. With 1 + 1 = -1 they would be Z/3: take a [`Chain`] of
-/// [`Residue`](crate::Residue)s for that.
+/// [`Residue`](crate::integers::Residue)s for that.
 ///
 /// # Examples
 /// The path 0 1 2 and the way back from 2 to 1 on a rim of three edges:
@@ -203,8 +204,9 @@ impl fmt::Display for Selection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integers::{Rational, Residue};
+    use crate::matrices::SparseMatrix;
     use crate::samples::random_complexes;
-    use crate::{Rational, Residue, SparseMatrix};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 

@@ -1,7 +1,7 @@
 //! Subcomplexes, complexes relative to them, and direct sums.
 
 use super::ChainComplex;
-use crate::SparseMatrix;
+use crate::matrices::SparseMatrix;
 use crate::{CellId, Error, ErrorKind};
 
 impl ChainComplex {
@@ -192,7 +192,7 @@ impl ChainComplex {
 mod tests {
     use super::super::chain::tests::disk_of_four_triangles;
     use super::*;
-    use crate::invariant_factors;
+    use crate::normal_forms::invariant_factors;
     use crate::samples::random_complexes;
     use proptest::prelude::*;
 

@@ -1,8 +1,9 @@
 //! Vertices, edges and faces with the paths that the faces are attached along.
 
+use crate::Sign;
 use crate::chains::ChainComplex;
+use crate::matrices::{RaggedArray, SparseMatrix};
 use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
-use crate::{RaggedArray, Sign, SparseMatrix};
 
 /// The part of a cell complex that loops see: vertices, edges with their ends, and faces with the closed edge paths
 /// that their rims run along. A [`ChainComplex`] forgets the order of a rim; this does not.

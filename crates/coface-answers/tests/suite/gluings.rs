@@ -446,9 +446,8 @@ fn signatures_of_special_tables() {
 
 #[test]
 fn faults_are_named() {
-    let fault = |rows: &[coface_complexes::gluing::GluingRow]| {
-        GluingTable::from_rows(rows).unwrap_err().to_string()
-    };
+    let fault =
+        |rows: &[coface_complexes::gluing::GluingRow]| GluingTable::from_rows(rows).unwrap_err().to_string();
     let to = |neighbor, images: &[u32]| Some((neighbor, images.to_vec()));
     assert!(fault(&[vec![to(1, &[0, 1]), None]]).contains("glued to simplex 1, but there are 1"));
     assert!(

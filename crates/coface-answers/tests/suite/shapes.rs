@@ -3,10 +3,10 @@
 
 use coface_algebra::Error;
 use coface_answers::{Answer, Report};
-use coface_complexes::shapes;
-use coface_complexes::shapes::{DiskGrid, SphereGrid};
 use coface_complexes::cell_mesh::cell_volumes;
+use coface_complexes::shapes;
 use coface_complexes::shapes::{CellKind, PlacedCells};
+use coface_complexes::shapes::{DiskGrid, SphereGrid};
 use coface_io::Model;
 use std::f64::consts::PI;
 

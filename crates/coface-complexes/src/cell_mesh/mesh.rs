@@ -1,7 +1,7 @@
 //! Cell meshes: tetrahedra, hexahedra, wedges and pyramids on one vertex set, with their faces and edges identified.
 
-use crate::cell_mesh::shape::CellShape;
 use crate::cell_mesh::face_identification::{CellSides, FaceTable, identify_faces};
+use crate::cell_mesh::shape::CellShape;
 use crate::surface::{Components, PolygonMesh};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, FaceId};

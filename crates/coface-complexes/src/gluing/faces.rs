@@ -1,10 +1,10 @@
 //! The faces of a gluing table: which faces of the simplices are one, and in which order of their vertices.
 
+use crate::gluing::table::GluingTable;
 use crate::simplicial::delta_subdivision::Flags;
 use crate::simplicial::delta_subdivision::check_size;
 use crate::simplicial::delta_subdivision::positions;
 use crate::simplicial::delta_subdivision::within;
-use crate::gluing::table::GluingTable;
 use crate::simplicial::{DeltaComplex, Subdivision};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind};

@@ -1,11 +1,11 @@
 //! Whether the space of a gluing table is a manifold, with a certificate or a witness.
 
-use crate::simplicial::collapse::is_seen_as_ball;
-use crate::simplicial::collapse::is_seen_as_sphere;
-use crate::simplicial::manifold::homology_sizes;
 use crate::gluing::faces::FaceClasses;
 use crate::gluing::table::GluingTable;
 use crate::simplicial::Verdict;
+use crate::simplicial::collapse::is_seen_as_ball;
+use crate::simplicial::collapse::is_seen_as_sphere;
+use crate::simplicial::manifold::homology_sizes;
 use coface_algebra::Error;
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! The ten closed flat manifolds of dimension 3.
 
-use crate::simplicial::SimplicialComplex;
 use super::{from_rule, torus_bundle};
+use crate::simplicial::SimplicialComplex;
 use coface_algebra::Error;
 use coface_algebra::UnionFind;
 

@@ -103,7 +103,7 @@ const STARTS: usize = 24;
 ///
 /// A combinatorial manifold that collapses is a ball (J. H. C. Whitehead, *Simplicial spaces, nuclei and m-groups*, 1939);
 /// so yes is a proof, and no says nothing.
-pub fn is_seen_as_sphere(complex: &ChainComplex) -> bool {
+pub(crate) fn is_seen_as_sphere(complex: &ChainComplex) -> bool {
     let coboundaries: Vec<SparseMatrix> =
         complex.boundary_matrices().iter().map(SparseMatrix::transpose).collect();
     let count = complex.f_vector().last().copied().unwrap_or(0);
@@ -116,7 +116,7 @@ pub fn is_seen_as_sphere(complex: &ChainComplex) -> bool {
 
 /// Whether a combinatorial manifold with boundary is seen to be a ball: it collapses to a point. Yes is a proof, and no
 /// says nothing.
-pub fn is_seen_as_ball(complex: &ChainComplex) -> bool {
+pub(crate) fn is_seen_as_ball(complex: &ChainComplex) -> bool {
     let coboundaries: Vec<SparseMatrix> =
         complex.boundary_matrices().iter().map(SparseMatrix::transpose).collect();
     [Order::Oldest, Order::Newest].into_iter().any(|order| collapses(complex, &coboundaries, None, order))
@@ -130,9 +130,9 @@ fn starts(count: usize) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
-    use crate::known_spaces;
     use super::super::SimplicialComplex;
     use super::*;
+    use crate::known_spaces;
 
     fn chains(complex: Result<SimplicialComplex, coface_algebra::Error>) -> ChainComplex {
         complex.unwrap().chain_complex().unwrap()

@@ -64,7 +64,7 @@ impl Subdivision {
 }
 
 /// The chains of faces of the standard simplex of one degree k that end with the whole simplex.
-pub struct Flags {
+pub(crate) struct Flags {
     /// Those of j + 1 faces at position j; each face is a set of vertices, bit i for vertex i. In lexicographic order.
     chains: Vec<Vec<Vec<u32>>>,
 }
@@ -72,7 +72,7 @@ pub struct Flags {
 impl Flags {
     /// All chains for degrees 0 to `dimension`.
     #[doc(hidden)]
-    pub fn up_to(dimension: usize) -> Vec<Self> {
+    pub(crate) fn up_to(dimension: usize) -> Vec<Self> {
         (0..=dimension).map(Self::of_degree).collect()
     }
 
@@ -96,13 +96,13 @@ impl Flags {
 
     /// The chains of j + 1 faces.
     #[doc(hidden)]
-    pub fn chains(&self, j: usize) -> &[Vec<u32>] {
+    pub(crate) fn chains(&self, j: usize) -> &[Vec<u32>] {
         self.chains.get(j).map_or(&[], Vec::as_slice)
     }
 
     /// The place of a chain among those of its length.
     #[doc(hidden)]
-    pub fn place(&self, chain: &[u32]) -> usize {
+    pub(crate) fn place(&self, chain: &[u32]) -> usize {
         let chains = &self.chains[chain.len() - 1];
         chains.binary_search_by(|other| other.as_slice().cmp(chain)).expect("all chains are listed")
     }
@@ -124,17 +124,17 @@ pub(super) fn flag_count(degree: usize) -> usize {
 }
 
 /// The positions of the vertices in a set.
-pub fn positions(set: u32) -> Vec<usize> {
+pub(crate) fn positions(set: u32) -> Vec<usize> {
     (0..32).filter(|i| set >> i & 1 == 1).collect()
 }
 
 /// The set of those places among the vertices of `of` that `set`, a part of it, takes.
-pub fn within(set: u32, of: u32) -> u32 {
+pub(crate) fn within(set: u32, of: u32) -> u32 {
     positions(of).iter().enumerate().fold(0, |all, (place, &i)| all | (set >> i & 1) << place)
 }
 
 /// Refuses a subdivision with more simplices than fit.
-pub fn check_size(counts: impl IntoIterator<Item = (usize, usize)>) -> Result<(), Error> {
+pub(crate) fn check_size(counts: impl IntoIterator<Item = (usize, usize)>) -> Result<(), Error> {
     let total = counts
         .into_iter()
         .fold(0_usize, |all, (degree, n)| all.saturating_add(n.saturating_mul(flag_count(degree))));

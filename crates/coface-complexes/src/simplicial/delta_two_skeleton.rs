@@ -1,7 +1,7 @@
 //! The part of delta complexes and gluing tables that loops see.
 
-use crate::gluing::FaceClasses;
 use super::DeltaComplex;
+use crate::gluing::FaceClasses;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::TwoSkeleton;

@@ -611,7 +611,7 @@ impl Links {
 }
 
 /// The Betti number and the number of torsion coefficients of each integral homology group.
-pub fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
+pub(crate) fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
     let morse = MorseComplex::new(chains);
     let count = chains.degree_count();
     let forms: Vec<(usize, usize)> = (1..count)
@@ -631,8 +631,8 @@ pub fn homology_sizes(chains: &ChainComplex) -> Vec<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use crate::known_spaces;
     use super::*;
+    use crate::known_spaces;
     use proptest::prelude::*;
 
     #[derive(Clone, Copy, PartialEq, Eq)]

@@ -19,7 +19,6 @@
 //! * [`SignedSimplices`] are oriented simplices: rising vertices and a sign. A [`FacetTable`] has the facets of a list of them,
 //!   a [`Prism`] is the product with an interval, an [`Extrusion`] sweeps them through layers; a [`SimplicialGrid`] is a point
 //!   that is swept along each axis.
-//! * A [`GluingTable`] has simplices with facets glued in pairs; its faces are the [`FaceClasses`].
 
 pub(crate) mod collapse;
 mod complex;

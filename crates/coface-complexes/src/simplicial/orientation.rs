@@ -468,9 +468,9 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::known_spaces;
     use super::super::Simplex;
     use super::*;
+    use crate::known_spaces;
     use proptest::prelude::*;
 
     fn order(numbers: &[u32]) -> Vec<VertexId> {

@@ -86,7 +86,7 @@ impl Storage<'_> {
     }
 
     /// The single integers of an array, one a row; `None` if it holds others.
-    pub fn integers(&self, node: Node<'_, '_>, rows: u64) -> Result<Option<Numbers>, Error> {
+    pub(super) fn integers(&self, node: Node<'_, '_>, rows: u64) -> Result<Option<Numbers>, Error> {
         let name = node.attribute("Name").unwrap_or_default();
         let number = match number_type(node)? {
             None | Some(NumberType::Float32 | NumberType::Float64) => return Ok(None),

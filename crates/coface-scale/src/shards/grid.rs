@@ -7,7 +7,9 @@ use super::shard::write_grid_shard;
 use coface_algebra::Error;
 use coface_algebra::chains::Part;
 use coface_algebra::progress;
-use coface_complexes::cubical::{CubicalBlocks, FullVoxels, SimplicialBlocks, VoxelBoxes, VoxelWindow, Voxels};
+use coface_complexes::cubical::{
+    CubicalBlocks, FullVoxels, SimplicialBlocks, VoxelBoxes, VoxelWindow, Voxels,
+};
 use coface_io::container::{Container, ContainerWriter, Role, hash_array};
 use std::path::Path;
 use xxhash_rust::xxh3::Xxh3;

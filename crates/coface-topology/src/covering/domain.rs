@@ -1,6 +1,7 @@
 //! How copies of a fundamental domain are glued.
 
-use crate::{CutSurface, SurfaceGroup};
+use crate::curves::CutSurface;
+use crate::groups::SurfaceGroup;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_algebra::{Sign, UnionFind, Word};
 use coface_complexes::surface::GeneralizedMap;

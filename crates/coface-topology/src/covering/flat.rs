@@ -4,7 +4,7 @@ use super::domain::Domain;
 use super::isometry::{Isometry, Point};
 use super::springs::{Spring, Springs};
 use super::universal_cover::UniversalCover;
-use crate::NormalForm;
+use crate::groups::NormalForm;
 use crate::hodge::{CholeskyFactor, MOST_FILL};
 use coface_algebra::Error;
 use coface_algebra::{ParityUnionFind, Sign};

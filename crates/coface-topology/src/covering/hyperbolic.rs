@@ -223,7 +223,7 @@ fn newton_step(
 mod tests {
     use super::*;
     use crate::covering::tests::{polygon, subdivided};
-    use crate::{CutSurface, TreeCotree};
+    use crate::curves::{CutSurface, TreeCotree};
 
     /// The crossing g of a side from corner a to corner b of the copy there has P(a) = g P(b), as isometries too.
     #[test]

@@ -1,13 +1,13 @@
 //! Universal covering spaces of surfaces, as large a part as is asked for.
 //!
 //! # Words and conventions
-//! * The universal cover of a component is made of **copies** of its [`crate::FundamentalDomain`], one for each
+//! * The universal cover of a component is made of **copies** of its [`crate::curves::FundamentalDomain`], one for each
 //!   element of the fundamental group. Across a side with the crossing g, copy x meets copy x g.
 //! * **Letters** are the crossings of certain cut edges; they generate the group, and copies are counted and ordered by
 //!   their shortest words in them. A patch of copies in this order is a disk when the group is infinite.
 //! * The group acts from the left: the **deck transformation** of g takes copy x to copy g x and keeps all sources.
 //! * A [`CoverLayout`] is a picture in the plane or in the hyperbolic disk, in which deck transformations are isometries.
-//! * Elements are compared by the normal forms of a [`crate::SurfaceGroup`]; nothing is folded by its looks.
+//! * Elements are compared by the normal forms of a [`crate::groups::SurfaceGroup`]; nothing is folded by its looks.
 
 mod domain;
 mod flat;

@@ -1,7 +1,8 @@
 //! Universal covers of all sorts of surfaces.
 
 use super::{CoverExtent, UniversalCover};
-use crate::{Ball, CutSurface, TreeCotree};
+use crate::curves::{CutSurface, TreeCotree};
+use crate::groups::Ball;
 use coface_algebra::Sign;
 use coface_algebra::{FaceId, VertexId};
 use coface_complexes::known_spaces;

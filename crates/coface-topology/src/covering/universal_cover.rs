@@ -3,7 +3,8 @@
 use super::domain::Domain;
 use super::isometry::{Isometry, Point};
 use super::springs::Springs;
-use crate::{Ball, CutSurface, NormalForm, SurfaceGroup};
+use crate::curves::CutSurface;
+use crate::groups::{Ball, NormalForm, SurfaceGroup};
 use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};

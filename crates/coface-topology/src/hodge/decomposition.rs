@@ -3,7 +3,7 @@
 use super::MetricComplex;
 use super::image::image_basis;
 use super::least_squares::ExactProjection;
-use crate::HomologyBasis;
+use crate::homology::HomologyBasis;
 use coface_algebra::Error;
 use coface_algebra::Integer;
 use coface_algebra::chains::{ChainComplex, Cochain, MorseComplex};

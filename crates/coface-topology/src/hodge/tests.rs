@@ -1,7 +1,7 @@
 //! Harmonic cochains against dense eigenvectors, exact homology, and what the theory promises.
 
 use super::*;
-use crate::{Coefficients, HomologyBasis, generators, homology, homology_with};
+use crate::homology::{Coefficients, HomologyBasis, generators, homology, homology_with};
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, Cochain};
 use coface_algebra::samples::random_complexes;

@@ -1,7 +1,7 @@
 //! Persistent homology by reduction of coboundaries.
 
 use super::{Filtration, PersistenceDiagram, PersistencePair};
-use crate::Coefficients;
+use crate::homology::Coefficients;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
 use coface_algebra::{Binary, Field, Odd, SparseMatrix, UnionFind, is_prime};

@@ -1,7 +1,7 @@
 //! Persistence against a second method, and what its theory promises.
 
 use super::*;
-use crate::{Coefficients, homology_with};
+use crate::homology::{Coefficients, homology_with};
 use coface_algebra::ErrorKind;
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::ChainComplex;

@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_algebra::chains::{ChainComplex, PartTree, Partition, Parts};
-use coface_complexes::cubical::{CubicalBlocks, CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBox, VoxelWindow, Voxels};
+use coface_complexes::cubical::{
+    CubicalBlocks, CubicalVolume, FullVoxels, SimplicialBlocks, VoxelBox, VoxelWindow, Voxels,
+};
 use coface_complexes::grids::CuboidGrid;
 use coface_complexes::simplicial::FrozenComplex;
 use coface_topology::homology;

@@ -1,7 +1,7 @@
 //! Which parts have each cell.
 
 use crate::chains::ChainComplex;
-use crate::{Entry, RaggedArray};
+use crate::matrices::{Entry, RaggedArray};
 use std::collections::BTreeMap;
 
 /// Sets of part numbers, each held once, and which of them each cell has.

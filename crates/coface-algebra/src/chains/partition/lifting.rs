@@ -2,7 +2,8 @@
 
 use super::part::Part;
 use crate::Error;
-use crate::{Entry, Integer, SparseVector};
+use crate::integers::Integer;
+use crate::matrices::{Entry, SparseVector};
 
 /// A chain as cells by their ids, rising, with coefficients.
 pub type ChainById = Vec<(u64, Integer)>;

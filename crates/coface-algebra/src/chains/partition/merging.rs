@@ -4,7 +4,7 @@ use super::keys::{Keys, Sets};
 use super::part::{Part, ReducedPart, WallHash};
 use crate::Error;
 use crate::chains::ChainComplex;
-use crate::{SparseVector, WideMatrix};
+use crate::matrices::{SparseVector, WideMatrix};
 
 impl ReducedPart {
     /// The part of this number that these parts make together; `parent` says for each part of the whole to which it goes, and these are

@@ -2,8 +2,8 @@
 
 use super::keys::Keys;
 use super::part::Part;
-use crate::RaggedArray;
 use crate::chains::ChainComplex;
+use crate::matrices::RaggedArray;
 use crate::{Error, ErrorKind};
 use std::collections::VecDeque;
 

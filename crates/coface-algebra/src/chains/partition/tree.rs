@@ -5,8 +5,8 @@ use super::merging::check_walls;
 use super::owners::Parts;
 use super::part::{Part, ReducedPart, WallHash};
 use crate::Error;
+use crate::matrices::{Entry, SparseVector};
 use crate::progress;
-use crate::{Entry, SparseVector};
 use rayon::prelude::*;
 
 /// All parts of a complex reduced, merged by groups of neighbors, reduced again, and so on until one is left.

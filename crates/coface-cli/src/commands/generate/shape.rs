@@ -3,8 +3,8 @@
 use clap::{Args, Subcommand, ValueEnum};
 use coface::Error;
 use coface::complexes::shapes;
-use coface::complexes::shapes::{DiskGrid, SphereGrid};
 use coface::complexes::shapes::{CellKind, PlacedCells};
+use coface::complexes::shapes::{DiskGrid, SphereGrid};
 
 /// A shape by its name; the numbers of cells are those along an axis.
 #[derive(Subcommand)]

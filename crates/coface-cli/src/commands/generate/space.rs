@@ -3,9 +3,9 @@
 use super::construction::Numbers;
 use clap::{Subcommand, ValueEnum};
 use coface::Error;
-use coface::complexes::simplicial::SimplicialComplex;
 use coface::complexes::known_spaces;
 use coface::complexes::known_spaces::{FlatManifold, Solid};
+use coface::complexes::simplicial::SimplicialComplex;
 
 /// A known space, as a list of facets.
 #[derive(Subcommand)]

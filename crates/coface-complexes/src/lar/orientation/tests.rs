@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use super::*;
-use crate::lar::samples::{cube, grid};
 use crate::lar::chain_complex::TopOrientation;
 use crate::lar::model::LarModel;
+use crate::lar::samples::{cube, grid};
 use crate::simplicial::FrozenComplex;
 use coface_algebra::{CellId, ErrorKind};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};

@@ -1,0 +1,48 @@
+//! Orientations.
+
+use std::fmt;
+
+/// An orientation: the same as the reference, or opposite to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Sign {
+    /// The orientation of the reference.
+    Plus,
+    /// The opposite orientation.
+    Minus,
+}
+
+impl Sign {
+    /// The sign of $(-1)^i$: plus when `exponent` is even.
+    pub fn power_of_minus_one(exponent: usize) -> Self {
+        if exponent.is_multiple_of(2) { Self::Plus } else { Self::Minus }
+    }
+
+    /// +1 or -1.
+    pub fn to_i32(self) -> i32 {
+        match self {
+            Self::Plus => 1,
+            Self::Minus => -1,
+        }
+    }
+
+    /// The product of two signs.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        if self == other { Self::Plus } else { Self::Minus }
+    }
+
+    /// The opposite sign.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        self.times(Self::Minus)
+    }
+}
+
+impl fmt::Display for Sign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Plus => "+",
+            Self::Minus => "-",
+        })
+    }
+}

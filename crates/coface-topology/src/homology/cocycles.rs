@@ -1,0 +1,182 @@
+//! Bases of cohomology, dual to those of homology.
+
+use crate::homology::basis::HomologyBasis;
+use crate::homology::class::{Cocycle, HomologyClass};
+use crate::homology::coefficients::Coefficients;
+use coface_algebra::chains::Cochain;
+use coface_algebra::{CellId, Error, ErrorKind};
+use coface_algebra::{Integer, SparseVector, WideMatrix, inner_product};
+
+impl HomologyBasis<'_> {
+    /// Cocycles whose classes are a basis of integral cohomology in one degree: those of finite order first, then free
+    /// ones. Free cocycle i has the value 1 on the free generator i of homology and 0 on all other generators; one of
+    /// finite order m is, up to coboundaries, 1/m of the coboundary of the dual of a torsion generator one degree below.
+    ///
+    /// # Complexity
+    /// One pass through the pairs of the matching and the values that are not zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::circle;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = circle(5)?.chain_complex()?;
+    /// let basis = HomologyBasis::new(&circle);
+    /// let (cocycle, around) = (&basis.cocycles(1)[0], &basis.generators(1)[0]);
+    /// assert_eq!(cocycle.cochain().pairing(around.chain())?, Some(1.into()));
+    /// # Ok(()) }
+    /// ```
+    pub fn cocycles(&self, degree: usize) -> Vec<Cocycle> {
+        self.cocycles_with(degree, Coefficients::Integers)
+    }
+
+    /// The class of a closed cochain in the basis of [`Self::cocycles`]: coefficients from 0 to m - 1 on cocycles of finite
+    /// order m, then those on free cocycles.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if the cochain has a cell that is not here, [`ErrorKind::NotACycle`] naming a cell in
+    /// its coboundary.
+    ///
+    /// # Complexity
+    /// One pass through the pairs of the matching and the values that are not zero.
+    ///
+    /// # Examples
+    /// Two edges make a circle, each from an end to the other: the cochain that is 1 on both has the value 2 around it.
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::{Integer, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let ends = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, 1), (1, 1, -1)])?;
+    /// let circle = ChainComplex::new(vec![ends])?;
+    /// let basis = HomologyBasis::new(&circle);
+    /// let both = Cochain::new(&circle, 1, [0, 1].map(|e| (CellId::new(e), Integer::ONE)))?;
+    /// assert_eq!(basis.class_of_cocycle(&both)?.coefficients()[0].abs(), 2.into());
+    /// # Ok(()) }
+    /// ```
+    pub fn class_of_cocycle(&self, cocycle: &Cochain<Integer>) -> Result<HomologyClass, Error> {
+        let degree = cocycle.degree();
+        let coboundary = self.complex.coboundary(cocycle)?;
+        if let Some((cell, value)) = coboundary.terms().first() {
+            return Err(Error::new(
+                ErrorKind::NotACycle,
+                format!(
+                    "the cochain of degree {degree} is not closed: its coboundary has the value {value} on cell {cell} of degree {}",
+                    degree + 1
+                ),
+            )
+            .with_cure("give a cochain whose coboundary is zero"));
+        }
+        let Some(basis) = self.degrees.get(degree) else {
+            return Ok(HomologyClass { coefficients: Vec::new(), orders: Vec::new() });
+        };
+        let mut columns = vec![SparseVector::new(); self.complex.cell_count(degree)];
+        for (cell, value) in cocycle.terms() {
+            columns[cell.index()].push((0, value.clone()));
+        }
+        let values = WideMatrix::from_integer_columns(1, columns).expect("cells have 32-bit numbers");
+        let (restricted, _) = self.reduction.restriction_and_cohomotopy(degree, &values);
+        let restricted = restricted.transpose();
+        let restricted: SparseVector =
+            restricted.column(0).terms().map(|(cell, x)| (cell as u32, x.clone())).collect();
+        let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
+        let torsion = below.iter().enumerate().filter(|(_, order)| !order.is_unit());
+        let torsion = torsion.map(|(position, order)| (position, Some(order.clone())));
+        let free = (basis.rank + basis.orders.len()..basis.elements.len()).map(|position| (position, None));
+        let (positions, orders): (Vec<usize>, Vec<Option<Integer>>) = torsion.chain(free).unzip();
+        let value = |(&position, order): (&usize, &Option<Integer>)| {
+            let x = inner_product(&restricted, &basis.elements[position]);
+            order.as_ref().map_or(x.clone(), |order| x.div_rem_floor(order).1)
+        };
+        let coefficients = positions.iter().zip(&orders).map(value).collect();
+        Ok(HomologyClass { coefficients, orders })
+    }
+
+    /// Cocycles whose classes are a basis of cohomology with coefficients in one degree; over a field they are dual to
+    /// [`Self::generators_with`]: the matrix of values is the identity.
+    pub fn cocycles_with(&self, degree: usize, coefficients: Coefficients) -> Vec<Cocycle> {
+        let Some(basis) = self.degrees.get(degree) else { return Vec::new() };
+        let modulus = match coefficients {
+            Coefficients::Modulo(n) => Some(Integer::from(n)),
+            _ => None,
+        };
+        // (dual, factor, order of the summand)
+        let mut summands: Vec<(&SparseVector, Integer, Option<Integer>)> = Vec::new();
+        let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
+        // In the order of generators_with: those of this degree, then those from one below.
+        for position in (basis.rank..basis.duals.len()).chain(0..basis.rank) {
+            let dual = &basis.duals[position];
+            let order = match position.checked_sub(basis.rank) {
+                None => &below[position],
+                Some(cycle) if cycle < basis.orders.len() => &basis.orders[cycle],
+                Some(_) => {
+                    summands.push((dual, Integer::ONE, None));
+                    continue;
+                }
+            };
+            match &modulus {
+                // Over Z the torsion of cohomology comes from one degree below.
+                None => {
+                    if position < basis.rank && !order.is_unit() && coefficients == Coefficients::Integers {
+                        summands.push((dual, Integer::ONE, Some(order.clone())));
+                    }
+                }
+                Some(n) => {
+                    let common = order.gcd(n);
+                    if !common.is_unit() {
+                        let factor = match position < basis.rank {
+                            true => Integer::ONE,
+                            false => n.exact_quotient(&common).expect("a gcd divides"),
+                        };
+                        summands.push((dual, factor, (common != *n).then_some(common)));
+                    }
+                }
+            }
+        }
+        summands.sort_by_key(|(_, _, order)| (order.is_none(), order.clone()));
+        let duals: Vec<SparseVector> = summands.iter().map(|(dual, ..)| (*dual).clone()).collect();
+        let cochains = self.pulled_back(degree, &duals);
+        let cocycle =
+            |((_, factor, order), cochain): ((&SparseVector, Integer, Option<Integer>), Cochain<Integer>)| {
+                let cochain = match &modulus {
+                    None => cochain,
+                    Some(n) => {
+                        let terms = cochain.terms().iter();
+                        let terms = terms.map(|(cell, x)| (*cell, (x * &factor).div_rem_nearest(n).1));
+                        Cochain::new(self.complex, degree, terms).expect("the cells are those of a cochain")
+                    }
+                };
+                Cocycle { order, cochain }
+            };
+        summands.into_iter().zip(cochains).map(cocycle).collect()
+    }
+
+    /// Cochains of the reduced complex as cochains of the original one.
+    pub(super) fn pulled_back(&self, degree: usize, duals: &[SparseVector]) -> Vec<Cochain<Integer>> {
+        if duals.is_empty() {
+            return Vec::new();
+        }
+        let pulled = self.values_on_cells(degree, duals).transpose();
+        let cochain = |i: usize| {
+            let terms = pulled.column(i).terms().map(|(cell, x)| (CellId::new(cell), x.clone()));
+            Cochain::new(self.complex, degree, terms).expect("a pullback has the cells of the complex")
+        };
+        (0..duals.len()).map(cochain).collect()
+    }
+
+    /// The values of the dual basis on all cells of a degree: column c holds (number of the generator, value) of cell c.
+    /// For generators of finite order the values are meant modulo that order.
+    pub(super) fn annotations(&self, degree: usize) -> WideMatrix {
+        let basis = &self.degrees[degree];
+        self.values_on_cells(degree, &basis.duals[basis.generators()])
+    }
+
+    /// The values of cochains of the reduced complex on the original cells: a row for each cochain, a column for each cell.
+    fn values_on_cells(&self, degree: usize, duals: &[SparseVector]) -> WideMatrix {
+        let columns = duals.iter().map(Vec::as_slice);
+        let values = WideMatrix::from_sorted_columns(self.reduction.cell_count(degree), columns)
+            .expect("cells have 32-bit numbers");
+        self.reduction.pullback(degree, &values.transpose())
+    }
+}

@@ -1,0 +1,213 @@
+//! The long exact homology sequence of a pair.
+
+use crate::homology::basis::HomologyBasis;
+use crate::homology::computation::Homology;
+use crate::homology::induced_maps::map_of_generators;
+use crate::homology::induced_maps::{HomologyMap, induced_maps};
+use coface_algebra::chains::{Chain, ChainComplex, ChainMap};
+use coface_algebra::{CellId, Error, ErrorKind};
+
+/// The long exact sequence of a complex K and a subcomplex L,
+/// $\cdots \to H_k(L) \to H_k(K) \to H_k(K, L) \to H_{k-1}(L) \to \cdots$, over the integers.
+///
+/// The last map is the **connecting** homomorphism: a relative cycle goes to its boundary, which lies in L. Generators of the
+/// three groups are those of [`HomologyBasis`] for [`ChainComplex::subcomplex`], the complex, and
+/// [`ChainComplex::relative`].
+///
+/// # References
+/// J. R. Munkres, *Elements of Algebraic Topology* (1984), section 23.
+///
+/// # Examples
+/// The connecting map takes the disk, relative to its rim, to the loop around the rim:
+/// ```
+/// use coface_algebra::CellId;
+/// use coface_complexes::known_spaces::simplex;
+/// use coface_topology::LongExactSequence;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let disk = simplex(2)?.chain_complex()?;
+/// let rim: Vec<Vec<CellId>> = vec![(0..3).map(CellId::new).collect(), (0..3).map(CellId::new).collect()];
+/// let sequence = LongExactSequence::new(&disk, &rim)?;
+/// assert_eq!(sequence.pair().betti_numbers(), [0, 0, 1]);
+/// assert_eq!(sequence.connecting(2).map(|map| map.columns()[0][0].abs()), Some(1.into()));
+/// sequence.check()?;
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct LongExactSequence {
+    part: Homology,
+    whole: Homology,
+    pair: Homology,
+    inclusion: Vec<HomologyMap>,
+    projection: Vec<HomologyMap>,
+    /// From degree k to k - 1, at position k - 1.
+    connecting: Vec<HomologyMap>,
+}
+
+impl LongExactSequence {
+    /// The sequence of a complex and some of its cells, which must have their faces among them, by degree.
+    ///
+    /// # Errors
+    /// Those of [`ChainComplex::subcomplex`].
+    ///
+    /// # Complexity
+    /// Three times that of [`HomologyBasis`], and for each generator the class of its image.
+    pub fn new(complex: &ChainComplex, cells: &[Vec<CellId>]) -> Result<Self, Error> {
+        let part = complex.subcomplex(cells)?;
+        let relative = complex.relative(cells)?;
+        let kept = complex.complement(cells)?;
+        let [part_basis, whole_basis, pair_basis] = [&part, complex, &relative].map(HomologyBasis::new);
+        let inclusion = induced_maps(&ChainMap::inclusion(complex, cells)?, &part_basis, &whole_basis)?;
+        let projection = induced_maps(&ChainMap::projection(complex, cells)?, &whole_basis, &pair_basis)?;
+        // Where each cell of the complex is in the subcomplex.
+        let position = |degree: usize| {
+            let mut position = vec![None; complex.cell_count(degree)];
+            for (at, cell) in cells.get(degree).into_iter().flatten().enumerate() {
+                position[cell.index()] = Some(CellId::new(at));
+            }
+            position
+        };
+        let connecting = (1..relative.degree_count()).map(|degree| {
+            let position = position(degree - 1);
+            map_of_generators(&pair_basis, degree, &part_basis, degree - 1, |chain| {
+                let terms = chain.terms().iter().map(|(cell, x)| (kept[degree][cell.index()], x.clone()));
+                let boundary = complex.boundary(&Chain::new(complex, degree, terms)?)?;
+                let inside = boundary.terms().iter().map(|(cell, x)| {
+                    (
+                        position[cell.index()]
+                            .expect("the boundary of a relative cycle lies in the subcomplex"),
+                        x.clone(),
+                    )
+                });
+                Chain::new(&part, degree - 1, inside)
+            })
+        });
+        let connecting = connecting.collect::<Result<_, Error>>()?;
+        Ok(Self {
+            part: part_basis.homology(),
+            whole: whole_basis.homology(),
+            pair: pair_basis.homology(),
+            inclusion,
+            projection,
+            connecting,
+        })
+    }
+
+    /// The homology of the subcomplex.
+    pub fn part(&self) -> &Homology {
+        &self.part
+    }
+
+    /// The homology of the complex.
+    pub fn whole(&self) -> &Homology {
+        &self.whole
+    }
+
+    /// The homology of the pair.
+    pub fn pair(&self) -> &Homology {
+        &self.pair
+    }
+
+    /// The map from the subcomplex to the complex in this degree; `None` beyond the degrees of the subcomplex.
+    pub fn inclusion(&self, degree: usize) -> Option<&HomologyMap> {
+        self.inclusion.get(degree)
+    }
+
+    /// The map from the complex to the pair in this degree; `None` beyond the degrees of the complex.
+    pub fn projection(&self, degree: usize) -> Option<&HomologyMap> {
+        self.projection.get(degree)
+    }
+
+    /// The connecting map from this degree of the pair to the degree below of the subcomplex; `None` for degree 0 and
+    /// beyond the degrees of the pair.
+    pub fn connecting(&self, degree: usize) -> Option<&HomologyMap> {
+        self.connecting.get(degree.checked_sub(1)?)
+    }
+
+    /// Verifies that the sequence is exact at every group.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming the first group where it is not.
+    pub fn check(&self) -> Result<(), Error> {
+        // From the top: ..., pair(k + 1), part(k), whole(k), pair(k), part(k - 1), ...
+        let top = self.pair.groups().len();
+        let mut maps: Vec<(String, HomologyMap)> = Vec::new();
+        for degree in (0..top).rev() {
+            // Beyond the dimension of the subcomplex its groups are zero.
+            let projection = &self.projection[degree];
+            let inclusion = self.inclusion(degree).cloned().unwrap_or_else(|| {
+                HomologyMap::new(Vec::new(), projection.source_orders().to_vec(), Vec::new())
+            });
+            if degree + 1 == top {
+                let nothing = HomologyMap::new(Vec::new(), inclusion.source_orders().to_vec(), Vec::new());
+                maps.push(("the top".to_owned(), nothing));
+            }
+            maps.push((format!("H_{degree} of the subcomplex"), inclusion));
+            maps.push((format!("H_{degree} of the complex"), projection.clone()));
+            let out = self.connecting(degree).cloned().unwrap_or_else(|| {
+                let orders = projection.target_orders().to_vec();
+                let columns = vec![Vec::new(); orders.len()];
+                HomologyMap::new(orders, Vec::new(), columns)
+            });
+            maps.push((format!("H_{degree} of the pair"), out));
+        }
+        for pair in maps.windows(2) {
+            let [(_, before), (place, after)] = pair else { continue };
+            if !before.is_exact_before(after) {
+                return Err(Error::new(
+                    ErrorKind::InvalidInput,
+                    format!("the sequence is not exact at {place}"),
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coface_algebra::samples::{closed_cells, random_complexes};
+    use coface_complexes::known_spaces::{projective_plane, triangle_strip};
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Invariant 20: the sequence of a random complex and a random subcomplex is exact.
+        #[test]
+        fn long_sequences_are_exact(
+            complex in random_complexes(),
+            sizes in prop::collection::vec(0usize..40, 4),
+        ) {
+            let cells = closed_cells(&complex, &sizes);
+            let sequence = LongExactSequence::new(&complex, &cells).unwrap();
+            prop_assert!(sequence.check().is_ok(), "{:?} {sequence:?}", sequence.check());
+        }
+    }
+
+    /// The loop in the middle of a Moebius band is twice met by its rim: the rim is twice the middle.
+    #[test]
+    fn the_rim_of_a_moebius_band_goes_twice_around() {
+        let band = triangle_strip(5).unwrap().freeze();
+        let complex = band.chain_complex().unwrap();
+        let degrees = band.f_vector();
+        let mut count = vec![0; degrees[1]];
+        complex.boundary_matrix(2).unwrap().rows().iter().for_each(|&row| count[row as usize] += 1);
+        let edges: Vec<CellId> = (0..degrees[1]).filter(|&e| count[e] == 1).map(CellId::new).collect();
+        let vertices = (0..degrees[0]).map(CellId::new).collect();
+        let sequence = LongExactSequence::new(&complex, &[vertices, edges]).unwrap();
+        assert_eq!(sequence.inclusion(1).unwrap().columns()[0][0].abs(), 2.into());
+        assert_eq!(sequence.pair().groups()[1].to_string(), "Z/2");
+        sequence.check().unwrap();
+    }
+
+    /// A sequence with a wrong map is found out.
+    #[test]
+    fn what_is_not_exact_is_named() {
+        let plane = projective_plane().unwrap().chain_complex().unwrap();
+        let vertex = vec![vec![CellId::new(0)]];
+        let mut sequence = LongExactSequence::new(&plane, &vertex).unwrap();
+        sequence.check().unwrap();
+        sequence.projection[1] =
+            HomologyMap::new(vec![Some(2.into())], vec![Some(2.into())], vec![vec![0.into()]]);
+        assert!(sequence.check().unwrap_err().to_string().contains("H_1"));
+    }
+}
