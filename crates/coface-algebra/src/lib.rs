@@ -12,6 +12,8 @@
 //! * A [`RaggedArray`] is a list of lists in one flat array: polygons, facets, orbits.
 //! * A [`Word`] is an element of a free group, freely reduced.
 //! * A [`UnionFind`] keeps a partition of `0..n`; [`ParityUnionFind`] also keeps a sign between members.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod chains;
 mod combinatorics;

@@ -7,6 +7,8 @@
 //!   cell one degree below: an edge of a surface, a face of a volume.
 //! * A [`Report`] is what [`Report::of`] finds out about a model. A [`Problem`] is one sort of fault in it, with all its
 //!   places; a [`Witness`] shows why a model is no manifold.
+//!
+#![doc = include_str!("../README.md")]
 
 mod cells;
 mod chains;

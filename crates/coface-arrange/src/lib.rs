@@ -9,6 +9,8 @@
 //! * The **quotient** complex has the classes as cells. A cell whose boundary vanishes in it is **collapsed**: it has no class.
 //! * A cell that came to touch itself can be **wrapped again**: split into **pieces**, the cells that its boundary encloses. Its
 //!   **image** is their sum.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod boolean;
 pub mod congruence;

@@ -7,6 +7,8 @@
 //! * [`cell_mesh`]: tetrahedra, hexahedra, wedges and pyramids with shared faces.
 //! * [`lar`]: cells as lists of vertices, incidence operators, oriented boundaries.
 //! * [`grids`], [`cubical`], [`shapes`]: products of intervals, voxels, and mapped grids with positions.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod cell_mesh;
 pub mod cubical;

@@ -4,6 +4,8 @@
 //! [`polygon_area`] and [`enclosed_volume`] measure polygons on them, [`surface_moment`] and [`enclosed_moment`] integrate
 //! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points, and
 //! [`triangulation`] of polygons needs no more than those. An [`AffineMap`] moves points; an [`Angle`] is exact at quarter turns.
+//!
+#![doc = include_str!("../README.md")]
 
 mod affine;
 mod angle;

@@ -3,6 +3,8 @@
 //! A reader takes bytes and gives a whole [`Model`] or an error that names the line or byte; it never allocates by a
 //! count that a file merely claims. Indices in a model are 0-based whatever the format does. [`read_path`] and
 //! [`write_path`] find out the format by themselves.
+//!
+#![doc = include_str!("../README.md")]
 
 mod assembly;
 mod blocks;

@@ -1,4 +1,6 @@
 //! Scenes, stills and pages.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod pages;
 mod picture;

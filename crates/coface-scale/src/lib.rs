@@ -3,6 +3,8 @@
 //! * [`shards`] cuts a complex that is larger than memory into files, reduces these one by one and merges what is left.
 //! * [`workers`] runs requests in processes with limits of time and memory.
 //! * [`batch`] makes the report on many files by such workers.
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod batch;
 pub mod shards;

@@ -15,6 +15,8 @@
 //! * A [`TreeCotree`] of a surface gives loops; cut along them, in a [`CutSurface`], each component is a disk, its
 //!   [`FundamentalDomain`], whose boundary spells the relator of the fundamental group.
 //! * All answers about one complex go through the acyclic matching of [`coface_algebra::chains::MorseComplex`], then Smith normal form.
+//!
+#![doc = include_str!("../README.md")]
 
 mod covering;
 mod hodge;

@@ -10,6 +10,8 @@
 //! * **Meet** is the intersection, **join** the interior of the closed union, **complement** the exterior: so all laws of a Boolean
 //!   algebra hold.
 //! * A **kink** is a knot at which the boundary need not be smooth. Between kinks the boundary is one spline.
+//!
+#![doc = include_str!("../README.md")]
 
 mod boolean;
 mod curve;
