@@ -1,4 +1,21 @@
-//! Exact computational topology of cell complexes.
+#![doc = include_str!("../README.md")]
+//!
+//! # The chapters
+//! * [`algebra`]: integers that widen, sparse integer matrices, normal forms, words; and [`algebra::chains`], the center: chain complexes,
+//!   chains, cochains, chain maps and their reduction. [`algebra::progress`] reports how far long work is, and stops it.
+//! * [`geometry`]: positions, exact predicates, triangulation of polygons, areas, volumes and moments.
+//! * [`complexes`]: the producers. Simplicial complexes with star, closure, link and boundary; gluing tables; polygon meshes, halfedge meshes
+//!   and generalized maps; meshes of tetrahedra to hexahedra; LAR models; grids, voxels, shapes; known spaces. They give verdicts with
+//!   witnesses: what is a manifold, what can be oriented, where the boundary runs.
+//! * [`topology`]: the questions. Homology and cohomology with generators and certificates, cup products, harmonic cochains, persistence,
+//!   fundamental groups, cut graphs, short loops, universal covers.
+//! * [`arrange`]: arrangements of segments in the plane and polygons in space, Booleans, congruence of chain complexes.
+//! * [`yin`]: regions of the plane with spline boundaries and kinks, their Booleans, interfaces that move.
+//! * [`io`]: models and their files. [`answers`]: one request and one answer for each question. [`pictures`]: scenes, stills and pages.
+//!   [`scale`]: complexes larger than memory, worker processes, reports over many files.
+//!
+//! A producer makes a [`ChainComplex`] and a question is put to it; neither knows the other. Answers are exact; an [`Error`] names the place,
+//! the fault and the cure.
 
 pub use coface_algebra as algebra;
 pub use coface_answers as answers;
@@ -11,9 +28,13 @@ pub use coface_scale as scale;
 pub use coface_topology as topology;
 pub use coface_yin as yin;
 
-pub use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, HalfedgeId, Id, IdVec, VertexId};
-
-/// The example of the README compiles.
-#[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
-struct Readme;
+pub use coface_algebra::chains::{Chain, ChainComplex, Cochain};
+pub use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, HalfedgeId, Id, IdVec, SparseMatrix, VertexId};
+pub use coface_answers::Report;
+pub use coface_complexes::cell_mesh::CellMesh;
+pub use coface_complexes::simplicial::{Simplex, SimplicialComplex};
+pub use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
+pub use coface_geometry::Positions;
+pub use coface_io::Model;
+pub use coface_topology::{AbelianGroup, Coefficients, HomologyBasis, homology};
+pub use coface_yin::YinSet;
