@@ -29,7 +29,9 @@ pub use coface_topology as topology;
 pub use coface_yin as yin;
 
 pub use coface_algebra::chains::{Chain, ChainComplex, Cochain};
-pub use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, HalfedgeId, Id, IdVec, SparseMatrix, VertexId};
+pub use coface_algebra::{
+    CellId, EdgeId, Error, ErrorKind, FaceId, HalfedgeId, Id, IdVec, SparseMatrix, VertexId,
+};
 pub use coface_answers::Report;
 pub use coface_complexes::cell_mesh::CellMesh;
 pub use coface_complexes::simplicial::{Simplex, SimplicialComplex};
