@@ -410,7 +410,7 @@ answer! { PlanarArrangement {
     }
 }
 
-/// The format that a path or a name tells.
+/// The format of a path or a name.
 pub(crate) fn named_format(py: Python<'_>, path: &std::path::Path, format: Option<&str>) -> PyResult<Format> {
     match format_of(py, format)?.or_else(|| Format::from_path(path)) {
         Some(format) => Ok(format),

@@ -159,7 +159,7 @@ fn is_one_dimensional(value: &Bound<'_, PyAny>) -> PyResult<bool> {
     Ok(false)
 }
 
-/// Whether numpy makes an array of a list of lists at once: only looked at for long lists, where it is faster.
+/// Whether numpy makes an array of a list of lists at once: only checked for long lists, where it is faster.
 fn is_rectangular(value: &Bound<'_, PyAny>) -> PyResult<bool> {
     let Ok(list) = value.cast::<PyList>() else { return Ok(false) };
     if list.len() < 64 {

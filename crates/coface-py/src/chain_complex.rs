@@ -314,7 +314,7 @@ impl ChainComplex {
     /// Returns
     /// -------
     /// ChainComplex
-    ///     Its cells are told by their numbers.
+    ///     Its cells are named by their numbers.
     ///
     /// Raises
     /// ------

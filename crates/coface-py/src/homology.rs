@@ -266,7 +266,7 @@ impl Chain {
 
     /// The vertices of those cells: an array of shape (m, k + 1), or ``(flat, offsets)`` where cells have different numbers of vertices.
     ///
-    /// The order of the vertices is the orientation that the coefficient is for. Cells that are not told by vertices have their own
+    /// The order of the vertices is the orientation that the coefficient is for. Cells that are not named by vertices have their own
     /// number instead.
     #[getter]
     pub(crate) fn simplices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

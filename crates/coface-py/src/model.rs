@@ -619,9 +619,9 @@ impl Model {
     /// Parameters
     /// ----------
     /// path : str or os.PathLike
-    ///     The file; its extension tells the format.
+    ///     The file; its extension decides the format.
     /// format : str, optional
-    ///     The format, if the extension is not to tell.
+    ///     The format, instead of that of the extension.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -729,7 +729,7 @@ impl Model {
     /// Returns
     /// -------
     /// ChainComplex
-    ///     Its cells are told by the vertices of the model.
+    ///     Its cells are named by the vertices of the model.
     ///
     /// Examples
     /// --------
@@ -800,7 +800,7 @@ impl Model {
     /// Raises
     /// ------
     /// NonManifoldError
-    ///     If it is none; ``.cells`` has the edge or vertex that shows it.
+    ///     If it is not a surface; ``.cells`` has the edge or vertex that shows it.
     #[pyo3(signature = (*, boundary=false, progress=None))]
     fn surface(
         &self,
@@ -848,7 +848,7 @@ impl Model {
         Ok((Self::of(model), sources))
     }
 
-    /// A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to tell simplices apart.
+    /// A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
     ///
     /// Returns
     /// -------

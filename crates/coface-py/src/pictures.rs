@@ -29,7 +29,7 @@ use pyo3::types::PyBytes;
 /// perspective : float, optional
 ///     The angle of view in degrees; parallel if left out.
 /// edges : bool, optional
-///     Whether edges are drawn; where they can be told apart, if left out.
+///     Whether edges are drawn; if left out, where they can be distinguished.
 /// dark : bool
 ///     Whether the background is dark.
 /// witness : bool

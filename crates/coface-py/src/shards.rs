@@ -74,17 +74,17 @@ pub(crate) fn _merge<'py>(
 pub(crate) fn _summary<'py>(py: Python<'py>, reduced: &[u8]) -> PyResult<Bound<'py, PyDict>> {
     let ReducedSummary { place, cells, strata, critical, bytes, is_root, checksum, sources, .. } =
         shards::summary(reduced).or_raise(py)?;
-    let told = PyDict::new(py);
-    told.set_item("level", place.level)?;
-    told.set_item("number", place.number)?;
-    told.set_item("cells", cells)?;
-    told.set_item("strata", strata)?;
-    told.set_item("critical", critical)?;
-    told.set_item("bytes", bytes)?;
-    told.set_item("is_root", is_root)?;
-    told.set_item("checksum", checksum)?;
-    told.set_item("sources", sources)?;
-    Ok(told)
+    let dict = PyDict::new(py);
+    dict.set_item("level", place.level)?;
+    dict.set_item("number", place.number)?;
+    dict.set_item("cells", cells)?;
+    dict.set_item("strata", strata)?;
+    dict.set_item("critical", critical)?;
+    dict.set_item("bytes", bytes)?;
+    dict.set_item("is_root", is_root)?;
+    dict.set_item("checksum", checksum)?;
+    dict.set_item("sources", sources)?;
+    Ok(dict)
 }
 
 /// The homology that a root has.
@@ -116,10 +116,10 @@ pub(crate) fn _folder_homology<'py>(
 }
 
 fn level_to_python<'py>(py: Python<'py>, level: &FolderLevel) -> PyResult<Bound<'py, PyDict>> {
-    let told = PyDict::new(py);
-    told.set_item("parts", level.parts)?;
-    told.set_item("strata", level.strata)?;
-    told.set_item("critical", &level.critical)?;
-    told.set_item("bytes", level.bytes)?;
-    Ok(told)
+    let dict = PyDict::new(py);
+    dict.set_item("parts", level.parts)?;
+    dict.set_item("strata", level.strata)?;
+    dict.set_item("critical", &level.critical)?;
+    dict.set_item("bytes", level.bytes)?;
+    Ok(dict)
 }

@@ -72,7 +72,7 @@ impl Naming {
         }
     }
 
-    /// The vertices of a cell of the complex; its own number where cells are not told by vertices.
+    /// The vertices of a cell of the complex; its own number where cells have no vertices.
     pub(crate) fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
         let number = self.cell(degree, cell);
         let Some(degree) = degree.checked_sub(self.shift) else { return Vec::new() };

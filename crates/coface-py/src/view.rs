@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use serde_json::Value;
 use std::sync::Arc;
 
-/// So many places of a problem are told in the report.
+/// The report lists at most so many places of a problem.
 const PLACES: usize = 100;
 
 /// The page that shows a model and answers about it, which are texts of JSON.

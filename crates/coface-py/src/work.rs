@@ -47,7 +47,7 @@ fn threads_after_fork() -> Option<Arc<ThreadPool>> {
     Some(pool)
 }
 
-/// Who is told about progress.
+/// Who receives progress.
 enum Listener<'py> {
     Nobody,
     Callable(Bound<'py, PyAny>),

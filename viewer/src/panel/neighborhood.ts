@@ -1,4 +1,4 @@
-/** What a click on a simplex tells: its star, closure, link and boundary, with their cells. */
+/** What a click on a simplex shows: its star, closure, link and boundary, with their cells. */
 
 import { CellSet, keyOf, type Cell, type Complex } from "../complex/complex";
 import type { Scene } from "../scene/document";

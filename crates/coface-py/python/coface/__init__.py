@@ -1,6 +1,6 @@
 """Exact computational topology of meshes and cell complexes.
 
-A file, arrays or an object of another library become a :class:`Model` (:func:`read`, :func:`as_model`). A model tells what it is
+A file, arrays or an object of another library become a :class:`Model` (:func:`read`, :func:`as_model`). A model reports what it is
 (:meth:`Model.report`), and makes a :class:`ChainComplex`, of which homology and everything else is asked.
 
 * Ids count from 0. Arrays of ids are integers; coordinates are ``float64`` with a row for each vertex.
@@ -102,7 +102,7 @@ from coface._view import page, view
 from coface._view import repr_html as _repr_html
 from coface._volumes import volume
 
-# The doors import the names above.
+# The adapters import the names above.
 from coface._doors import (  # isort: skip
     from_gudhi,
     from_meshio,

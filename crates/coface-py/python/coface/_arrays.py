@@ -1,4 +1,4 @@
-"""Models as plain arrays: what the doors to other libraries are built on."""
+"""Models as plain arrays: what the conversions to other libraries are built on."""
 
 from __future__ import annotations
 

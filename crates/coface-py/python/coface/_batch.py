@@ -107,7 +107,7 @@ def batch(
     voxels
         Which voxels of volumes are set, by the words of :func:`volume`: ``{"threshold": 0.5, "periodic": [0]}``.
     all_places
-        Whether every place of every problem is told, not the first hundred.
+        Whether every place of every problem is listed, not the first hundred alone.
     timings
         Whether rows have ``seconds``; without them, equal files give equal bytes.
     restart
@@ -148,7 +148,7 @@ def batch(
 
 
 def worker_options(*, voxels: Mapping[str, Any] | None, **options: Any) -> dict[str, Any]:
-    """What the compiled part is told about a batch: how workers are started, beside these options."""
+    """What the compiled part needs to know about a batch: how workers are started, beside these options."""
     if not sys.executable:
         raise InvalidInputError("this Python has no executable, so no worker can be started")
     worker = Path(__file__).with_name("_worker.py")
@@ -278,6 +278,6 @@ def _pyarrow() -> tuple[Any, Any]:
     return pyarrow, pyarrow.parquet
 
 
-def _summary(told: tuple[int, dict[str, int], int]) -> BatchSummary:
-    files, errors, resumed = told
+def _summary(counts: tuple[int, dict[str, int], int]) -> BatchSummary:
+    files, errors, resumed = counts
     return {"files": files, "errors": errors, "resumed": resumed}

@@ -10,7 +10,7 @@ import numpy as np
 
 from coface._arrays import raise_invalid
 from coface._coface import ChainComplex, Complex, Model, Surface, _volume, read
-from coface.interop import door_of
+from coface.interop import adapter_of
 
 
 def as_model(x: Any, *, progress: Any = None) -> Model:
@@ -63,9 +63,9 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         return Model.from_bytes(bytes(x), progress=progress)
     if isinstance(x, dict):
         return Model.from_bytes(json.dumps(x, default=_plain).encode(), "json")
-    door = door_of(x)
-    if door is not None:
-        found: Model = door.to_model(x)
+    adapter = adapter_of(x)
+    if adapter is not None:
+        found: Model = adapter.to_model(x)
         return found
     if hasattr(x, "read"):
         data = x.read()
@@ -79,7 +79,7 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     if isinstance(x, tuple) and len(x) == 2 and not _is_list_of_ids(x[0]):
         return Model.from_arrays(x[0], x[1])
     if isinstance(x, (list, tuple)):
-        if x and door_of(x[0]) is not None and type(x[0]).__module__.startswith("shapely"):
+        if x and adapter_of(x[0]) is not None and type(x[0]).__module__.startswith("shapely"):
             from coface.interop import shapely
 
             return shapely.to_model(list(x))
@@ -134,7 +134,7 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     Returns
     -------
     ChainComplex
-        Its cells are told by the vertices of the model where there is one.
+        Its cells are named by the vertices of the model where there is one.
 
     Examples
     --------
@@ -173,7 +173,7 @@ def as_surface(x: Any, *, boundary: bool = False, progress: Any = None) -> Surfa
     Raises
     ------
     NonManifoldError
-        If it is none, with the cells where it is not.
+        If it is not a surface; ``.cells`` names the place.
 
     Examples
     --------

@@ -13,7 +13,7 @@ from coface.interop import needed
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-#: Colors of generators, curves and cells, one after the other; told apart without red and green.
+#: Colors of generators, curves and cells, one after the other; distinguishable without red and green.
 COLORS = ("#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c564b", "#000000")
 SURFACE = "#c9ced6"
 INK = "#2b2f36"

@@ -129,8 +129,8 @@ def batch(
 def _examine(files: dict[str, Any], options: dict[str, Any]) -> dict[str, list[str]]:
     """The rows of files: one task."""
     paths = [str(path) for path in files["path"]]
-    told = worker_options(jobs=1, restart=False, **options)
-    return {"line": _coface._batch_lines(paths, told)}
+    options_of_workers = worker_options(jobs=1, restart=False, **options)
+    return {"line": _coface._batch_lines(paths, options_of_workers)}
 
 
 def homology(
@@ -225,7 +225,7 @@ def _level(parts: list[dict[str, Any]]) -> Level:
 
 
 class _Told:
-    """Waits for the tasks of a stage, and tells how many are done."""
+    """Waits for the tasks of a stage, and reports how many are done."""
 
     def __init__(self, progress: _Progress) -> None:
         self._bar = Bar() if progress is True else None

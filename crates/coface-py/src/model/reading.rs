@@ -23,7 +23,7 @@ pub(crate) fn read_options(
     Ok(options)
 }
 
-/// Reads a model from a file; its format is told by its content and its name.
+/// Reads a model from a file; its content and its name decide the format.
 ///
 /// Parameters
 /// ----------

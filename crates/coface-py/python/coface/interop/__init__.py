@@ -1,4 +1,4 @@
-"""Doors to other libraries, one file a library.
+"""Conversions from and to other libraries, one file a library.
 
 Nothing here is imported before it is needed: an object of another library is recognized by the name of the module that its class comes
 from, and only a conversion *to* a library imports it.
@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import Any
 
 #: The first part of a class's module, and the file here that reads it.
-DOORS = {
+ADAPTERS = {
     "gudhi": "gudhi",
     "meshio": "meshio",
     "networkx": "networkx",
@@ -26,12 +26,12 @@ DOORS = {
 _PACKAGES = {"skimage": "scikit-image"}
 
 
-def door_of(value: Any) -> ModuleType | None:
+def adapter_of(value: Any) -> ModuleType | None:
     """The file that reads objects of this class, or of a class that it comes from; ``None`` if there is none."""
     for base in type(value).__mro__:
         root = str(getattr(base, "__module__", "")).partition(".")[0]
-        if root in DOORS:
-            return importlib.import_module(f"coface.interop.{DOORS[root]}")
+        if root in ADAPTERS:
+            return importlib.import_module(f"coface.interop.{ADAPTERS[root]}")
     return None
 
 

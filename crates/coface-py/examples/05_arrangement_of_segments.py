@@ -1,6 +1,6 @@
 """What segments cut the plane into, and polygons space: exactly, with the inputs that contain each cell."""
 
-# %% A soup of segments
+# %% Unstructured segments
 import sys
 from pathlib import Path
 
@@ -13,8 +13,8 @@ pictures.mkdir(parents=True, exist_ok=True)
 
 random = np.random.default_rng(2)
 ends = random.random((40, 2, 2))
-soup = coface.Model.from_arrays(ends.reshape(-1, 2), cells={"line": np.arange(80).reshape(-1, 2)})
-plane = coface.arrange(soup)
+segments = coface.Model.from_arrays(ends.reshape(-1, 2), cells={"line": np.arange(80).reshape(-1, 2)})
+plane = coface.arrange(segments)
 print(plane)
 
 # %% Euler: V - E + F is one more than the number of components
