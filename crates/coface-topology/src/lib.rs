@@ -39,9 +39,12 @@ pub use curves::{
 
 mod groups;
 pub use groups::{
-    Ball, CanonicalSystem, ConjugacyForm, CosetTable, EdgePathGroups, Effort, GroupName, HomomorphismCount,
-    NormalForm, PermutationGroup, Presentation, Simplification, SubgroupClass, SurfaceGroup, TietzeMove,
+    Ball, CanonicalSystem, ConjugacyForm, CosetTable, EdgePathGroups, Effort, HomomorphismCount, NormalForm,
+    PermutationGroup, Presentation, Simplification, SubgroupClass, SurfaceGroup, TietzeMove,
 };
+
+mod recognition;
+pub use recognition::GroupName;
 
 mod homology;
 #[doc(hidden)]

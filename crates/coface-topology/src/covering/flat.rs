@@ -8,7 +8,6 @@ use crate::groups::NormalForm;
 use crate::hodge::{CholeskyFactor, MOST_FILL};
 use coface_algebra::Error;
 use coface_algebra::{ParityUnionFind, Sign};
-use faer::sparse::Triplet;
 
 /// The group of a surface of Euler characteristic 0 as isometries of the plane.
 #[derive(Clone, Copy, Debug)]
@@ -183,11 +182,11 @@ impl Axis {
                 for &(column, other) in &terms[..=k] {
                     let Some(column) = column else { continue };
                     let (low, high) = (row.min(column), row.max(column));
-                    entries.push(Triplet::new(high, low, spring.weight * factor * other));
+                    entries.push((high, low, spring.weight * factor * other));
                 }
             }
         }
-        CholeskyFactor::new(count, entries, MOST_FILL)?.solve(&mut right)?;
+        CholeskyFactor::new(count, entries, MOST_FILL)?.solve(&mut right);
         for (value, unknown) in values.iter_mut().zip(unknowns) {
             if let Some(unknown) = unknown {
                 *value = right[unknown];

@@ -8,7 +8,6 @@ use crate::hodge::{CholeskyFactor, MOST_FILL};
 use coface_algebra::Sign;
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind};
-use faer::sparse::Triplet;
 use std::f64::consts::PI;
 
 /// The most steps of Newton's method.
@@ -198,7 +197,7 @@ fn newton_step(
         for ((vertex, _, frame), other) in [(a, b.1), (b, a.1)] {
             for i in 0..2 {
                 gradient[2 * vertex + i] += weight * minkowski(frame[i], other);
-                entries.push(Triplet::new(2 * vertex + i, 2 * vertex + i, cosh));
+                entries.push((2 * vertex + i, 2 * vertex + i, cosh));
             }
         }
         for i in 0..2 {
@@ -206,15 +205,15 @@ fn newton_step(
                 let (row, column) = (2 * a.0 + i, 2 * b.0 + j);
                 let value = weight * minkowski(a.2[i], b.2[j]);
                 if row == column {
-                    entries.push(Triplet::new(row, row, 2.0 * value));
+                    entries.push((row, row, 2.0 * value));
                 } else {
-                    entries.push(Triplet::new(row.max(column), row.min(column), value));
+                    entries.push((row.max(column), row.min(column), value));
                 }
             }
         }
     }
     let mut step: Vec<f64> = gradient.iter().map(|slope| -slope).collect();
-    CholeskyFactor::new(count, entries, MOST_FILL)?.solve(&mut step)?;
+    CholeskyFactor::new(count, entries, MOST_FILL)?.solve(&mut step);
     let decrease = -step.iter().zip(&gradient).map(|(step, slope)| step * slope).sum::<f64>();
     Ok((step, decrease))
 }

@@ -6,7 +6,6 @@ use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, IdVec};
 use coface_algebra::{Integer, RaggedArray};
 use coface_complexes::surface::GeneralizedMap;
-use faer::sparse::Triplet;
 
 /// The harmonic one-form of an integral class: a real value on each edge, with measures of what rounding left.
 #[derive(Clone, Debug, PartialEq)]
@@ -180,7 +179,7 @@ pub fn harmonic_forms(
         let mut potential = vec![0.0; vertex_count];
         // The second solution is for what rounding left of the first.
         for _ in 0..2 {
-            let correction = laplacian.solve(laplacian.inward_sums(ends, weights, &values))?;
+            let correction = laplacian.solve(laplacian.inward_sums(ends, weights, &values));
             for (value, &[a, b]) in values.iter_mut().zip(ends.as_chunks::<2>().0) {
                 *value -= correction[b as usize] - correction[a as usize];
             }
@@ -243,9 +242,9 @@ impl Laplacian {
             if a == b {
                 continue;
             }
-            entries.extend([a, b].into_iter().flatten().map(|row| Triplet::new(row, row, weight)));
+            entries.extend([a, b].into_iter().flatten().map(|row| (row, row, weight)));
             if let (Some(a), Some(b)) = (a, b) {
-                entries.push(Triplet::new(a.max(b), a.min(b), -weight));
+                entries.push((a.max(b), a.min(b), -weight));
             }
         }
         let _steps = stage("factorizing the Laplacian", 0);
@@ -270,11 +269,11 @@ impl Laplacian {
     }
 
     /// The function on all vertices.
-    fn solve(&self, mut right: Vec<f64>) -> Result<Vec<f64>, Error> {
+    fn solve(&self, mut right: Vec<f64>) -> Vec<f64> {
         if self.count > 0 {
-            self.factor.solve(&mut right)?;
+            self.factor.solve(&mut right);
         }
-        Ok(self.equations.iter().map(|equation| equation.map_or(0.0, |row| right[row as usize])).collect())
+        self.equations.iter().map(|equation| equation.map_or(0.0, |row| right[row as usize])).collect()
     }
 }
 

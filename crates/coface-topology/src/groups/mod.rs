@@ -4,7 +4,7 @@ mod fundamental;
 mod surface_group;
 
 pub use fundamental::{
-    CosetTable, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
-    Simplification, SubgroupClass, TietzeMove,
+    CosetTable, EdgePathGroups, Effort, HomomorphismCount, PermutationGroup, Presentation, Simplification,
+    SubgroupClass, TietzeMove,
 };
 pub use surface_group::{Ball, CanonicalSystem, ConjugacyForm, NormalForm, SurfaceGroup};

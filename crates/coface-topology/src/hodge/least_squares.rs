@@ -1,10 +1,9 @@
 //! The exact part of a cochain, by least squares.
 
 use super::MetricComplex;
-use super::cholesky::{CholeskyFactor, MOST_FILL};
+use super::cholesky::{CholeskyFactor, Entry, MOST_FILL};
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind};
-use faer::sparse::Triplet;
 
 /// The orthogonal projection of cochains of one degree to the coboundaries among them.
 ///
@@ -32,7 +31,7 @@ impl ExactProjection {
         for (i, &cell) in basis.iter().enumerate() {
             number[cell as usize] = Some(i);
         }
-        let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();
+        let mut triplets: Vec<Entry> = Vec::new();
         for (cell, (column, &weight)) in matrix.columns().zip(metric.weights(degree)).enumerate() {
             let faces: Vec<(usize, f64)> =
                 column.iter().filter_map(|(row, x)| Some((number[row]?, f64::from(x)))).collect();
@@ -49,7 +48,7 @@ impl ExactProjection {
             }
             for (at, &(j, y)) in faces.iter().enumerate() {
                 // The lower half, which is all that is looked at; basis numbers rise with rows.
-                triplets.extend(faces[at..].iter().map(|&(i, x)| Triplet::new(i, j, weight * x * y)));
+                triplets.extend(faces[at..].iter().map(|&(i, x)| (i, j, weight * x * y)));
             }
         }
         let factor = CholeskyFactor::new(basis.len(), triplets, MOST_FILL)?;
@@ -85,7 +84,7 @@ impl ExactProjection {
                 return Ok((exact, potential));
             }
             last = size;
-            factor.solve(&mut step)?;
+            factor.solve(&mut step);
             for (&cell, step) in self.basis.iter().zip(step) {
                 potential[cell as usize] += step;
             }

@@ -1,5 +1,6 @@
 //! Complexes with weights: inner products, codifferentials and Laplacians of real cochains.
 
+use super::eigenvalues::symmetric_eigenvalues;
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, Cochain};
 use coface_algebra::{CellId, Error, ErrorKind};
@@ -175,23 +176,22 @@ impl<'a> MetricComplex<'a> {
         if count == 0 {
             return Ok(Vec::new());
         }
-        let matrix = self.symmetric_laplacian(degree);
-        matrix.self_adjoint_eigenvalues(faer::Side::Lower).map_err(|error| {
-            Error::invalid(format!("the eigenvalues do not converge: {error:?}"))
+        symmetric_eigenvalues(self.symmetric_laplacian(degree)).ok_or_else(|| {
+            Error::invalid("the eigenvalues do not converge")
                 .with_cure("take weights that are nearer to each other")
         })
     }
 
-    /// The Laplacian in the orthonormal basis of cells divided by the roots of their weights: dense and symmetric.
-    pub(super) fn symmetric_laplacian(&self, degree: usize) -> faer::Mat<f64> {
+    /// The Laplacian in the orthonormal basis of cells divided by the roots of their weights: rows, dense and symmetric.
+    pub(super) fn symmetric_laplacian(&self, degree: usize) -> Vec<Vec<f64>> {
         let count = self.complex.cell_count(degree);
         let roots: Vec<f64> = self.weights(degree).iter().map(|weight| weight.sqrt()).collect();
-        let mut sum = faer::Mat::<f64>::zeros(count, count);
+        let mut sum = vec![vec![0.0; count]; count];
         // Each cell above adds the square of its boundary, each cell below that of its coboundary.
         let mut add = |column: &[(usize, f64)], weight: f64| {
             for &(i, x) in column {
                 for &(j, y) in column {
-                    sum[(i, j)] += weight * x * y;
+                    sum[i][j] += weight * x * y;
                 }
             }
         };

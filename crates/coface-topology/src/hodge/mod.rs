@@ -13,9 +13,11 @@
 
 mod cholesky;
 mod decomposition;
+mod eigenvalues;
 mod image;
 mod least_squares;
 mod metric;
+mod ordering;
 
 #[cfg(test)]
 mod tests;

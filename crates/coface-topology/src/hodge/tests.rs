@@ -33,6 +33,57 @@ fn distance(metric: &MetricComplex<'_>, a: &Cochain<f64>, b: &Cochain<f64>) -> f
     metric.norm(&a.minus(b).unwrap()).unwrap()
 }
 
+/// Eigenvalues with orthonormal eigenvectors, by plane rotations (Jacobi): a second method beside the tridiagonal one.
+fn eigenvectors(mut matrix: Vec<Vec<f64>>) -> Vec<(f64, Vec<f64>)> {
+    let count = matrix.len();
+    // Row i of `vectors` is rotated as row i of the matrix is.
+    let mut vectors: Vec<Vec<f64>> =
+        (0..count).map(|i| (0..count).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+    for _ in 0..50 {
+        for p in 0..count {
+            for q in p + 1..count {
+                if matrix[p][q] == 0.0 {
+                    continue;
+                }
+                let (sine, cosine) =
+                    (0.5 * (2.0 * matrix[p][q]).atan2(matrix[q][q] - matrix[p][p])).sin_cos();
+                for row in &mut matrix {
+                    (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);
+                }
+                for list in [&mut matrix, &mut vectors] {
+                    for j in 0..count {
+                        let (x, y) = (list[p][j], list[q][j]);
+                        (list[p][j], list[q][j]) = (cosine * x - sine * y, sine * x + cosine * y);
+                    }
+                }
+            }
+        }
+        let off = |i: usize| matrix[i].iter().enumerate().filter(move |&(j, _)| j != i).map(|(_, x)| x * x);
+        if (0..count).flat_map(off).sum::<f64>() < 1e-26 {
+            break;
+        }
+    }
+    vectors.into_iter().enumerate().map(|(i, vector)| (matrix[i][i], vector)).collect()
+}
+
+#[test]
+fn spectra_are_those_of_rotations() {
+    for (name, space) in known() {
+        let complex = space.chain_complex().unwrap();
+        let metric = MetricComplex::new(&complex);
+        for degree in (0..complex.degree_count()).filter(|&degree| complex.cell_count(degree) < 60) {
+            let spectrum = metric.laplacian_spectrum(degree).unwrap();
+            let mut expected: Vec<f64> =
+                eigenvectors(metric.symmetric_laplacian(degree)).into_iter().map(|(x, _)| x).collect();
+            expected.sort_by(f64::total_cmp);
+            let largest = expected.last().copied().unwrap_or(0.0);
+            for (x, y) in spectrum.iter().zip(&expected) {
+                assert!((x - y).abs() <= 1e-12 * (1.0 + largest), "{name}: {spectrum:?} {expected:?}");
+            }
+        }
+    }
+}
+
 /// The harmonic part by the second method: the eigenvectors of the dense Laplacian whose eigenvalue is zero.
 fn harmonic_part_by_eigenvectors(metric: &MetricComplex<'_>, cochain: &Cochain<f64>) -> Cochain<f64> {
     let degree = cochain.degree();
@@ -42,11 +93,10 @@ fn harmonic_part_by_eigenvectors(metric: &MetricComplex<'_>, cochain: &Cochain<f
     if values.is_empty() {
         return Cochain::zero(degree);
     }
-    let eigen = metric.symmetric_laplacian(degree).self_adjoint_eigen(faer::Side::Lower).unwrap();
     let mut sum = vec![0.0; values.len()];
-    for j in (0..values.len()).filter(|&j| eigen.S().column_vector()[j] < 1e-8) {
-        let factor: f64 = (0..values.len()).map(|i| eigen.U()[(i, j)] * values[i]).sum();
-        sum.iter_mut().enumerate().for_each(|(i, x)| *x += factor * eigen.U()[(i, j)]);
+    for (_, vector) in eigenvectors(metric.symmetric_laplacian(degree)).iter().filter(|(x, _)| *x < 1e-8) {
+        let factor: f64 = vector.iter().zip(&values).map(|(u, x)| u * x).sum();
+        sum.iter_mut().zip(vector).for_each(|(x, u)| *x += factor * u);
     }
     sum.iter_mut().zip(&roots).for_each(|(x, root)| *x /= root);
     metric.cochain(degree, &sum).unwrap()

@@ -5,7 +5,6 @@ use crate::homology::adapted_basis::{AdaptedBasis, adapted_bases};
 use crate::homology::class::{Bounding, Generator, HomologyClass};
 use crate::homology::coefficients::Coefficients;
 use crate::homology::computation::Homology;
-use crate::homology::shortening;
 use coface_algebra::chains::{Chain, ChainComplex, Reduction};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, ErrorKind};
@@ -55,19 +54,6 @@ pub struct HomologyBasis<'a> {
 }
 
 impl<'a> HomologyBasis<'a> {
-    /// Finds the basis.
-    ///
-    /// Generators are made short: loops are exchanged against shorter ones of breadth-first trees while they stay a
-    /// basis, cycles of any degree lose cells by adding boundaries and each other. The search is bounded by steps, and
-    /// the result need not be shortest.
-    pub fn new(complex: &'a ChainComplex) -> Self {
-        let mut basis = Self::unshortened(complex);
-        for degree in 0..complex.degree_count() {
-            shortening::shorten(&mut basis, degree);
-        }
-        basis
-    }
-
     /// The basis as the reduction finds it: quicker, with generators that may be long.
     pub fn unshortened(complex: &'a ChainComplex) -> Self {
         let reduction = Reduction::new(complex);
@@ -310,6 +296,11 @@ fn class(basis: &AdaptedBasis, coordinates: &[Integer]) -> HomologyClass {
         order.as_ref().map_or_else(|| x.clone(), |order| x.div_rem_floor(order).1)
     });
     HomologyClass { coefficients: reduced.collect(), orders }
+}
+
+/// The sum of the absolute values; `None` beyond 64 bits.
+pub(super) fn length(chain: &[(u32, Integer)]) -> Option<u64> {
+    chain.iter().try_fold(0u64, |sum, (_, x)| sum.checked_add(x.to_i64()?.unsigned_abs()))
 }
 
 pub(super) fn to_vector(chain: &Chain<Integer>) -> SparseVector {

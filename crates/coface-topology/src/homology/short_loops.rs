@@ -1,8 +1,6 @@
 //! Short loops from breadth-first trees in the place of the generators of degree 1.
 
-use crate::homology::basis::HomologyBasis;
-use crate::homology::basis::to_vector;
-use crate::homology::shortening::length;
+use crate::homology::basis::{HomologyBasis, length, to_vector};
 use coface_algebra::progress::stage;
 use coface_algebra::{Integer, SparseMatrix, SparseVector, WideMatrix};
 

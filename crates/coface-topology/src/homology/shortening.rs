@@ -1,16 +1,31 @@
 //! Shorter cycles in the place of the generators of homology.
 
-use crate::homology::basis::HomologyBasis;
-use crate::homology::basis::to_vector;
+use crate::homology::basis::{HomologyBasis, length, to_vector};
 use crate::homology::short_loops::exchange_loops;
+use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::{stage, stage_of_many};
 use coface_algebra::{Integer, SparseMatrix, SparseVector, combination, linear_combination};
+
+impl<'a> HomologyBasis<'a> {
+    /// Finds the basis.
+    ///
+    /// Generators are made short: loops are exchanged against shorter ones of breadth-first trees while they stay a
+    /// basis, cycles of any degree lose cells by adding boundaries and each other. The search is bounded by steps, and
+    /// the result need not be shortest.
+    pub fn new(complex: &'a ChainComplex) -> Self {
+        let mut basis = Self::unshortened(complex);
+        for degree in 0..complex.degree_count() {
+            shorten(&mut basis, degree);
+        }
+        basis
+    }
+}
 
 /// Makes the generators of one degree shorter, in the number of cells with multiplicity, and keeps them a basis.
 ///
 /// Four means: cycles with large coefficients are brought near zero by a rounded least squares solution; loops of breadth-first trees take the place of longer ones (degree 1); the boundary of a cell is added
 /// where that makes a cycle shorter; a generator is added to or subtracted from another one.
-pub(super) fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
+fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
     if degree == 0 || basis.generators(degree).is_empty() {
         return;
     }
@@ -24,11 +39,6 @@ pub(super) fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
     descend(basis, degree);
     steps.advance(1);
     combine(basis, degree);
-}
-
-/// The sum of the absolute values; `None` beyond 64 bits.
-pub(super) fn length(chain: &[(u32, Integer)]) -> Option<u64> {
-    chain.iter().try_fold(0u64, |sum, (_, x)| sum.checked_add(x.to_i64()?.unsigned_abs()))
 }
 
 /// Makes cycles with large coefficients small: subtracts the boundary that is nearest among real chains, rounded.

@@ -5,27 +5,21 @@
 //! * [`EdgePathGroups`] presents the fundamental group of each component of a [`coface_algebra::chains::TwoSkeleton`]; every edge
 //!   has a word, every generator a loop at the base vertex.
 //! * A [`Simplification`] is a list of [`TietzeMove`]s with the isomorphism that they are, both ways.
-//! * [`Presentation::recognized`] gives a [`GroupName`] if it can be proved, by a [`CosetTable`], by rewriting, or because
-//!   the presentation is literally that of the group. [`Presentation::subgroups_up_to`] and
-//!   [`Presentation::homomorphisms_to`] count what tells groups apart.
+//! * [`Presentation::subgroups_up_to`] and [`Presentation::homomorphisms_to`] count what distinguishes groups. The section
+//!   [`crate::recognition`] names groups.
 //! * What may take forever has an [`Effort`]; its steps are the same on every machine.
 
 mod coset_enumeration;
 mod edge_path;
-mod finite_group;
-mod group_name;
 mod homomorphisms;
 mod low_index;
 mod moves;
 mod presentation;
-mod recognition;
-mod rewriting;
 mod tietze;
 mod word_table;
 
 pub use coset_enumeration::CosetTable;
 pub use edge_path::EdgePathGroups;
-pub use group_name::GroupName;
 pub use homomorphisms::{HomomorphismCount, PermutationGroup};
 pub use low_index::SubgroupClass;
 pub use moves::TietzeMove;

@@ -1,7 +1,5 @@
 //! Canonical systems of loops.
 
-use super::SurfaceGroup;
-use super::group::Kind;
 use super::polygon_scheme::PolygonScheme;
 use coface_algebra::Word;
 
@@ -26,30 +24,6 @@ pub struct CanonicalSystem {
     is_orientable: bool,
     generators: Vec<Word>,
     images: Vec<Word>,
-}
-
-impl SurfaceGroup {
-    /// A canonical system of loops at the level of words; `None` for a free group, which has no relator.
-    ///
-    /// # Complexity
-    /// $O(n^2)$ time and space for n generators if the surface is orientable. Otherwise handles beside crosscaps may make
-    /// words of $O(n^2)$ letters.
-    ///
-    /// # References
-    /// H. Seifert, W. Threlfall, *Lehrbuch der Topologie* (1934), section 38; G. Vegter, C. K. Yap, *Computational
-    /// complexity of combinatorial surfaces* (1990); F. Lazarus, M. Pocchiola, G. Vegter, A. Verroust, *Computing a
-    /// canonical polygonal schema of an orientable triangulated surface* (2001). Here each cut is made such that the
-    /// relator remains the same word of the free group, and images come from the corners of the polygon.
-    pub fn canonical_system(&self) -> Option<CanonicalSystem> {
-        match (&self.kind, self.relator()) {
-            (Kind::Hyperbolic(scheme, _), _) => Some(CanonicalSystem::of_scheme(scheme)),
-            (_, Some(relator)) => {
-                let scheme = PolygonScheme::new(self.generator_count(), relator);
-                Some(CanonicalSystem::of_scheme(&scheme.expect("the group was made from this scheme")))
-            }
-            (_, None) => None,
-        }
-    }
 }
 
 impl CanonicalSystem {

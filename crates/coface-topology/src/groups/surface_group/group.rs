@@ -1,10 +1,10 @@
 //! The fundamental group of a surface.
 
+use super::canonical_system::CanonicalSystem;
 use super::klein_bottle::KleinBottle;
 use super::polygon_scheme::PolygonScheme;
 use super::quad_system::QuadSystem;
-use crate::groups::fundamental::{GroupName, Presentation};
-use crate::homology::AbelianGroup;
+use crate::groups::fundamental::Presentation;
 use coface_algebra::{Error, ErrorKind};
 use coface_algebra::{Sign, Word};
 
@@ -171,6 +171,28 @@ impl SurfaceGroup {
         !self.one_sided.contains(&true)
     }
 
+    /// A canonical system of loops at the level of words; `None` for a free group, which has no relator.
+    ///
+    /// # Complexity
+    /// $O(n^2)$ time and space for n generators if the surface is orientable. Otherwise handles beside crosscaps may make
+    /// words of $O(n^2)$ letters.
+    ///
+    /// # References
+    /// H. Seifert, W. Threlfall, *Lehrbuch der Topologie* (1934), section 38; G. Vegter, C. K. Yap, *Computational
+    /// complexity of combinatorial surfaces* (1990); F. Lazarus, M. Pocchiola, G. Vegter, A. Verroust, *Computing a
+    /// canonical polygonal schema of an orientable triangulated surface* (2001). Here each cut is made such that the
+    /// relator remains the same word of the free group, and images come from the corners of the polygon.
+    pub fn canonical_system(&self) -> Option<CanonicalSystem> {
+        match (&self.kind, self.relator()) {
+            (Kind::Hyperbolic(scheme, _), _) => Some(CanonicalSystem::of_scheme(scheme)),
+            (_, Some(relator)) => {
+                let scheme = PolygonScheme::new(self.generator_count(), relator);
+                Some(CanonicalSystem::of_scheme(&scheme.expect("the group was made from this scheme")))
+            }
+            (_, None) => None,
+        }
+    }
+
     /// The Euler characteristic of the presentation complex: a vertex, an edge for each generator, a face for the relator.
     /// It is that of the surface, except for the sphere.
     pub fn euler_characteristic(&self) -> i64 {
@@ -183,20 +205,6 @@ impl SurfaceGroup {
             Kind::Free if self.generator_count == 0 => Some(1),
             Kind::ProjectivePlane => Some(2),
             _ => None,
-        }
-    }
-
-    /// The name of the group.
-    pub fn name(&self) -> GroupName {
-        match (&self.kind, self.generator_count) {
-            (Kind::Free, rank @ (0 | 1)) => GroupName::Abelian(AbelianGroup::new(rank, Vec::new())),
-            (Kind::Free, rank) => GroupName::Free(rank),
-            (Kind::ProjectivePlane, _) => GroupName::Abelian(AbelianGroup::new(0, vec![2.into()])),
-            (Kind::Torus, _) => GroupName::Abelian(AbelianGroup::new(2, Vec::new())),
-            (_, count) => {
-                let is_orientable = self.is_orientable();
-                GroupName::Surface { is_orientable, genus: if is_orientable { count / 2 } else { count } }
-            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! The group of the Klein bottle: $a^i t^j$ with $t a = a^{-1} t$.
 
-use super::CanonicalSystem;
+use super::canonical_system::CanonicalSystem;
 use super::polygon_scheme::PolygonScheme;
 use coface_algebra::Word;
 

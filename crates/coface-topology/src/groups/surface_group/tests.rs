@@ -2,7 +2,8 @@
 
 use super::polygon_scheme::PolygonScheme;
 use super::{Ball, SurfaceGroup};
-use crate::groups::fundamental::{Effort, GroupName};
+use crate::groups::fundamental::Effort;
+use crate::recognition::GroupName;
 use coface_algebra::{Integer, Sign, UnionFind, Word};
 use proptest::prelude::*;
 use std::collections::HashSet;

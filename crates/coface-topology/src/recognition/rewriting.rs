@@ -1,6 +1,6 @@
 //! Rewriting of words: proofs that two words are equal in a group.
 
-use super::Presentation;
+use crate::groups::Presentation;
 use coface_algebra::Word;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, VecDeque};

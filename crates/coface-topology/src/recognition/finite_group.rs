@@ -1,6 +1,6 @@
 //! Finite groups by their multiplication tables, and which of the well-known ones they are.
 
-use super::CosetTable;
+use crate::groups::CosetTable;
 use std::collections::BTreeMap;
 
 /// Groups with more elements are not compared with known ones.

@@ -1,8 +1,9 @@
 //! Recognition of groups from their presentations: by proof, or not at all.
 
-use super::finite_group::FiniteGroup;
-use super::rewriting::Rewriting;
-use super::{CosetTable, Effort, GroupName, Presentation, Simplification};
+use crate::groups::{CosetTable, Effort, Presentation, Simplification};
+use crate::recognition::finite_group::FiniteGroup;
+use crate::recognition::group_name::GroupName;
+use crate::recognition::rewriting::Rewriting;
 use coface_algebra::{UnionFind, Word};
 
 impl Presentation {
