@@ -1,6 +1,7 @@
 //! Developer tasks: `cargo xtask test` checks everything, `cargo xtask bench` measures.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a developer tool talks to a terminal")]
 
+mod answers;
 mod python;
 mod tally;
 mod test;
@@ -13,6 +14,8 @@ const USAGE: &str = "usage:
   cargo xtask test            format, lints, docs, all tests, the viewer, the commands of the README
   cargo xtask viewer          the viewer alone: types, tests, the page in the repository, the page in a browser
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
+  cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
+                              runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
 
 fn main() -> ExitCode {
@@ -21,6 +24,7 @@ fn main() -> ExitCode {
         Some("test") if words.len() == 1 => test::run(),
         Some("viewer") if words.len() == 1 => viewer::run(),
         Some("python") if words.len() == 1 => python::run(),
+        Some("answers") => answers::answers(&words[1..]),
         Some("bench") => bench(&words[1..]),
         Some("help" | "-h" | "--help") => {
             println!("{USAGE}");
