@@ -102,8 +102,8 @@ pub(crate) fn run_counted(tally: &mut Tally, name: &str, mut command: Command) {
     tally.skipped += counts.skipped;
 }
 
-/// The features that need the C library GraphBLAS.
-const GRAPHBLAS: [&str; 2] = ["--features", "coface/graphblas,coface-graphblas/installed"];
+/// The tests that need the C library GraphBLAS.
+const GRAPHBLAS: [&str; 2] = ["--features", "coface-arrange/graphblas-tests,coface-graphblas/installed"];
 
 /// Sees to it that the C library GraphBLAS is there, where that is possible.
 fn graphblas(tally: &mut Tally) {

@@ -1,8 +1,7 @@
 //! Congruence of cells of one degree.
 
 use super::classes::NONE;
-use super::mapped::Mapped;
-use super::rewrap::Piece;
+use super::mapped::{Mapped, Piece};
 use super::{CellClasses, CongruenceMethod};
 use coface_algebra::{Error, ErrorKind};
 use coface_algebra::{Sign, SparseMatrix};
@@ -94,8 +93,6 @@ pub(super) fn quotient(
     let mut mapped = match method {
         CongruenceMethod::Lists => Mapped::by_lists(boundary, lower)?,
         CongruenceMethod::Matrices => Mapped::by_matrices(boundary, lower)?,
-        #[cfg(feature = "graphblas")]
-        CongruenceMethod::GraphBlas => Mapped::by_graphblas(boundary, lower)?,
     };
     let split = pieces(&mapped);
     let changed = changed_cells(boundary, lower, &mapped, &split);
@@ -103,8 +100,6 @@ pub(super) fn quotient(
     let lowest = match method {
         CongruenceMethod::Lists => mapped.lowest_by_lists(lower.class_count()),
         CongruenceMethod::Matrices => mapped.lowest_by_map(),
-        #[cfg(feature = "graphblas")]
-        CongruenceMethod::GraphBlas => mapped.lowest_by_map(),
     };
     let is_open = |cell: usize| boundary.column(cell).rows().is_empty();
     let mut class_of = vec![NONE; lowest.len()];
@@ -128,13 +123,7 @@ pub(super) fn quotient(
         [] => CellClasses::single(firsts.len(), class_of, signs),
         owners => CellClasses::of_columns(firsts.len(), boundary.column_count(), owners, &class_of, &signs),
     };
-    let boundary = match method {
-        #[cfg(feature = "graphblas")]
-        CongruenceMethod::GraphBlas => {
-            super::graphblas::selected(&mapped.to_matrix(lower.class_count())?, &firsts)?
-        }
-        _ => mapped.selected(lower.class_count(), &firsts)?,
-    };
+    let boundary = mapped.selected(lower.class_count(), &firsts)?;
     Ok(CellCongruence { boundary, classes, changed })
 }
 

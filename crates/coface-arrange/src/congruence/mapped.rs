@@ -2,7 +2,6 @@
 
 use super::CellClasses;
 use super::classes::NONE;
-use super::rewrap::Piece;
 use coface_algebra::progress::stage;
 use coface_algebra::{ColumnBlock, RaggedArray, Sign, SparseMatrix, joined_columns};
 use coface_algebra::{Error, ErrorKind};
@@ -11,6 +10,9 @@ use std::collections::BTreeMap;
 
 /// Columns that one task writes.
 const BLOCK: usize = 1 << 13;
+
+/// The boundary of a piece: facets with coefficients, rising.
+pub(super) type Piece = Vec<(u32, i32)>;
 
 /// Boundaries written in classes: a column for each cell, or one for each piece of a cell. Rows of a column rise, no entry
 /// is zero.
@@ -93,18 +95,6 @@ impl Mapped {
     /// The product of the matrix of the classes below and the boundary matrix.
     pub(super) fn by_matrices(boundary: &SparseMatrix, lower: &CellClasses) -> Result<Self, Error> {
         Ok(Self::of_matrix(&lower.matrix()?.checked_product(boundary)?))
-    }
-
-    /// The same product by GraphBLAS.
-    #[cfg(feature = "graphblas")]
-    pub(super) fn by_graphblas(boundary: &SparseMatrix, lower: &CellClasses) -> Result<Self, Error> {
-        Ok(Self::of_matrix(&super::graphblas::product(&lower.matrix()?, boundary)?))
-    }
-
-    /// As a matrix with `row_count` rows.
-    #[cfg(feature = "graphblas")]
-    pub(super) fn to_matrix(&self, row_count: usize) -> Result<SparseMatrix, Error> {
-        SparseMatrix::from_parts(row_count, self.starts.clone(), self.rows.clone(), self.entries.clone())
     }
 
     fn of_matrix(matrix: &SparseMatrix) -> Self {

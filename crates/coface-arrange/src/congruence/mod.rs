@@ -5,8 +5,6 @@ mod cells;
 mod chains;
 mod classes;
 mod discards;
-#[cfg(feature = "graphblas")]
-mod graphblas;
 mod mapped;
 mod near_points;
 mod options;

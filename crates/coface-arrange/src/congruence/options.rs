@@ -9,9 +9,6 @@ pub enum CongruenceMethod {
     Lists,
     /// Products of sparse matrices, and a map of their columns.
     Matrices,
-    /// The same products by the C library SuiteSparse:GraphBLAS. With the feature `graphblas` only.
-    #[cfg(feature = "graphblas")]
-    GraphBlas,
 }
 
 /// What becomes of cells that lose their shape: those that collapse, and those whose boundary loses terms.

@@ -4,6 +4,8 @@ mod boolean_properties;
 mod booleans;
 mod congruence;
 mod congruence_rewrap;
+#[cfg(feature = "graphblas-tests")]
+mod graphblas;
 mod planar_arrangements;
 mod planar_booleans;
 mod planar_overlays;

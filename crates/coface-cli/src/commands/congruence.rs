@@ -75,9 +75,6 @@ enum Method {
     Lists,
     /// Products of sparse matrices
     Matrices,
-    /// The same products by SuiteSparse:GraphBLAS
-    #[cfg(feature = "graphblas")]
-    Graphblas,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -170,8 +167,6 @@ impl Congruence {
         request.options.method = match self.method {
             Method::Lists => CongruenceMethod::Lists,
             Method::Matrices => CongruenceMethod::Matrices,
-            #[cfg(feature = "graphblas")]
-            Method::Graphblas => CongruenceMethod::GraphBlas,
         };
         request.options.collisions = match self.collisions {
             Lost::Keep => Collisions::Keep,

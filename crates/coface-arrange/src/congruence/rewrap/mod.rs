@@ -14,15 +14,12 @@ mod space;
 mod walks;
 
 use super::CellClasses;
-use super::mapped::Mapped;
+use super::mapped::{Mapped, Piece};
 use coface_algebra::{Sign, SparseMatrix, UnionFind};
 use coface_geometry::Positions;
 use plane::Plane;
 use rayon::prelude::*;
 use space::Space;
-
-/// The boundary of a piece: facets with coefficients, rising.
-pub(super) type Piece = Vec<(u32, i32)>;
 
 /// Coefficients beyond this are of no cell that could be drawn.
 const MOST: u32 = 64;
