@@ -13,25 +13,19 @@ pub(crate) const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Orbits {
     /// The halfedges that leave each vertex, counterclockwise from straight down (exclusive).
-    #[doc(hidden)]
-    pub rotation: RaggedArray,
+    pub(crate) rotation: RaggedArray,
     /// The halfedge after each around the face on its left.
-    #[doc(hidden)]
-    pub next: Vec<u32>,
+    pub(crate) next: Vec<u32>,
     /// The halfedges around each face side, each list from its lowest; by rising first halfedges.
-    #[doc(hidden)]
-    pub orbits: RaggedArray,
-    #[doc(hidden)]
-    pub orbit_of: Vec<u32>,
+    pub(crate) orbits: RaggedArray,
+    /// The face side that each halfedge is on.
+    pub(crate) orbit_of: Vec<u32>,
     /// The connected component of each vertex, by rising lowest vertices.
-    #[doc(hidden)]
-    pub component_of: Vec<u32>,
+    pub(crate) component_of: Vec<u32>,
     /// The lowest vertex of each component.
-    #[doc(hidden)]
-    pub lowest_vertices: Vec<u32>,
+    pub(crate) lowest_vertices: Vec<u32>,
     /// The orbit of each component that sees the outside; none for a vertex on its own.
-    #[doc(hidden)]
-    pub outer_orbits: Vec<u32>,
+    pub(crate) outer_orbits: Vec<u32>,
 }
 
 impl Orbits {
@@ -107,6 +101,50 @@ impl Orbits {
         found
     }
 
+    /// The same orbits with others on the outside, one for each component.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn with_outer_orbits(mut self, outer_orbits: Vec<u32>) -> Self {
+        self.outer_orbits = outer_orbits;
+        self
+    }
+
+    /// The halfedges that leave each vertex, counterclockwise from straight down (exclusive).
+    #[doc(hidden)]
+    pub fn rotation(&self) -> &RaggedArray {
+        &self.rotation
+    }
+
+    /// The halfedges around each face side, each list from its lowest; by rising first halfedges.
+    #[doc(hidden)]
+    pub fn lists(&self) -> &RaggedArray {
+        &self.orbits
+    }
+
+    /// The number of halfedges.
+    #[doc(hidden)]
+    pub fn halfedge_count(&self) -> usize {
+        self.next.len()
+    }
+
+    /// The face side that each halfedge is on.
+    #[doc(hidden)]
+    pub fn orbit_of(&self) -> &[u32] {
+        &self.orbit_of
+    }
+
+    /// The connected component of each vertex, by rising lowest vertices.
+    #[doc(hidden)]
+    pub fn component_of(&self) -> &[u32] {
+        &self.component_of
+    }
+
+    /// The lowest vertex of each component.
+    #[doc(hidden)]
+    pub fn lowest_vertices(&self) -> &[u32] {
+        &self.lowest_vertices
+    }
+
     /// The orbit outside of a component whose lowest vertex this is; none for a vertex on its own.
     pub(crate) fn orbit_outside(&self, vertex: u32) -> u32 {
         // All edges of the lowest vertex go right or straight up: left of the last one is the outside.
@@ -149,8 +187,7 @@ pub struct Faces {
     /// The face on the side of each orbit; none for the unbounded one.
     pub(crate) of_orbit: Vec<u32>,
     /// The orbits around each face: the outer one first, then those around its holes.
-    #[doc(hidden)]
-    pub orbits: RaggedArray,
+    pub(crate) orbits: RaggedArray,
     /// The orbits that bound the unbounded face.
     pub(crate) unbounded_orbits: Vec<u32>,
     /// The face around each component; none for the unbounded one.

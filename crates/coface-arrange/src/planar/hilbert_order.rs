@@ -4,10 +4,12 @@
 //! goes around what many others go around, as a square in a square does, has a box in which all of them are. So where many runs are near
 //! each other, compared with how far each of them is from a segment, their segments come one by one.
 
-use super::segment_tree::LEAF;
 use coface_geometry::predicates::PlanarLine;
 use rayon::prelude::*;
 use std::ops::Range;
+
+/// Segments in a leaf of the tree that stands on this order.
+pub(super) const LEAF: usize = 8;
 
 /// A run is broken up where it has at least so many others near it.
 const CROWD: usize = 32;

@@ -14,7 +14,7 @@ mod crossings;
 mod edges;
 mod face_polygons;
 mod faces;
-mod gift_wrapping;
+mod gift_wrapped_faces;
 mod hilbert_order;
 mod nesting;
 mod options;
@@ -35,7 +35,7 @@ pub use arrangement::{PlanarArrangement, VertexSource};
 pub use faces::Faces;
 #[doc(hidden)]
 pub use faces::Orbits;
-pub use gift_wrapping::gift_wrap;
+pub use gift_wrapped_faces::gift_wrapped_faces;
 pub use options::PlanarOptions;
 #[doc(hidden)]
 pub use overlay::RingCells;

@@ -7,13 +7,11 @@
 //! A run on which one coordinate rises or falls strictly meets itself in its corners only, so its segments are not compared with each other,
 //! nor with those of the run that goes on from it the same way.
 
-use super::hilbert_order::HilbertOrder;
+use super::hilbert_order::{HilbertOrder, LEAF};
 use super::oriented_box::{OrientedBox, dot};
 use coface_geometry::predicates::PlanarLine;
 use rayon::prelude::*;
 
-/// Segments in a leaf.
-pub(super) const LEAF: usize = 8;
 /// Into how many parts a search for pairs is cut, at least, when there is that much to do.
 const PARTS: usize = 1024;
 

@@ -33,3 +33,29 @@ impl AxisView {
         Self { axis: self.axis, from: self.from.opposite() }
     }
 }
+
+/// How the plane of a sheet is seen: along an axis that is not in it.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct PlaneView {
+    pub(in crate::spatial) axis: u8,
+    /// The sign of the normal along the axis.
+    pub(in crate::spatial) front: Ordering,
+}
+
+impl PlaneView {
+    /// Two coordinates of a point as it is seen from the far end of the axis.
+    pub(in crate::spatial) fn seen(self, point: [f64; 3]) -> [f64; 2] {
+        self.other_axes().map(|axis| point[axis])
+    }
+
+    /// The axes to the right and up.
+    pub(in crate::spatial) fn other_axes(self) -> [usize; 2] {
+        let axis = usize::from(self.axis);
+        [(axis + 1) % 3, (axis + 2) % 3]
+    }
+
+    /// A turn as it is seen from the front of the sheet, given that seen from the far end of the axis, or back.
+    pub(in crate::spatial) fn seen_from_front(self, turn: Ordering) -> Ordering {
+        if self.front.is_gt() { turn } else { turn.reverse() }
+    }
+}

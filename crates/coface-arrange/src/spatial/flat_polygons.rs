@@ -52,6 +52,29 @@ enum Outcome {
     Split(Vec<[u32; 3]>, f64, AxisView),
 }
 
+impl SpatialPolygons {
+    /// Verifies that each polygon is one, as an arrangement of them would.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming the first polygon whose sides cross or touch elsewhere than in vertices, or which is not planar
+    /// when that is refused.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let bent = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 1., 0., 1., 0.])?;
+    /// let polygons = SpatialPolygons::from_polygons(bent, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
+    /// assert!(polygons.check(NonPlanar::Refuse).is_err() && polygons.check(NonPlanar::Split).is_ok());
+    /// # Ok(()) }
+    /// ```
+    pub fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
+        PolygonTriangles::new(self, non_planar).map(drop)
+    }
+}
+
 impl PolygonTriangles {
     /// Cuts all polygons into triangles on their own points.
     ///

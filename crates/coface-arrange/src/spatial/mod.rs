@@ -7,7 +7,7 @@
 //! * The sides of faces close up to **shells**; [`SpatialCells`] are the bounded cells, each with one outer shell and shells of
 //!   voids, and the exterior.
 //! * Sides of faces are **packed** as twice the face, plus one for a side that runs against its edge.
-//! * [`gift_wrap`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second method.
+//! * [`gift_wrapped_shells`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second method.
 //! * [`CutTriangles`] makes a conforming complex of any triangles, by cutting them against each other.
 //! * A [`SpatialArrangement`] is all of it for [`SpatialPolygons`]: they are triangulated, cut and their pieces **merged** again, so that
 //!   faces and edges are those of the polygons; the cells before that are **fine**.
@@ -23,7 +23,7 @@ mod drawing;
 mod face_planes;
 mod face_walks;
 mod flat_polygons;
-mod gift_wrapping;
+mod gift_wrapped_shells;
 mod inputs;
 mod merging;
 mod nesting;
@@ -41,7 +41,7 @@ pub use cells::SpatialCells;
 pub use cutting::{CutOptions, CutTriangles, SpatialVertexSource};
 pub use drawing::DrawnTriangles;
 pub use flat_polygons::{NonPlanar, SplitPolygon};
-pub use gift_wrapping::gift_wrap;
+pub use gift_wrapped_shells::gift_wrapped_shells;
 pub use polygonal_complex::PolygonalComplex;
 pub use polygons::SpatialPolygons;
 pub use predicates::{GivenPoints, SpatialPredicates};

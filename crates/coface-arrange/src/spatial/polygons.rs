@@ -1,6 +1,5 @@
 //! Polygons in space to make an arrangement of.
 
-use super::flat_polygons::{NonPlanar, PolygonTriangles};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
@@ -104,27 +103,6 @@ impl SpatialPolygons {
         self.input_count = input_of_polygon.iter().max().map_or(0, |&last| last as usize + 1);
         self.input_of_polygon = input_of_polygon;
         Ok(self)
-    }
-
-    /// Verifies that each polygon is one, as an arrangement of them would.
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`] naming the first polygon whose sides cross or touch elsewhere than in vertices, or which is not planar
-    /// when that is refused.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
-    /// use coface_geometry::Positions;
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let bent = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 1., 0., 1., 0.])?;
-    /// let polygons = SpatialPolygons::from_polygons(bent, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
-    /// assert!(polygons.check(NonPlanar::Refuse).is_err() && polygons.check(NonPlanar::Split).is_ok());
-    /// # Ok(()) }
-    /// ```
-    pub fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
-        PolygonTriangles::new(self, non_planar).map(drop)
     }
 
     /// All polygons of several lots, each with its inputs after those of the ones before.

@@ -68,5 +68,8 @@ fn two_triangles_become_one() {
     check(&complex, &vertices);
     let found = chain_congruence(&complex, vertices, None, CongruenceOptions::default()).unwrap();
     assert_eq!(found.complex().f_vector(), [3, 3, 1]);
-    assert_eq!(found.classes()[2].class(CellId::new(1)).map(|(class, sign)| (class, sign.to_i32())), Some((0, -1)));
+    assert_eq!(
+        found.classes()[2].class(CellId::new(1)).map(|(class, sign)| (class, sign.to_i32())),
+        Some((0, -1))
+    );
 }

@@ -4,7 +4,7 @@
 
 use coface_algebra::{EdgeId, FaceId, VertexId};
 use coface_algebra::{RaggedArray, SparseMatrix};
-use coface_arrange::planar::{PlanarArrangement, PlanarRegions, gift_wrap};
+use coface_arrange::planar::{PlanarArrangement, PlanarRegions, gift_wrapped_faces};
 use coface_geometry::Positions;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -57,7 +57,7 @@ fn wrapped(arrangement: &PlanarArrangement) -> SparseMatrix {
         let around = arrangement.halfedges_around(VertexId::new(vertex));
         around.map(|h| h.to_u32() / 2).collect::<Vec<_>>()
     }));
-    gift_wrap(complex.boundary_matrix(1).unwrap(), &rotation).unwrap()
+    gift_wrapped_faces(complex.boundary_matrix(1).unwrap(), &rotation).unwrap()
 }
 
 fn compare_with_gift_wrapping(arrangement: &PlanarArrangement) {
@@ -93,8 +93,8 @@ fn gift_wrapping_refuses_bridges() {
         let around = arrangement.halfedges_around(VertexId::new(vertex));
         around.map(|h| h.to_u32() / 2).collect::<Vec<_>>()
     }));
-    assert!(gift_wrap(complex.boundary_matrix(1).unwrap(), &rotation).is_err());
-    assert!(gift_wrap(complex.boundary_matrix(1).unwrap(), &RaggedArray::new()).is_err());
+    assert!(gift_wrapped_faces(complex.boundary_matrix(1).unwrap(), &rotation).is_err());
+    assert!(gift_wrapped_faces(complex.boundary_matrix(1).unwrap(), &RaggedArray::new()).is_err());
 }
 
 proptest! {

@@ -7,7 +7,7 @@ use crate::reference::space::Polygon;
 use crate::reference::{soup_count, soups};
 use coface_algebra::Rational;
 use coface_algebra::{CellId, FaceId, VertexId};
-use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons, gift_wrap};
+use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons, gift_wrapped_shells};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -130,7 +130,7 @@ fn fault(polygons: &[Polygon], input_count: usize) -> Option<String> {
     }
     // Gift wrapping has the shells of the radial order, with the coefficients of their sides.
     let fine = found.fine();
-    let wrapped = gift_wrap(fine.complex().face_count(), fine.radial_order()).unwrap();
+    let wrapped = gift_wrapped_shells(fine.complex().face_count(), fine.radial_order()).unwrap();
     assert_eq!(wrapped.column_count(), fine.shell_count());
     for (shell, column) in wrapped.columns().enumerate() {
         let mut chain = BTreeMap::new();

@@ -61,7 +61,7 @@ impl<'a> Overlaid<'a> {
     pub(super) fn kink_nodes(&self) -> Vec<bool> {
         match self {
             Self::Linear { overlay, is_kink } => {
-                let mut found = vec![false; overlay.cells().orbits.rotation.len()];
+                let mut found = vec![false; overlay.cells().orbits().rotation().len()];
                 for (node, corner) in overlay.node_corners() {
                     found[node as usize] |= is_kink[corner];
                 }

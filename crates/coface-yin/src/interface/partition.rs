@@ -32,7 +32,13 @@ impl Partition {
         let phase = |halfedge: u32| phases[(cells.face(halfedge) as usize).min(face_count)];
         let is_kept = |halfedge: u32| phase(halfedge) != phase(halfedge ^ 1);
         let leaving = |node: u32| {
-            cells.orbits.rotation.list(node as usize).iter().copied().filter(|&halfedge| is_kept(halfedge))
+            cells
+                .orbits()
+                .rotation()
+                .list(node as usize)
+                .iter()
+                .copied()
+                .filter(|&halfedge| is_kept(halfedge))
         };
         let node_is_kink = overlaid.kink_nodes();
         // The halfedge by which the way goes on smoothly where nothing else ends.
@@ -44,8 +50,8 @@ impl Partition {
             let after = leaving(node).find(|&after| after != halfedge ^ 1)?;
             overlaid.goes_on(halfedge, after).then_some(after)
         };
-        let halfedge_count = 2 * cells.edges.ends.len() as u32;
-        let mut is_used = vec![false; cells.edges.ends.len()];
+        let halfedge_count = 2 * cells.edges().ends().len() as u32;
+        let mut is_used = vec![false; cells.edges().ends().len()];
         let mut found = Self {
             arcs: Arcs {
                 vertices: Vec::new(),
@@ -58,7 +64,7 @@ impl Partition {
             is_kink: Vec::new(),
             order: sets.iter().map(|set| set.order()).max().unwrap_or(Order::LINEAR),
         };
-        let mut vertex_of_node = vec![u32::MAX; cells.orbits.rotation.len()];
+        let mut vertex_of_node = vec![u32::MAX; cells.orbits().rotation().len()];
         let mut edge_of_halfedge = vec![None; halfedge_count as usize];
         // First the ways that begin where others end, then what is closed.
         for is_closed in [false, true] {
@@ -183,7 +189,7 @@ impl Partition {
 /// The phase of each face, the unbounded one last; none if sets overlap and must not.
 fn phases_of_faces(cells: &RingCells, sets: &[&YinSet], overlaps: Overlaps) -> Option<Vec<Option<u32>>> {
     let unbounded = unbounded(sets);
-    let face_count = cells.faces.orbits.len() as u32;
+    let face_count = cells.face_count() as u32;
     let phase = |windings: &[(u32, i32)]| {
         let mut inside = inside(sets, &unbounded, windings);
         match overlaps {
@@ -195,7 +201,7 @@ fn phases_of_faces(cells: &RingCells, sets: &[&YinSet], overlaps: Overlaps) -> O
             Overlaps::ToTheLast => Ok(inside.max()),
         }
     };
-    let faces = (0..face_count).map(|face| phase(cells.windings.of_face(face)));
+    let faces = (0..face_count).map(|face| phase(cells.windings().of_face(face)));
     faces.chain([phase(&[])]).collect::<Result<_, ()>>().ok()
 }
 

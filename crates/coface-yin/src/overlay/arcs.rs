@@ -14,8 +14,8 @@ impl CurvedOverlay<'_> {
     /// The curve along an edge from node to node: parts of pieces of the first curve that runs along it.
     pub(crate) fn arc(&self, edge: u32) -> Curve<'static> {
         let order = self.boundaries.order();
-        let parts: Vec<(u32, [f64; 2])> = self.chains().parts(self.cells.edges.first_chain(edge)).collect();
-        let [from, to] = self.cells.edges.ends[edge as usize].map(|node| self.node_point(node));
+        let parts: Vec<(u32, [f64; 2])> = self.chains().parts(self.cells.edges().first_chain(edge)).collect();
+        let [from, to] = self.cells.edges().ends()[edge as usize].map(|node| self.node_point(node));
         let (mut controls, mut knots) = (Vec::with_capacity(parts.len() * order.degree() + 1), vec![0.0]);
         let mut knot = 0.0f64;
         for (at, &(piece, range)) in parts.iter().enumerate() {
@@ -34,7 +34,7 @@ impl CurvedOverlay<'_> {
 
     /// Of the knots within an edge those that are kinks of their set: their numbers on its curve.
     pub(crate) fn arc_kinks(&self, edge: u32, sets: &[&YinSet]) -> Vec<usize> {
-        let parts = self.chains().parts(self.cells.edges.first_chain(edge));
+        let parts = self.chains().parts(self.cells.edges().first_chain(edge));
         let inner = parts.enumerate().skip(1);
         inner.filter(|&(_, (piece, _))| self.is_source_kink(piece, sets)).map(|(at, _)| at).collect()
     }
@@ -54,9 +54,10 @@ impl CurvedOverlay<'_> {
     pub(crate) fn goes_on(&self, before: u32, after: u32) -> bool {
         let chains = self.chains();
         let along = |halfedge: u32| {
-            let list = self.cells.edges.chains.list(halfedge as usize / 2);
-            list.iter()
-                .map(move |&chain| (chain, self.cells.edges.halfedge_of_chain[chain as usize] == halfedge))
+            let list = self.cells.edges().chains().list(halfedge as usize / 2);
+            list.iter().map(move |&chain| {
+                (chain, self.cells.edges().halfedge_of_chain()[chain as usize] == halfedge)
+            })
         };
         along(before).any(|(a, is_a_along)| {
             along(after).any(|(b, is_b_along)| {

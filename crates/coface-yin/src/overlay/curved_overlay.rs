@@ -55,18 +55,18 @@ impl<'a> CurvedOverlay<'a> {
         let chains = Chains { boundaries: &boundaries, nodes: &nodes };
         let edges = chains.edges(&overlaps)?;
         let departures = Departures::new(&chains, &edges);
-        let mut orbits = Orbits::in_order(nodes.points.len(), &edges.ends, |list, scratch| {
+        let orbits = Orbits::in_order(nodes.points.len(), edges.ends(), |list, scratch| {
             departures.order(list, scratch);
         });
         departures.finish(&mut report)?;
-        check_plane(&chains, &orbits, &edges.ends)?;
+        check_plane(&chains, &orbits, edges.ends())?;
         let nester = Nester { chains: &chains, edges: &edges, orbits: &orbits };
         let nesting = nester.nesting()?;
-        orbits.outer_orbits = nesting.outer_orbits;
+        let orbits = orbits.with_outer_orbits(nesting.outer_orbits);
         let faces = Faces::new(&orbits, &nesting.below, 0..nesting.below.len());
         let step = |halfedge: u32, list: &mut Vec<(u32, i32)>| {
-            for &chain in edges.chains.list(halfedge as usize / 2) {
-                let is_along = edges.halfedge_of_chain[chain as usize] == halfedge;
+            for &chain in edges.chains().list(halfedge as usize / 2) {
+                let is_along = edges.halfedge_of_chain()[chain as usize] == halfedge;
                 let arena = boundaries.arena_of(chains.curve_of(chain));
                 list.push((arena, if is_along { 1 } else { -1 }));
             }
@@ -78,7 +78,7 @@ impl<'a> CurvedOverlay<'a> {
             let place = || a.point.partial_cmp(&b.point).unwrap_or(Ordering::Equal);
             key(a).cmp(&key(b)).then_with(place)
         });
-        let found = Self { cells: RingCells { edges, orbits, faces, windings }, boundaries, nodes, report };
+        let found = Self { cells: RingCells::new(edges, orbits, faces, windings), boundaries, nodes, report };
         found.check_windings()?;
         Ok(found)
     }
@@ -95,7 +95,7 @@ impl<'a> CurvedOverlay<'a> {
     /// The error for an edge at which what was found contradicts itself.
     pub(super) fn contradiction(&self, what: &str, halfedge: u32) -> Error {
         let chains = self.chains();
-        let own = self.cells.edges.chains.list(halfedge as usize / 2);
+        let own = self.cells.edges().chains().list(halfedge as usize / 2);
         let pieces = own.iter().map(|&chain| self.nodes.breaks[chain as usize].leave.piece);
         undecided(chains.boundaries, what, self.node_point(self.cells.tail(halfedge)), pieces)
     }
@@ -105,14 +105,14 @@ impl<'a> CurvedOverlay<'a> {
     fn check_windings(&self) -> Result<(), Error> {
         let chains = self.chains();
         let mut sum: Vec<(u32, i32)> = Vec::new();
-        for edge in 0..self.cells.edges.ends.len() as u32 {
+        for edge in 0..self.cells.edges().ends().len() as u32 {
             sum.clear();
             let [left, right] =
-                [2 * edge, 2 * edge + 1].map(|h| self.cells.windings.of_face(self.cells.face(h)));
+                [2 * edge, 2 * edge + 1].map(|h| self.cells.windings().of_face(self.cells.face(h)));
             sum.extend_from_slice(left);
             sum.extend(right.iter().map(|&(region, winding)| (region, -winding)));
-            for &chain in self.cells.edges.chains.list(edge as usize) {
-                let is_along = self.cells.edges.halfedge_of_chain[chain as usize].is_multiple_of(2);
+            for &chain in self.cells.edges().chains().list(edge as usize) {
+                let is_along = self.cells.edges().halfedge_of_chain()[chain as usize].is_multiple_of(2);
                 sum.push((self.boundaries.arena_of(chains.curve_of(chain)), if is_along { -1 } else { 1 }));
             }
             sum.sort_unstable();
@@ -140,8 +140,8 @@ impl<'a> CurvedOverlay<'a> {
 
     /// A halfedge with a face on its left around which a region winds as none does whose curves are almost disjoint.
     pub(super) fn wrong_halfedge(&self, is_unbounded: &[bool]) -> Option<u32> {
-        (0..self.cells.orbits.next.len() as u32).find(|&halfedge| {
-            let around = self.cells.windings.of_face(self.cells.face(halfedge));
+        (0..self.cells.orbits().halfedge_count() as u32).find(|&halfedge| {
+            let around = self.cells.windings().of_face(self.cells.face(halfedge));
             around.iter().any(|&(region, winding)| {
                 !(0..=1).contains(&(winding + i32::from(is_unbounded[region as usize])))
             })
@@ -152,24 +152,26 @@ impl<'a> CurvedOverlay<'a> {
 /// # Errors
 /// If the order of edges around nodes has no drawing in the plane: vertices - edges + orbits is not 2 for each component.
 fn check_plane(chains: &Chains<'_>, orbits: &Orbits, ends: &[[u32; 2]]) -> Result<(), Error> {
-    let mut characteristic = vec![0i64; orbits.lowest_vertices.len()];
-    for &component in &orbits.component_of {
+    let mut characteristic = vec![0i64; orbits.lowest_vertices().len()];
+    for &component in orbits.component_of() {
         characteristic[component as usize] += 1;
     }
     let component_of = |halfedge: u32| {
-        orbits.component_of[ends[halfedge as usize / 2][halfedge as usize % 2] as usize] as usize
+        orbits.component_of()[ends[halfedge as usize / 2][halfedge as usize % 2] as usize] as usize
     };
     for edge in 0..ends.len() as u32 {
         characteristic[component_of(2 * edge)] -= 1;
     }
-    for orbit in orbits.orbits.iter() {
+    for orbit in orbits.lists().iter() {
         characteristic[component_of(orbit[0])] += 1;
     }
     let Some(component) = characteristic.iter().position(|&own| own != 2) else { return Ok(()) };
     // A node at which curves meet.
-    let node = (0..orbits.component_of.len())
-        .find(|&node| orbits.component_of[node] as usize == component && orbits.rotation.list(node).len() > 2)
-        .unwrap_or(orbits.lowest_vertices[component] as usize);
+    let node = (0..orbits.component_of().len())
+        .find(|&node| {
+            orbits.component_of()[node] as usize == component && orbits.rotation().list(node).len() > 2
+        })
+        .unwrap_or(orbits.lowest_vertices()[component] as usize);
     let pieces = (0..chains.nodes.breaks.len())
         .filter(|&chain| chains.nodes.breaks[chain].node as usize == node)
         .map(|chain| chains.nodes.breaks[chain].leave.piece);

@@ -85,7 +85,7 @@ impl<'a> Departures<'a> {
         if list.len() <= 2 {
             return;
         }
-        let node = self.edges.ends[list[0] as usize / 2][list[0] as usize % 2];
+        let node = self.edges.ends()[list[0] as usize / 2][list[0] as usize % 2];
         let center = self.chains.nodes.points[node as usize];
         if !self.order_by_tangents(list, scratch) {
             self.order_by_distances(list, node, center, scratch);

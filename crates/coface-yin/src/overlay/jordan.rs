@@ -23,7 +23,7 @@ impl CurvedOverlay<'_> {
         let ring_of_chain = |chain: u32| chains.curve_of(chain);
         let fault = match self.cells.ring_fault(ring_of_chain) {
             Some(RingFault::Overlap { edge, rings }) => {
-                JordanFault::Overlap { rings, ends: self.cells.edges.ends[edge as usize].map(point) }
+                JordanFault::Overlap { rings, ends: self.cells.edges().ends()[edge as usize].map(point) }
             }
             Some(RingFault::SelfMeeting { node, ring }) => {
                 JordanFault::SelfMeeting { ring, point: point(node) }
@@ -33,7 +33,7 @@ impl CurvedOverlay<'_> {
                 let ring_of_halfedge = self.cells.ring_of_halfedge(ring_of_chain);
                 let touching = self.cells.touching_rings(&ring_of_halfedge);
                 return match self.cells.nesting(&ring_of_halfedge, curve_count as usize) {
-                    Ok(nesting) => Ok(Ok(JordanRings { nesting, touching })),
+                    Ok(nesting) => Ok(Ok(JordanRings::new(nesting, touching))),
                     Err(halfedge) => Err(self.contradiction("how curves lie in each other", halfedge)),
                 };
             }

@@ -56,11 +56,11 @@ impl<'a> Nester<'a> {
     /// # Errors
     /// If no line through a component tells what is below it.
     pub(super) fn nesting(&self) -> Result<Nesting, Error> {
-        let count = self.orbits.lowest_vertices.len();
+        let count = self.orbits.lowest_vertices().len();
         let chain_count = self.chains.nodes.breaks.len() as u32;
         let component_of_chain = |chain: u32| {
             let node = self.chains.nodes.breaks[chain as usize].node;
-            self.orbits.component_of[node as usize]
+            self.orbits.component_of()[node as usize]
         };
         let chains_of = RaggedArray::grouped(count, (0..chain_count).map(component_of_chain));
         let boundaries = self.boundaries();
@@ -83,7 +83,7 @@ impl<'a> Nester<'a> {
     }
 
     fn component(&self, halfedge: u32) -> u32 {
-        self.orbits.component_of[self.edges.ends[halfedge as usize / 2][0] as usize]
+        self.orbits.component_of()[self.edges.ends()[halfedge as usize / 2][0] as usize]
     }
 
     /// Brings together components that lie in one face, until it is known in which.
@@ -101,7 +101,7 @@ impl<'a> Nester<'a> {
         let mut known: Vec<Option<Option<u32>>> = vec![None; count];
         let other_outside = |halfedge: u32| {
             let component = self.component(halfedge);
-            let orbit = self.orbits.orbit_of[halfedge as usize];
+            let orbit = self.orbits.orbit_of()[halfedge as usize];
             (outer_orbits[component as usize] == orbit).then_some(component)
         };
         let mut pending: Vec<(u32, Option<u32>)> =
@@ -184,7 +184,7 @@ impl<'a> Nester<'a> {
             let own = self.component(halfedge);
             let below = self.first_below(tree, boxes, line, apart, &mut |other| other == own);
             if let Ok(below) = below {
-                let outer_orbit = self.orbits.orbit_of[(halfedge ^ 1) as usize];
+                let outer_orbit = self.orbits.orbit_of()[(halfedge ^ 1) as usize];
                 return Ok(Seen { line, outer_orbit, below });
             }
         }
@@ -311,7 +311,7 @@ impl<'a> Nester<'a> {
         if chain != other {
             return Err(NearDegenerate);
         }
-        let along = self.edges.halfedge_of_chain[chain as usize];
+        let along = self.edges.halfedge_of_chain()[chain as usize];
         Ok(if crossing.is_rightward { along } else { along ^ 1 })
     }
 

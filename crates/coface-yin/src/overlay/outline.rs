@@ -64,11 +64,12 @@ impl CurvedOverlay<'_> {
     ) -> Result<Combination, Error> {
         let is_inside = self.cells.faces_where(condition);
         let traced = self.cells.trace(&is_inside, |_| false);
-        let rings: Vec<u32> = (0..traced.starts.len() as u32 - 1).collect();
-        let ring =
-            |ring: u32| &traced.halfedges[traced.starts[ring as usize]..traced.starts[ring as usize + 1]];
+        let rings: Vec<u32> = (0..traced.starts().len() as u32 - 1).collect();
+        let ring = |ring: u32| {
+            &traced.halfedges()[traced.starts()[ring as usize]..traced.starts()[ring as usize + 1]]
+        };
         let mut passes = vec![0u8; self.nodes.points.len()];
-        for &halfedge in &traced.halfedges {
+        for &halfedge in traced.halfedges() {
             let passes = &mut passes[self.cells.tail(halfedge) as usize];
             *passes = passes.saturating_add(1);
         }
@@ -77,7 +78,7 @@ impl CurvedOverlay<'_> {
             .with_min_len(8)
             .map(|&number| self.outline(ring(number), &passes, sets))
             .collect();
-        let parents = self.cells.parents_in_order(&traced.halfedges, &traced.starts, &rings);
+        let parents = self.cells.parents_in_order(traced.halfedges(), traced.starts(), &rings);
         let order = CanonicalOrder::new(
             &parents,
             |curve| outlines[curve as usize].controls[0],
@@ -115,7 +116,7 @@ impl CurvedOverlay<'_> {
         let chains = self.chains();
         let mut parts: Vec<Part> = Vec::new();
         for (at, &halfedge) in (0..).zip(halfedges) {
-            let own = chains.parts(self.cells.edges.first_chain(halfedge / 2));
+            let own = chains.parts(self.cells.edges().first_chain(halfedge / 2));
             let first = parts.len();
             if halfedge.is_multiple_of(2) {
                 parts.extend(own.map(|(piece, range)| Part { piece, range, at, span: 1, is_at_node: false }));
@@ -183,7 +184,7 @@ impl CurvedOverlay<'_> {
     /// Joins the parts of one piece on both sides of a node that nothing else of the result runs through.
     fn join(&self, parts: &mut Vec<Part>, halfedges: &[u32], passes: &[u8]) {
         let chains = self.chains();
-        let first_chain = |part: &Part| self.cells.edges.first_chain(halfedges[part.at as usize] / 2);
+        let first_chain = |part: &Part| self.cells.edges().first_chain(halfedges[part.at as usize] / 2);
         let last_halfedge = |at: u32| halfedges[if at == 0 { halfedges.len() } else { at as usize } - 1];
         let goes_on = |before: &Part, part: &Part| {
             let node = self.cells.tail(halfedges[part.at as usize]);
@@ -195,7 +196,7 @@ impl CurvedOverlay<'_> {
                 return false;
             }
             // The chain that comes to the node; what was joined before has it last.
-            let chain = self.cells.edges.first_chain(last_halfedge(part.at) / 2);
+            let chain = self.cells.edges().first_chain(last_halfedge(part.at) / 2);
             let [from, to] = if is_along { [chain, first_chain(part)] } else { [first_chain(part), chain] };
             let meets =
                 if is_along { before.range[1] <= part.range[0] } else { before.range[1] >= part.range[0] };
@@ -236,8 +237,8 @@ impl CurvedOverlay<'_> {
     /// What else runs along a halfedge than the first chain of its edge: each of them is a part of one piece.
     fn push_other_sources(&self, halfedge: u32, piece: u32, found: &mut Outline) {
         let chains = self.chains();
-        for &chain in &self.cells.edges.chains.list(halfedge as usize / 2)[1..] {
-            let is_along = self.cells.edges.halfedge_of_chain[chain as usize] == halfedge;
+        for &chain in &self.cells.edges().chains().list(halfedge as usize / 2)[1..] {
+            let is_along = self.cells.edges().halfedge_of_chain()[chain as usize] == halfedge;
             found.other_sources.extend(chains.parts(chain).map(|(own, [a, b])| {
                 (piece, self.boundaries.source(own, if is_along { [a, b] } else { [b, a] }))
             }));
@@ -256,9 +257,10 @@ impl CurvedOverlay<'_> {
         let halfedge = halfedges[at];
         let before = halfedges[if at == 0 { halfedges.len() } else { at } - 1];
         let along = |halfedge: u32| {
-            let list = self.cells.edges.chains.list(halfedge as usize / 2);
-            list.iter()
-                .map(move |&chain| (chain, self.cells.edges.halfedge_of_chain[chain as usize] == halfedge))
+            let list = self.cells.edges().chains().list(halfedge as usize / 2);
+            list.iter().map(move |&chain| {
+                (chain, self.cells.edges().halfedge_of_chain()[chain as usize] == halfedge)
+            })
         };
         !along(before).any(|(a, is_a_along)| {
             along(halfedge).any(|(b, is_b_along)| {

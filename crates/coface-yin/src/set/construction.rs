@@ -6,7 +6,7 @@ use crate::{Curve, Order};
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::planar::{JordanFault, JordanRings};
+use coface_arrange::planar::JordanFault;
 
 /// How the curves of a valid set lie.
 pub(crate) struct Lying {
@@ -179,14 +179,11 @@ pub(crate) fn lying(arena: &CurveArena) -> Result<Result<Lying, YinFault>, Error
         Order::LINEAR => linear_overlay(&[arena])?.jordan_rings(),
         _ => curved_jordan_rings(arena)?,
     };
-    let JordanRings { nesting, touching } = match rings {
-        Ok(rings) => rings,
+    let (parents, is_positive, touching) = match rings {
+        Ok(rings) => rings.into_parts(),
         Err(fault) => return Ok(Err(named(fault))),
     };
-    let parents: Vec<Option<u32>> =
-        nesting.parents.iter().map(|&parent| (parent != u32::MAX).then_some(parent)).collect();
-    Ok(alternation(&parents, &nesting.is_counterclockwise)
-        .map_or(Ok(Lying { parents, is_positive: nesting.is_counterclockwise, touching }), Err))
+    Ok(alternation(&parents, &is_positive).map_or(Ok(Lying { parents, is_positive, touching }), Err))
 }
 
 /// Where positive and negative curves do not alternate.

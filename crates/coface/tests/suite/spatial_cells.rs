@@ -4,7 +4,7 @@
 use crate::solids::{Faces, rod_through_cube, shifted_cubes};
 use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Sign, UnionFind};
-use coface::arrange::spatial::{PolygonalComplex, SpatialCells, gift_wrap};
+use coface::arrange::spatial::{PolygonalComplex, SpatialCells, gift_wrapped_shells};
 use coface::geometry::Positions;
 use coface::topology::homology;
 use coface::{CellId, EdgeId, FaceId};
@@ -36,7 +36,7 @@ fn check(cells: &SpatialCells, positions: &Positions) {
     }
     assert!(seen.iter().chain(&shell_seen).all(|&count| count == 1));
     // The second method has the same shells in the same order.
-    let wrapped = gift_wrap(face_count, cells.radial_order()).unwrap();
+    let wrapped = gift_wrapped_shells(face_count, cells.radial_order()).unwrap();
     assert_eq!(wrapped.column_count(), cells.shell_count());
     for (shell, column) in wrapped.columns().enumerate() {
         let mut chain = BTreeMap::new();

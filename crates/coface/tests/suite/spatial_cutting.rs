@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::arrange::spatial::{
-    CutOptions, CutTriangles, SpatialCells, SpatialPredicates, SpatialVertexSource, gift_wrap,
+    CutOptions, CutTriangles, SpatialCells, SpatialPredicates, SpatialVertexSource, gift_wrapped_shells,
 };
 use coface::geometry::Positions;
 use coface::topology::homology;
@@ -108,7 +108,7 @@ fn check(soup: &Soup, cut: &CutTriangles) -> SpatialCells {
     assert_eq!(betti.get(2).copied().unwrap_or(0), cells.cell_count());
     let betti = homology(&complex).betti_numbers();
     assert_eq!(betti.get(2..).map_or(0, |high| high.iter().sum()), 0);
-    let wrapped = gift_wrap(cut.complex().face_count(), cells.radial_order()).unwrap();
+    let wrapped = gift_wrapped_shells(cut.complex().face_count(), cells.radial_order()).unwrap();
     assert_eq!(wrapped.column_count(), cells.shell_count());
     let volumes = cells.volumes(cut.positions()).unwrap();
     assert!(volumes.iter().all(|&volume| volume > 0.0));

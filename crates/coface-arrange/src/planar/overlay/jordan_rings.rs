@@ -2,15 +2,15 @@
 
 use super::PlanarOverlay;
 use super::ring_nesting::{RingFault, RingNesting};
+use crate::planar::faces::NONE;
 use coface_algebra::RaggedArray;
 
 /// How simple rings that are almost disjoint lie, by their numbers.
+#[derive(Clone, Debug)]
 pub struct JordanRings {
-    #[doc(hidden)]
-    pub nesting: RingNesting,
+    pub(crate) nesting: RingNesting,
     /// The rings through each point that more than one comes to, rising.
-    #[doc(hidden)]
-    pub touching: RaggedArray,
+    pub(crate) touching: RaggedArray,
 }
 
 /// Where rings are not simple or not almost disjoint: the rings and the rounded point, or both ends of what they share.
@@ -20,6 +20,23 @@ pub enum JordanFault {
     Overlap { rings: [u32; 2], ends: [[f64; 2]; 2] },
     SelfMeeting { ring: u32, point: [f64; 2] },
     Crossing { rings: [u32; 2], point: [f64; 2] },
+}
+
+impl JordanRings {
+    /// Rings that lie in each other like this, and the rings through each point that more than one comes to, rising.
+    #[doc(hidden)]
+    pub fn new(nesting: RingNesting, touching: RaggedArray) -> Self {
+        Self { nesting, touching }
+    }
+
+    /// The smallest ring around each ring, whether each ring has what it encloses on its left, and the rings through each point that
+    /// more than one comes to, rising.
+    #[doc(hidden)]
+    pub fn into_parts(self) -> (Vec<Option<u32>>, Vec<bool>, RaggedArray) {
+        let RingNesting { parents, is_counterclockwise } = self.nesting;
+        let parents = parents.into_iter().map(|parent| (parent != NONE).then_some(parent)).collect();
+        (parents, is_counterclockwise, self.touching)
+    }
 }
 
 impl PlanarOverlay {

@@ -7,10 +7,8 @@ use super::super::segment_tree::SegmentTree;
 use super::super::tour::{Step, tour};
 use super::super::windings::Windings;
 use super::super::{PlanarOptions, VertexSource};
-use super::PlanarPolygons;
 use super::chains::{Chain, Chains, Rings};
 use super::ring_cells::{ChainEdges, RingCells};
-use crate::boolean::{BooleanFormula, InsideRule};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
@@ -171,23 +169,6 @@ impl PlanarOverlay {
     /// The places where rings meet each other or themselves.
     pub fn meeting_count(&self) -> usize {
         self.chains.meeting_count
-    }
-
-    /// The polygons of the faces whose winding numbers satisfy a Boolean formula of the regions; regions that are not there have
-    /// nothing inside.
-    ///
-    /// # Errors
-    /// As [`Self::select`].
-    ///
-    /// # Complexity
-    /// As [`Self::select`], times the length of the formula.
-    pub fn boolean(&self, formula: &BooleanFormula, rule: InsideRule) -> Result<PlanarPolygons<'_>, Error> {
-        self.select(|windings| {
-            formula.evaluate(|input| {
-                let found = windings.binary_search_by_key(&(input as u32), |&(region, _)| region);
-                found.is_ok_and(|at| rule.is_inside(windings[at].1))
-            })
-        })
     }
 
     /// Goes through all faces.

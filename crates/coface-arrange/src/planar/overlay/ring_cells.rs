@@ -8,25 +8,21 @@ use coface_algebra::{RaggedArray, UnionFind};
 use rayon::prelude::*;
 
 /// Edges, the faces between them, and how often regions wind around each.
+#[derive(Clone, Debug)]
 pub struct RingCells {
-    #[doc(hidden)]
-    pub edges: ChainEdges,
-    #[doc(hidden)]
-    pub orbits: Orbits,
-    #[doc(hidden)]
-    pub faces: Faces,
-    #[doc(hidden)]
-    pub windings: Windings,
+    pub(crate) edges: ChainEdges,
+    pub(crate) orbits: Orbits,
+    pub(crate) faces: Faces,
+    pub(crate) windings: Windings,
 }
 
 /// The simple rings around selected faces.
+#[derive(Clone, Debug)]
 pub struct TracedRings {
     /// The halfedges of one ring after those of another.
-    #[doc(hidden)]
-    pub halfedges: Vec<u32>,
+    pub(crate) halfedges: Vec<u32>,
     /// Where each ring begins, and where the last ends.
-    #[doc(hidden)]
-    pub starts: Vec<usize>,
+    pub(crate) starts: Vec<usize>,
     /// The rings of each polygon, the outer one first; with an exterior one more list comes last: the holes in what reaches to
     /// infinity.
     pub(crate) by_polygon: RaggedArray,
@@ -35,7 +31,51 @@ pub struct TracedRings {
     pub(crate) polygon_of_face: Vec<u32>,
 }
 
+impl TracedRings {
+    /// The halfedges of one ring after those of another.
+    #[doc(hidden)]
+    pub fn halfedges(&self) -> &[u32] {
+        &self.halfedges
+    }
+
+    /// Where each ring begins, and where the last ends.
+    #[doc(hidden)]
+    pub fn starts(&self) -> &[usize] {
+        &self.starts
+    }
+}
+
 impl RingCells {
+    /// The cells with these parts, which belong together.
+    #[doc(hidden)]
+    pub fn new(edges: ChainEdges, orbits: Orbits, faces: Faces, windings: Windings) -> Self {
+        Self { edges, orbits, faces, windings }
+    }
+
+    /// The edges.
+    #[doc(hidden)]
+    pub fn edges(&self) -> &ChainEdges {
+        &self.edges
+    }
+
+    /// The orbits of halfedges.
+    #[doc(hidden)]
+    pub fn orbits(&self) -> &Orbits {
+        &self.orbits
+    }
+
+    /// The number of bounded faces.
+    #[doc(hidden)]
+    pub fn face_count(&self) -> usize {
+        self.faces.orbits.len()
+    }
+
+    /// The winding numbers around the faces.
+    #[doc(hidden)]
+    pub fn windings(&self) -> &Windings {
+        &self.windings
+    }
+
     /// The face on the left of a halfedge; [`NONE`] for the unbounded one.
     #[doc(hidden)]
     pub fn face(&self, halfedge: u32) -> u32 {
@@ -145,16 +185,14 @@ impl RingCells {
 }
 
 /// Edges: chains, equal ones made one.
+#[derive(Clone, Debug)]
 pub struct ChainEdges {
     /// The chains of each edge; the edge has the direction of the first.
-    #[doc(hidden)]
-    pub chains: RaggedArray,
+    pub(crate) chains: RaggedArray,
     /// For each chain twice its edge, and one more where it runs against the edge.
-    #[doc(hidden)]
-    pub halfedge_of_chain: Vec<u32>,
+    pub(crate) halfedge_of_chain: Vec<u32>,
     /// The nodes that each edge goes from and to.
-    #[doc(hidden)]
-    pub ends: Vec<[u32; 2]>,
+    pub(crate) ends: Vec<[u32; 2]>,
 }
 
 impl ChainEdges {
@@ -217,6 +255,25 @@ impl ChainEdges {
         Self { chains, halfedge_of_chain, ends }
     }
 
+    /// The chains of each edge; the edge has the direction of the first.
+    #[doc(hidden)]
+    pub fn chains(&self) -> &RaggedArray {
+        &self.chains
+    }
+
+    /// For each chain twice its edge, and one more where it runs against the edge.
+    #[doc(hidden)]
+    pub fn halfedge_of_chain(&self) -> &[u32] {
+        &self.halfedge_of_chain
+    }
+
+    /// The nodes that each edge goes from and to.
+    #[doc(hidden)]
+    pub fn ends(&self) -> &[[u32; 2]] {
+        &self.ends
+    }
+
+    /// The chain that an edge has its direction from.
     #[doc(hidden)]
     pub fn first_chain(&self, edge: u32) -> u32 {
         self.chains.list(edge as usize)[0]

@@ -8,11 +8,9 @@ use coface_algebra::RaggedArray;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RingNesting {
     /// The smallest ring around each; [`NONE`] where there is none.
-    #[doc(hidden)]
-    pub parents: Vec<u32>,
+    pub(crate) parents: Vec<u32>,
     /// Whether each ring has what it encloses on its left.
-    #[doc(hidden)]
-    pub is_counterclockwise: Vec<bool>,
+    pub(crate) is_counterclockwise: Vec<bool>,
 }
 
 /// What keeps closed rings from being simple and almost disjoint.

@@ -3,6 +3,7 @@
 use super::regions::Parts;
 use super::ring_cells::TracedRings;
 use super::{PlanarOverlay, PlanarPolygons};
+use crate::boolean::{BooleanFormula, InsideRule};
 use crate::planar::faces::NONE;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
@@ -11,6 +12,23 @@ use coface_geometry::predicates::{PlanarPoint, direction_turn};
 use rayon::prelude::*;
 
 impl PlanarOverlay {
+    /// The polygons of the faces whose winding numbers satisfy a Boolean formula of the regions; regions that are not there have
+    /// nothing inside.
+    ///
+    /// # Errors
+    /// As [`Self::select`].
+    ///
+    /// # Complexity
+    /// As [`Self::select`], times the length of the formula.
+    pub fn boolean(&self, formula: &BooleanFormula, rule: InsideRule) -> Result<PlanarPolygons<'_>, Error> {
+        self.select(|windings| {
+            formula.evaluate(|input| {
+                let found = windings.binary_search_by_key(&(input as u32), |&(region, _)| region);
+                found.is_ok_and(|at| rule.is_inside(windings[at].1))
+            })
+        })
+    }
+
     /// The polygons of the faces whose winding numbers satisfy a condition: for each face it gets the regions with a winding number
     /// that is not zero, rising, with that number; for the unbounded face the empty list.
     ///

@@ -1,7 +1,7 @@
 //! Cells of faces that are flat up to rounding, by gift wrapping.
 
 use super::sheet::{Point, components, length, minus, unit};
-use crate::spatial::gift_wrap;
+use crate::spatial::gift_wrapped_shells;
 use coface_algebra::{Error, VertexId};
 use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_geometry::{Positions, Sum, cross, determinant, dot};
@@ -108,7 +108,7 @@ impl FlatFaces<'_> {
     pub(super) fn cells(&self) -> Result<WrappedCells, Error> {
         let around = self.radial_order();
         let face_count = self.faces.column_count();
-        let shells = gift_wrap(face_count, &around)?;
+        let shells = gift_wrapped_shells(face_count, &around)?;
         let component_of = components(face_count, &around);
         let volumes: Vec<f64> = shells
             .columns()

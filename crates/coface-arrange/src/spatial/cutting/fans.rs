@@ -1,6 +1,6 @@
 //! Vertices around which sheets lie side by side, so that nothing needs to be decided about pairs of these.
 
-use super::sheets::View;
+use crate::spatial::axis_view::PlaneView;
 
 /// What is known of the sheets at a vertex.
 #[derive(Clone, Copy)]
@@ -27,7 +27,7 @@ const NO_VIEW: u8 = u8::MAX;
 pub(super) fn plain_corners(
     points: &[[f64; 3]],
     corners: &[[u32; 3]],
-    views: &[View],
+    views: &[PlaneView],
     edges: &[[u32; 2]],
     edges_of: &[[u32; 3]],
 ) -> Vec<u8> {

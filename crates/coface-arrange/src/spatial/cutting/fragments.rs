@@ -2,7 +2,7 @@
 
 use super::lines::{Chain, Lines, OnLines};
 use super::meetings::Meetings;
-use super::sheets::View;
+use crate::spatial::axis_view::PlaneView;
 use coface_algebra::{RaggedArray, UnionFind};
 use coface_geometry::predicates::{SpatialLine, direction_side, direction_turn, normals_turn};
 use coface_geometry::{AxisBox, BoxTree};
@@ -140,7 +140,7 @@ impl Part {
 struct Graph<'a, 'b> {
     all: &'a Fragmenting<'b>,
     sheet: u32,
-    view: View,
+    view: PlaneView,
     parts: &'a [Part],
     /// The vertices of the graph, rising.
     vertices: Vec<u32>,

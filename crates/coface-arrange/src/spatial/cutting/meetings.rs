@@ -1,6 +1,7 @@
 //! Where sheets meet: pairs of sheets, decided by signs of given points alone.
 
-use super::sheets::{Sheets, View};
+use super::sheets::Sheets;
+use crate::spatial::axis_view::PlaneView;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
 use coface_geometry::BoxTree;
@@ -323,7 +324,7 @@ impl Pairs<'_> {
 
     /// On which side of an edge of a sheet a vertex is, in the plane as it is seen from the front: `Greater` for inside.
     fn turn(&self, sheet: u32, edge: usize, vertex: u32) -> Ordering {
-        let view: View = self.sheets.views[sheet as usize];
+        let view: PlaneView = self.sheets.views[sheet as usize];
         let corners = self.sheets.corners[sheet as usize];
         let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], vertex]
             .map(|vertex| view.seen(self.sheets.point(vertex)));

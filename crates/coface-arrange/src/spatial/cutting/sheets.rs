@@ -1,37 +1,12 @@
 //! Triangles made ready to be cut: equal points are one vertex, equal triangles one sheet, and edges have numbers.
 
 use super::fans::plain_corners;
+use crate::spatial::axis_view::PlaneView;
 use coface_algebra::RaggedArray;
 use coface_geometry::predicates::{SpatialLine, SpatialPlane, plane_axis};
 use coface_geometry::{AxisBox, BoxTree, Positions, frame_around};
 use rayon::prelude::*;
 use std::cmp::Ordering;
-
-/// How the plane of a sheet is seen: along an axis that is not in it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct View {
-    pub(super) axis: u8,
-    /// The sign of the normal along the axis.
-    pub(super) front: Ordering,
-}
-
-impl View {
-    /// Two coordinates of a point as it is seen from the far end of the axis.
-    pub(super) fn seen(self, point: [f64; 3]) -> [f64; 2] {
-        self.other_axes().map(|axis| point[axis])
-    }
-
-    /// The axes to the right and up.
-    pub(super) fn other_axes(self) -> [usize; 2] {
-        let axis = usize::from(self.axis);
-        [(axis + 1) % 3, (axis + 2) % 3]
-    }
-
-    /// A turn as it is seen from the front of the sheet, given that seen from the far end of the axis, or back.
-    pub(super) fn seen_from_front(self, turn: Ordering) -> Ordering {
-        if self.front.is_gt() { turn } else { turn.reverse() }
-    }
-}
 
 /// Triangles with area, none twice, their vertices and edges.
 #[derive(Clone, Debug)]
@@ -45,7 +20,7 @@ pub(super) struct Sheets {
     pub(super) by_place: Vec<u32>,
     /// The corners of each sheet, as in the first of its triangles; sheets are numbered by their first triangles.
     pub(super) corners: Vec<[u32; 3]>,
-    pub(super) views: Vec<View>,
+    pub(super) views: Vec<PlaneView>,
     /// The triangles of each sheet as `2 * triangle + against`, rising.
     pub(super) sources: RaggedArray,
     /// The lower and the higher end of each edge, rising.
@@ -65,14 +40,14 @@ impl Sheets {
         let (points, vertex_of_point) = (&welded.points, &welded.vertex_of_point);
         let triangles: Vec<[u32; 3]> =
             triangles.par_iter().map(|own| own.map(|point| vertex_of_point[point as usize])).collect();
-        let views: Vec<Option<View>> = triangles
+        let views: Vec<Option<PlaneView>> = triangles
             .par_iter()
             .map(|&[a, b, c]| {
                 if a == b || b == c || a == c {
                     return None;
                 }
                 let (axis, front) = plane_axis([a, b, c].map(|vertex| points[vertex as usize]));
-                front.is_ne().then_some(View { axis: axis as u8, front })
+                front.is_ne().then_some(PlaneView { axis: axis as u8, front })
             })
             .collect();
         // The triangles with area.
@@ -97,7 +72,7 @@ impl Sheets {
                 box_around(points, corners[i])
             })
         };
-        let plain = |views: &[View], corners: &[[u32; 3]], edges: &[[u32; 2]], edges_of: &[[u32; 3]]| {
+        let plain = |views: &[PlaneView], corners: &[[u32; 3]], edges: &[[u32; 2]], edges_of: &[[u32; 3]]| {
             plain_corners(points, corners, views, edges, edges_of)
         };
         let ((found, mut plain_corners), mut boxes) = rayon::join(

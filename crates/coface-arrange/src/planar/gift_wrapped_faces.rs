@@ -32,18 +32,18 @@ const NOWHERE: u32 = u32::MAX;
 /// A triangle has two sides.
 /// ```
 /// use coface_algebra::{RaggedArray, SparseMatrix};
-/// use coface_arrange::planar::gift_wrap;
+/// use coface_arrange::planar::gift_wrapped_faces;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// // Edges 01, 12 and 02 of a triangle that runs counterclockwise.
 /// let entries = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
 /// let boundary = SparseMatrix::from_entries(3, 3, entries)?;
 /// let rotation = RaggedArray::from_lists([[0, 2], [1, 0], [2, 1]]);
-/// let cycles = gift_wrap(&boundary, &rotation)?;
+/// let cycles = gift_wrapped_faces(&boundary, &rotation)?;
 /// assert_eq!(cycles.column(0).iter().collect::<Vec<_>>(), [(0, 1), (1, 1), (2, -1)]);
 /// assert_eq!(cycles.column(1).iter().collect::<Vec<_>>(), [(0, -1), (1, -1), (2, 1)]);
 /// # Ok(()) }
 /// ```
-pub fn gift_wrap(boundary: &SparseMatrix, rotation: &RaggedArray) -> Result<SparseMatrix, Error> {
+pub fn gift_wrapped_faces(boundary: &SparseMatrix, rotation: &RaggedArray) -> Result<SparseMatrix, Error> {
     let edge_count = boundary.column_count();
     let mut ends = Vec::with_capacity(edge_count);
     for edge in 0..edge_count {

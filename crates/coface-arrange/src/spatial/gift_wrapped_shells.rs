@@ -33,14 +33,14 @@ use std::collections::BTreeMap;
 /// Two halves of a sphere on a circle of one edge: the inside and the outside.
 /// ```
 /// use coface_algebra::RaggedArray;
-/// use coface_arrange::spatial::gift_wrap;
+/// use coface_arrange::spatial::gift_wrapped_shells;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let shells = gift_wrap(2, &RaggedArray::from_lists([[0, 3]]))?;
+/// let shells = gift_wrapped_shells(2, &RaggedArray::from_lists([[0, 3]]))?;
 /// assert_eq!(shells.column(0).entries(), [1, 1]);
 /// assert_eq!(shells.column(1).entries(), [-1, -1]);
 /// # Ok(()) }
 /// ```
-pub fn gift_wrap(face_count: usize, around: &RaggedArray) -> Result<SparseMatrix, Error> {
+pub fn gift_wrapped_shells(face_count: usize, around: &RaggedArray) -> Result<SparseMatrix, Error> {
     if let Some(side) = around.items().iter().find(|&&side| (side >> 1) as usize >= face_count) {
         return Err(Error::new(
             ErrorKind::Shape,
