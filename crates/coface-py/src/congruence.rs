@@ -128,9 +128,9 @@ pub(crate) fn congruence(
     request.representative = choice(py, "representative", representative, &places)?;
     request.stable = stable;
     let kinds = [("rewrap", Collisions::Rewrap), ("keep", Collisions::Keep), ("refuse", Collisions::Refuse)];
-    request.options.collisions = choice(py, "collisions", collisions, &kinds)?;
+    request.options = request.options.collisions(choice(py, "collisions", collisions, &kinds)?);
     let methods = [("lists", CongruenceMethod::Lists), ("matrices", CongruenceMethod::Matrices)];
-    request.options.method = choice(py, "method", method, &methods)?;
+    request.options = request.options.method(choice(py, "method", method, &methods)?);
     let rules =
         [("models", BlockRule::Models), ("components", BlockRule::Components), ("none", BlockRule::None)];
     request.blocks = choice(py, "blocks", blocks, &rules)?;

@@ -24,11 +24,10 @@ pub(super) struct Arranged {
 
 impl Arranged {
     pub(super) fn new(scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
-        let options = SpatialOptions {
-            non_planar: request.non_planar,
-            merge_coplanar: request.merge_coplanar,
-            max_cells: request.max_cells,
-        };
+        let options = SpatialOptions::new()
+            .non_planar(request.non_planar)
+            .merge_coplanar(request.merge_coplanar)
+            .max_cells(request.max_cells);
         let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
         // A polygon that is none is named by its number in its own model.
         let mut arrangement = match arrangement {

@@ -23,7 +23,7 @@ pub enum CongruenceMethod {
 /// let hexagon = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]), &[])?.chain_complex();
 /// let quotient = |collisions| {
 ///     let vertices = CellClasses::unsigned(vec![0, 1, 2, 0, 3, 4])?;
-///     chain_congruence(&hexagon, vertices, None, CongruenceOptions { collisions, ..Default::default() })
+///     chain_congruence(&hexagon, vertices, None, CongruenceOptions::new().collisions(collisions))
 /// };
 /// assert_eq!(quotient(Collisions::Keep)?.complex().f_vector(), [5, 6, 1]);
 /// assert_eq!(quotient(Collisions::Rewrap)?.complex().f_vector(), [5, 6, 2]);
@@ -58,10 +58,58 @@ pub enum Collisions {
 }
 
 /// How the quotient of a chain complex is made.
+///
+/// # Examples
+/// ```
+/// use coface_arrange::congruence::{Collisions, CongruenceMethod, CongruenceOptions};
+/// let options = CongruenceOptions::new().method(CongruenceMethod::Matrices).collisions(Collisions::Refuse);
+/// assert_ne!(options, CongruenceOptions::new());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub struct CongruenceOptions {
-    /// How quotients are computed.
-    pub method: CongruenceMethod,
-    /// What becomes of cells that lose their shape.
-    pub collisions: Collisions,
+    pub(super) method: CongruenceMethod,
+    pub(super) collisions: Collisions,
+}
+
+impl CongruenceOptions {
+    /// Lists of facets, and chains that are kept as they are.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{Collisions, CongruenceMethod, CongruenceOptions};
+    /// let options = CongruenceOptions::new();
+    /// assert_eq!(options, options.method(CongruenceMethod::Lists).collisions(Collisions::Keep));
+    /// ```
+    pub const fn new() -> Self {
+        Self { method: CongruenceMethod::Lists, collisions: Collisions::Keep }
+    }
+
+    /// Computes quotients by this method. The results of all methods are the same.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{CongruenceMethod, CongruenceOptions};
+    /// let options = CongruenceOptions::new().method(CongruenceMethod::Matrices);
+    /// assert_ne!(options, CongruenceOptions::new());
+    /// ```
+    #[must_use]
+    pub const fn method(mut self, method: CongruenceMethod) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// Does this with cells that lose their shape.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{Collisions, CongruenceOptions};
+    /// let options = CongruenceOptions::new().collisions(Collisions::Rewrap);
+    /// assert_ne!(options, CongruenceOptions::new());
+    /// ```
+    #[must_use]
+    pub const fn collisions(mut self, collisions: Collisions) -> Self {
+        self.collisions = collisions;
+        self
+    }
 }

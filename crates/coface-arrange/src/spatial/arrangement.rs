@@ -1,14 +1,14 @@
 //! The arrangement of polygons in space.
 
-use super::PolygonalComplex;
 use super::axis_view::AxisView;
 use super::cells::{CellParts, SpatialCells};
 use super::cutting::{CutOptions, CutTriangles};
-use super::flat_polygons::{NonPlanar, PolygonTriangles, SplitPolygon};
+use super::flat_polygons::{PolygonTriangles, SplitPolygon};
 use super::merging::{Merged, merge};
 use super::patches::{Patches, SameOrigin};
 use super::polygons::SpatialPolygons;
 use super::predicates::SpatialPredicates;
+use super::{PolygonalComplex, SpatialOptions};
 use coface_algebra::chains::{ChainComplex, ChainMap};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, EdgeId, Error, FaceId, VertexId};
@@ -16,25 +16,6 @@ use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_geometry::Positions;
 use coface_geometry::predicates::{SpatialPoint, plane_axis};
 use std::cmp::Ordering;
-
-/// How an arrangement in space is made.
-///
-/// # Examples
-/// ```
-/// use coface_arrange::spatial::{NonPlanar, SpatialOptions};
-/// let options = SpatialOptions { non_planar: NonPlanar::Split, ..Default::default() };
-/// assert!(!options.merge_coplanar && options.max_cells.is_none());
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct SpatialOptions {
-    /// What becomes of polygons whose points are not exactly in one plane.
-    pub non_planar: NonPlanar,
-    /// Whether faces that are exactly in one plane and belong to the same inputs become one where nothing else meets them, whatever
-    /// polygons they come from, and vertices on straight edges that are left go.
-    pub merge_coplanar: bool,
-    /// The largest number of vertices, edges and faces together, pieces of polygons counted one by one.
-    pub max_cells: Option<usize>,
-}
 
 /// The vertices, edges, faces and cells that polygons cut space into, exactly.
 ///
@@ -119,7 +100,7 @@ impl SpatialArrangement {
         patches: Patches,
         options: &SpatialOptions,
     ) -> Result<Self, Error> {
-        let cut = CutTriangles::new(positions, triangles, &CutOptions { max_cells: options.max_cells })?;
+        let cut = CutTriangles::new(positions, triangles, &CutOptions::new().max_cells(options.max_cells))?;
         let predicates = cut.predicates();
         let steps = stage("sorting faces around edges", cut.complex().edge_count());
         let (ordered, patches_of_face) =

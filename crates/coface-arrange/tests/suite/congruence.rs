@@ -15,12 +15,11 @@ use coface_geometry::Positions;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
-const LISTS: CongruenceOptions =
-    CongruenceOptions { method: CongruenceMethod::Lists, collisions: Collisions::Keep };
+const LISTS: CongruenceOptions = CongruenceOptions::new();
 /// The other methods, which agree.
 const OTHERS: &[CongruenceMethod] = &[CongruenceMethod::Matrices];
-const REWRAP: CongruenceOptions = CongruenceOptions { collisions: Collisions::Rewrap, ..LISTS };
-const REFUSE: CongruenceOptions = CongruenceOptions { collisions: Collisions::Refuse, ..LISTS };
+const REWRAP: CongruenceOptions = LISTS.collisions(Collisions::Rewrap);
+const REFUSE: CongruenceOptions = LISTS.collisions(Collisions::Refuse);
 
 /// The squares of all cubes of a k x k x k grid, every one with vertices of its own that are off by up to 1e-8.
 fn separate_squares(k: u32) -> (Positions, ChainComplex) {
@@ -60,7 +59,7 @@ fn quotient(positions: &Positions, complex: &ChainComplex, tolerance: f64) -> Ch
     let classes = CellClasses::unsigned(vertices.class_of().to_vec()).unwrap();
     let found = chain_congruence(complex, classes.clone(), None, LISTS).unwrap();
     for &method in OTHERS {
-        let options = CongruenceOptions { method, ..LISTS };
+        let options = LISTS.method(method);
         assert_eq!(found, chain_congruence(complex, classes.clone(), None, options).unwrap());
     }
     #[cfg(feature = "graphblas-tests")]
@@ -175,7 +174,7 @@ proptest! {
         let classes = CellClasses::unsigned(partition.class_numbers()).unwrap();
         let found = chain_congruence(&complex, classes.clone(), None, LISTS).unwrap();
         for &method in OTHERS {
-            let options = CongruenceOptions { method, ..LISTS };
+            let options = LISTS.method(method);
             prop_assert_eq!(&found, &chain_congruence(&complex, classes.clone(), None, options).unwrap());
         }
         #[cfg(feature = "graphblas-tests")]
@@ -322,7 +321,7 @@ proptest! {
         let expected = quotient_by_definition(&soup);
         let found = soup.quotient(LISTS).unwrap();
         for &method in OTHERS {
-            prop_assert_eq!(&found, &soup.quotient(CongruenceOptions { method, ..LISTS }).unwrap());
+            prop_assert_eq!(&found, &soup.quotient(LISTS.method(method)).unwrap());
         }
         #[cfg(feature = "graphblas-tests")]
         crate::graphblas::check(&soup.complex(), &found.classes()[0]);

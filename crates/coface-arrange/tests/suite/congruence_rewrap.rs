@@ -14,8 +14,7 @@ use coface_geometry::Positions;
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-const REWRAP: CongruenceOptions =
-    CongruenceOptions { method: CongruenceMethod::Lists, collisions: Collisions::Rewrap };
+const REWRAP: CongruenceOptions = CongruenceOptions::new().collisions(Collisions::Rewrap);
 
 /// The other methods, which agree.
 const OTHERS: &[CongruenceMethod] = &[CongruenceMethod::Matrices];
@@ -25,8 +24,7 @@ fn rewrapped(complex: &ChainComplex, vertices: &[u32], positions: Option<&Positi
     let classes = CellClasses::unsigned(vertices.to_vec()).unwrap();
     let found = chain_congruence(complex, classes.clone(), positions, REWRAP).unwrap();
     for &method in OTHERS {
-        let again =
-            chain_congruence(complex, classes.clone(), positions, CongruenceOptions { method, ..REWRAP });
+        let again = chain_congruence(complex, classes.clone(), positions, REWRAP.method(method));
         assert_eq!(found, again.unwrap());
     }
     #[cfg(feature = "graphblas-tests")]

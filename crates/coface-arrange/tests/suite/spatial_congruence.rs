@@ -158,7 +158,7 @@ fn both_methods_agree() {
         let found = arranged(&walks);
         let polygons =
             SpatialPolygons::new(walks.positions(), walks.lists(), walks.polygon_of_walk.clone()).unwrap();
-        let options = SpatialOptions { non_planar: NonPlanar::Split, ..Default::default() };
+        let options = SpatialOptions::new().non_planar(NonPlanar::Split);
         let exact = SpatialArrangement::new(&polygons, &options).unwrap();
         assert_eq!(found.f_vector(), exact.f_vector());
         assert_eq!(found.void_count(), exact.void_count());

@@ -164,15 +164,16 @@ impl Congruence {
             Where::Median => Representative::Median,
         };
         request.stable = self.stable;
-        request.options.method = match self.method {
+        let method = match self.method {
             Method::Lists => CongruenceMethod::Lists,
             Method::Matrices => CongruenceMethod::Matrices,
         };
-        request.options.collisions = match self.collisions {
+        let collisions = match self.collisions {
             Lost::Keep => Collisions::Keep,
             Lost::Rewrap => Collisions::Rewrap,
             Lost::Refuse => Collisions::Refuse,
         };
+        request.options = request.options.method(method).collisions(collisions);
         request.blocks = match self.blocks {
             Blocks::Files => BlockRule::Models,
             Blocks::Components => BlockRule::Components,

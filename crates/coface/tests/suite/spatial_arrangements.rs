@@ -13,8 +13,7 @@ use std::f64::consts::PI;
 
 type Point = [f64; 3];
 
-const SPLIT: SpatialOptions =
-    SpatialOptions { non_planar: NonPlanar::Split, merge_coplanar: false, max_cells: None };
+const SPLIT: SpatialOptions = SpatialOptions::new().non_planar(NonPlanar::Split);
 
 fn polygons(points: &[Point], lists: &[Vec<u32>]) -> SpatialPolygons {
     let positions = Positions::from_flat(3, points.as_flattened().to_vec()).unwrap();
@@ -323,7 +322,7 @@ fn tetrahedra_share_a_small_one() {
 
 #[test]
 fn coplanar_faces_of_one_input_are_merged_on_request() {
-    let options = SpatialOptions { merge_coplanar: true, ..SPLIT };
+    let options = SPLIT.merge_coplanar(true);
     // A cube whose sides are grids of triangles; its inner walls are left out.
     let squares = grid(3, |p| p);
     let mut triangles = Vec::new();
@@ -372,7 +371,7 @@ fn rounded_results_can_be_read_again() {
 
 #[test]
 fn limits_and_faults_are_told() {
-    let options = SpatialOptions { max_cells: Some(40), ..SPLIT };
+    let options = SPLIT.max_cells(40);
     let two = SpatialPolygons::joined(&[cube([0.0; 3], 1.0), cube([0.5; 3], 1.0)]).unwrap();
     let error = SpatialArrangement::new(&two, &options).unwrap_err();
     assert_eq!(error.kind(), coface::ErrorKind::TooLarge);
@@ -425,7 +424,7 @@ proptest! {
 
     #[test]
     fn soups_are_arranged(soup in soup(), merge_coplanar: bool) {
-        let options = SpatialOptions { merge_coplanar, ..SPLIT };
+        let options = SPLIT.merge_coplanar(merge_coplanar);
         let arrangement = SpatialArrangement::new(&soup, &options).unwrap();
         check(&arrangement);
         if !merge_coplanar && arrangement.split_polygons().is_empty() {
@@ -450,7 +449,7 @@ proptest! {
 
     #[test]
     fn soups_are_rounded(soup in soup(), merge_coplanar: bool) {
-        let options = SpatialOptions { merge_coplanar, ..SPLIT };
+        let options = SPLIT.merge_coplanar(merge_coplanar);
         let arrangement = SpatialArrangement::new(&soup, &options).unwrap();
         let snapped = arrangement.snapped(&options).unwrap();
         check(&snapped);

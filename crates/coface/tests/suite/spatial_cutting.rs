@@ -310,7 +310,7 @@ fn faults_and_oddities_are_named() {
     let mut soup = Soup::default();
     (0..9).for_each(|i| soup.add_box([0.1 * f64::from(i); 3], [1.0 + f64::from(i); 3]));
     for max_cells in [0, 20, 200, 500] {
-        let bounded = CutOptions { max_cells: Some(max_cells) };
+        let bounded = CutOptions::new().max_cells(max_cells);
         let error = CutTriangles::new(&soup.positions(), &soup.triangles, &bounded).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::TooLarge);
     }

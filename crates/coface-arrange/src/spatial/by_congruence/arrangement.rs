@@ -84,7 +84,7 @@ pub fn arrange_by_congruence(
     let stack = Stack::new(&sheets, &cut)?;
     let vertices =
         vertex_congruence(&stack.positions, tolerance, ClassRule::Transitive, Representative::Lowest)?;
-    let options = CongruenceOptions { collisions: Collisions::Rewrap, ..Default::default() };
+    let options = CongruenceOptions::new().collisions(Collisions::Rewrap);
     let classes = CellClasses::unsigned(vertices.class_of().to_vec())?;
     let merged = chain_congruence(&stack.complex, classes, Some(vertices.positions()), options)?;
     let [edges, faces] = merged.complex().boundary_matrices() else {

@@ -19,10 +19,42 @@ use std::sync::Arc;
 
 /// Bounds on what cutting may do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct CutOptions {
-    /// The largest number of vertices, edges and faces together that the result may have; `None` for as many as 32 bits number.
-    /// The places where triangles were found to meet count on the way, so that memory stays in proportion.
-    pub max_cells: Option<usize>,
+    max_cells: Option<usize>,
+}
+
+impl CutOptions {
+    /// No bound but what 32 bits number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::CutOptions;
+    /// assert_eq!(CutOptions::new(), CutOptions::default());
+    /// ```
+    pub const fn new() -> Self {
+        Self { max_cells: None }
+    }
+
+    /// Refuses more vertices, edges and faces together than this. The places where triangles meet count while they are found, so
+    /// that memory stays in proportion.
+    ///
+    /// # Examples
+    /// A triangle has seven cells.
+    /// ```
+    /// use coface_arrange::spatial::{CutOptions, CutTriangles};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0.])?;
+    /// let cut = |most| CutTriangles::new(&corners, &[[0, 1, 2]], &CutOptions::new().max_cells(most));
+    /// assert!(cut(7).is_ok() && cut(6).is_err());
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn max_cells(mut self, most: impl Into<Option<usize>>) -> Self {
+        self.max_cells = most.into();
+        self
+    }
 }
 
 /// What a vertex of cut triangles is. Numbers are those of the points and triangles of the input; equal points, and triangles with

@@ -1,0 +1,89 @@
+//! What is asked of an arrangement in space.
+
+use super::flat_polygons::NonPlanar;
+
+/// Options of an arrangement in space.
+///
+/// # Examples
+/// ```
+/// use coface_arrange::spatial::{NonPlanar, SpatialOptions};
+/// let options = SpatialOptions::new().non_planar(NonPlanar::Split).merge_coplanar(true).max_cells(1_000_000);
+/// assert_ne!(options, SpatialOptions::default());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct SpatialOptions {
+    pub(super) non_planar: NonPlanar,
+    pub(super) merge_coplanar: bool,
+    pub(super) max_cells: Option<usize>,
+}
+
+impl SpatialOptions {
+    /// Refuses polygons that are not planar, keeps the faces of different polygons apart, and has no bound on the number of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::SpatialOptions;
+    /// assert_eq!(SpatialOptions::new(), SpatialOptions::default());
+    /// ```
+    pub const fn new() -> Self {
+        Self { non_planar: NonPlanar::Refuse, merge_coplanar: false, max_cells: None }
+    }
+
+    /// Does this with polygons whose points are not exactly in one plane.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::{NonPlanar, SpatialOptions};
+    /// assert_ne!(SpatialOptions::new().non_planar(NonPlanar::Split), SpatialOptions::new());
+    /// ```
+    #[must_use]
+    pub const fn non_planar(mut self, non_planar: NonPlanar) -> Self {
+        self.non_planar = non_planar;
+        self
+    }
+
+    /// Whether faces that are exactly in one plane and belong to the same inputs become one face where nothing else meets them,
+    /// whatever polygons they come from. Vertices on the straight edges that remain are removed.
+    ///
+    /// # Examples
+    /// Two triangles that make a square are two faces, or one:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.])?;
+    /// let polygons = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2], [0, 2, 3]]))?;
+    /// let options = SpatialOptions::new();
+    /// assert_eq!(SpatialArrangement::new(&polygons, &options)?.f_vector(), [4, 5, 2, 0]);
+    /// assert_eq!(SpatialArrangement::new(&polygons, &options.merge_coplanar(true))?.f_vector(), [4, 4, 1, 0]);
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub const fn merge_coplanar(mut self, merge_coplanar: bool) -> Self {
+        self.merge_coplanar = merge_coplanar;
+        self
+    }
+
+    /// Refuses more vertices, edges and faces together than this; pieces of polygons count one by one.
+    ///
+    /// # Examples
+    /// A triangle has seven cells:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0.])?;
+    /// let triangle = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert!(SpatialArrangement::new(&triangle, &SpatialOptions::new().max_cells(7)).is_ok());
+    /// assert!(SpatialArrangement::new(&triangle, &SpatialOptions::new().max_cells(6)).is_err());
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn max_cells(mut self, most: impl Into<Option<usize>>) -> Self {
+        self.max_cells = most.into();
+        self
+    }
+}
