@@ -1,5 +1,9 @@
-//! The one error of the crate: what went wrong, where, and what to do about it.
+//! The one error of the library: what went wrong, where, and what to do about it.
+//!
+//! An [`Error`] has two readers. A person reads its message, which names the place, the fault and the cure. A program
+//! matches on its [`ErrorKind`] and, where the fault is about cells or numbers, on its typed [`Fault`].
 
+use crate::ids::{CellId, FaceId, VertexId};
 use std::fmt;
 
 /// What sort of fault an [`Error`] is; stable for matching, while messages may be reworded.
@@ -61,6 +65,101 @@ impl ErrorKind {
     }
 }
 
+/// The cells and numbers that a fault is about, for programs that act on them.
+///
+/// Faults of files have no variant here: their place is [`Error::file`], [`Error::line`] and [`Error::byte`].
+///
+/// # Examples
+/// ```
+/// use coface_algebra::{Error, ErrorKind, FaceId, Fault, VertexId};
+/// let faces = [0, 3, 7].map(FaceId::new).to_vec();
+/// let fault = Fault::EdgeInFaces { edge: [4, 9].map(VertexId::new), faces };
+/// let error = Error::new(ErrorKind::NonManifold, "edge {v4, v9} lies in 3 faces").with_fault(fault);
+/// let Some(Fault::EdgeInFaces { faces, .. }) = error.fault() else { panic!("the fault is an edge") };
+/// assert_eq!(faces.len(), 3);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Fault {
+    /// An edge lies in a number of faces that no surface allows: in none, or in three or more.
+    EdgeInFaces {
+        /// The ends of the edge.
+        edge: [VertexId; 2],
+        /// The faces around the edge; a face that runs along it twice is listed twice.
+        faces: Vec<FaceId>,
+    },
+    /// Two faces run along an edge in the same direction, so their orientations do not agree.
+    IncoherentFaces {
+        /// The source and the target of the edge, in the direction of both faces.
+        edge: [VertexId; 2],
+        /// The two faces; they are equal if one face runs along the edge twice.
+        faces: [FaceId; 2],
+    },
+    /// The faces at a vertex form several fans that share the vertex only.
+    VertexWithFans {
+        /// The vertex.
+        vertex: VertexId,
+        /// The faces of each fan.
+        fans: Vec<Vec<FaceId>>,
+    },
+    /// A closed chain of faces cannot be oriented coherently: it is a Moebius band.
+    OddCycle {
+        /// The faces of the chain, each next to the one before; the last one is next to the first.
+        faces: Vec<FaceId>,
+    },
+    /// A set of cells has a cell without one of its faces.
+    MissingFace {
+        /// The degree of the cell.
+        degree: usize,
+        /// The cell.
+        cell: CellId,
+        /// The missing face, of one degree less.
+        face: CellId,
+    },
+    /// The boundary of the boundary of a cell is not zero.
+    BoundaryNotCycle {
+        /// The degree of the cell.
+        degree: usize,
+        /// The cell.
+        cell: CellId,
+    },
+    /// A number names a thing that does not exist.
+    OutOfRange {
+        /// The number.
+        index: usize,
+        /// How many such things there are: numbers from 0 to `count - 1` are valid.
+        count: usize,
+    },
+    /// A matrix does not have the shape that its place asks for.
+    Shape {
+        /// The rows and columns of the matrix.
+        found: [usize; 2],
+        /// The rows and columns that would fit; `None` where any number does.
+        expected: [Option<usize>; 2],
+    },
+    /// A list does not have the length that its place asks for.
+    Length {
+        /// The length of the list.
+        found: usize,
+        /// The length that would fit.
+        expected: usize,
+    },
+}
+
+impl Fault {
+    /// The fault with other numbers for the vertices.
+    fn with_vertices(mut self, number: &impl Fn(u32) -> u32) -> Self {
+        match &mut self {
+            Self::EdgeInFaces { edge, .. } | Self::IncoherentFaces { edge, .. } => {
+                *edge = edge.map(|vertex| VertexId::from_u32(number(vertex.to_u32())));
+            }
+            Self::VertexWithFans { vertex, .. } => *vertex = VertexId::from_u32(number(vertex.to_u32())),
+            _ => {}
+        }
+        self
+    }
+}
+
 /// Where in a file a fault was found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Place {
@@ -91,6 +190,7 @@ struct Inner {
     place: Place,
     cure: Option<String>,
     cells: Vec<Vec<u32>>,
+    fault: Option<Fault>,
 }
 
 impl Error {
@@ -102,6 +202,7 @@ impl Error {
             place: Place::default(),
             cure: None,
             cells: Vec::new(),
+            fault: None,
         }))
     }
 
@@ -133,6 +234,39 @@ impl Error {
     #[must_use]
     pub fn with_cells<L: Into<Vec<u32>>>(mut self, cells: impl IntoIterator<Item = L>) -> Self {
         self.0.cells = cells.into_iter().map(Into::into).collect();
+        self
+    }
+
+    /// The same error with the cells and numbers of its fault as typed data.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Error, ErrorKind, Fault};
+    /// let error = Error::new(ErrorKind::Shape, "row 7 of a matrix of 3 rows");
+    /// let error = error.with_fault(Fault::OutOfRange { index: 7, count: 3 });
+    /// assert_eq!(error.fault(), Some(&Fault::OutOfRange { index: 7, count: 3 }));
+    /// ```
+    #[must_use]
+    pub fn with_fault(mut self, fault: Fault) -> Self {
+        self.0.fault = Some(fault);
+        self
+    }
+
+    /// The same error with other numbers for the vertices of its cells and of its fault; the message stays.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn with_vertex_numbers(mut self, number: impl Fn(u32) -> u32) -> Self {
+        self.0.cells.iter_mut().flatten().for_each(|vertex| *vertex = number(*vertex));
+        self.0.fault = self.0.fault.map(|fault| fault.with_vertices(&number));
+        self
+    }
+
+    /// The same error with another message and another cure: its kind, place, cells and typed fault stay.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn reworded(mut self, message: impl Into<String>) -> Self {
+        self.0.message = message.into();
+        self.0.cure = None;
         self
     }
 
@@ -175,6 +309,19 @@ impl Error {
     /// The cells it is about, each by the numbers of its vertices, so that a program can show them; none where it is about no cells.
     pub fn cells(&self) -> &[Vec<u32>] {
         &self.0.cells
+    }
+
+    /// The cells and numbers of the fault as typed data, for a program that acts on them; `None` where the fault has
+    /// none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Fault, SparseMatrix};
+    /// let error = SparseMatrix::from_entries(2, 1, [(5, 0, 1)]).unwrap_err();
+    /// assert_eq!(error.fault(), Some(&Fault::OutOfRange { index: 5, count: 2 }));
+    /// ```
+    pub fn fault(&self) -> Option<&Fault> {
+        self.0.fault.as_ref()
     }
 
     /// The file it is in.
@@ -234,6 +381,22 @@ mod tests {
     fn the_first_place_is_kept() {
         let error = Error::parse("bad").at_line(3).at_line(9).in_file("a").in_file("b");
         assert_eq!((error.line(), error.file()), (Some(3), Some("a")));
+    }
+
+    #[test]
+    fn vertices_of_cells_and_fault_are_renumbered_together() {
+        let error = Error::new(ErrorKind::NonManifold, "two fans meet at vertex v1")
+            .with_cells([[1]])
+            .with_fault(Fault::VertexWithFans {
+                vertex: VertexId::new(1),
+                fans: vec![vec![FaceId::new(1)]; 2],
+            })
+            .with_vertex_numbers(|vertex| vertex + 10);
+        assert_eq!(error.cells(), [[11]]);
+        let fans = vec![vec![FaceId::new(1)]; 2];
+        assert_eq!(error.fault(), Some(&Fault::VertexWithFans { vertex: VertexId::new(11), fans }));
+        let reworded = error.with_cure("split it").reworded("no surface");
+        assert_eq!((reworded.to_string(), reworded.fault().is_some()), ("no surface".to_owned(), true));
     }
 
     #[test]

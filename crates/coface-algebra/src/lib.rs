@@ -27,7 +27,7 @@ pub mod progress;
 #[doc(hidden)]
 pub mod samples;
 
-pub use error::{Error, ErrorKind};
+pub use error::{Error, ErrorKind, Fault};
 pub use ids::{CellId, EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 
 pub use combinatorics::{ParityUnion, ParityUnionFind, Permutation, Sign, UnionFind, Word};

@@ -30,7 +30,7 @@ pub use coface_yin as yin;
 
 pub use coface_algebra::chains::{Chain, ChainComplex, Cochain};
 pub use coface_algebra::{
-    CellId, EdgeId, Error, ErrorKind, FaceId, HalfedgeId, Id, IdVec, SparseMatrix, VertexId,
+    CellId, EdgeId, Error, ErrorKind, FaceId, Fault, HalfedgeId, Id, IdVec, SparseMatrix, VertexId,
 };
 pub use coface_answers::Report;
 pub use coface_complexes::cell_mesh::CellMesh;

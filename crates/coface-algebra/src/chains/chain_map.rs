@@ -2,7 +2,7 @@
 
 use super::{Chain, ChainComplex, Coefficient};
 use crate::matrices::SparseMatrix;
-use crate::{CellId, Error, ErrorKind};
+use crate::{CellId, Error, ErrorKind, Fault};
 
 /// A chain map: in each degree k an integer matrix $f_k$ from the k-chains of a source to those of a target, with
 /// $\partial f_k = f_{k-1} \partial$. Column j of the matrix of degree k is the image of the k-cell j of the source.
@@ -46,6 +46,7 @@ impl ChainMap {
         if matrices.len() != source.degree_count() {
             let message = format!("{} matrices for {} degrees", matrices.len(), source.degree_count());
             return Err(Error::new(ErrorKind::Shape, message)
+                .with_fault(Fault::Length { found: matrices.len(), expected: source.degree_count() })
                 .with_cure("give a matrix for each degree of the source"));
         }
         for (degree, matrix) in matrices.iter().enumerate() {
@@ -60,7 +61,11 @@ impl ChainMap {
                         expected.0,
                         expected.1
                     ),
-                ));
+                )
+                .with_fault(Fault::Shape {
+                    found: [matrix.row_count(), matrix.column_count()],
+                    expected: [Some(expected.0), Some(expected.1)],
+                }));
             }
             let Some(own) = source.boundary_matrix(degree) else { continue };
             let around = matrices[degree - 1].product(own)?.into_wide();

@@ -1,7 +1,7 @@
 //! Linear combinations of cells of one degree: what chains and cochains have in common.
 
 use super::{ChainComplex, Coefficient};
-use crate::{CellId, Error, ErrorKind};
+use crate::{CellId, Error, ErrorKind, Fault};
 use std::fmt;
 
 /// A combination of cells of one degree: cells rising, no coefficient zero.
@@ -98,7 +98,8 @@ fn check_cells(complex: &ChainComplex, degree: usize, last: Option<CellId>) -> R
         Some(cell) if cell.index() >= count => Err(Error::new(
             ErrorKind::NotInComplex,
             format!("there is no cell {cell} of degree {degree}: there are {count} such cells"),
-        )),
+        )
+        .with_fault(Fault::OutOfRange { index: cell.index(), count })),
         _ => Ok(()),
     }
 }

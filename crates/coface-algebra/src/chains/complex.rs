@@ -2,7 +2,7 @@
 
 use crate::integers::Integer;
 use crate::matrices::{Entry, SparseMatrix, WideMatrix};
-use crate::{Error, ErrorKind};
+use crate::{CellId, Error, ErrorKind, Fault};
 
 /// A finite chain complex of free abelian groups, each with a basis of cells.
 ///
@@ -105,7 +105,11 @@ fn cell_counts_of<E: Entry>(
                     matrix.row_count(),
                     cell_counts[k]
                 ),
-            ));
+            )
+            .with_fault(Fault::Shape {
+                found: [matrix.row_count(), matrix.column_count()],
+                expected: [Some(cell_counts[k]), None],
+            }));
         }
         cell_counts.push(matrix.column_count());
     }
@@ -114,7 +118,9 @@ fn cell_counts_of<E: Entry>(
 
 fn no_cycle(cell: usize, degree: usize) -> Error {
     let message = format!("the boundary of the boundary of cell {cell} of degree {degree} is not zero");
-    Error::new(ErrorKind::BoundaryOfBoundary, message).with_cure("check the signs of its faces")
+    Error::new(ErrorKind::BoundaryOfBoundary, message)
+        .with_fault(Fault::BoundaryNotCycle { degree, cell: CellId::new(cell) })
+        .with_cure("check the signs of its faces")
 }
 
 impl<E: Entry> ChainComplex<E> {

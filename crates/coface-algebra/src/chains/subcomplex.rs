@@ -2,7 +2,7 @@
 
 use super::ChainComplex;
 use crate::matrices::SparseMatrix;
-use crate::{CellId, Error, ErrorKind};
+use crate::{CellId, Error, ErrorKind, Fault};
 
 impl ChainComplex {
     /// The complex of some of the cells, which must have their faces among them: `cells[k]` are those of degree k, and
@@ -147,7 +147,11 @@ impl ChainComplex {
                         return Err(Error::new(
                             ErrorKind::NotInComplex,
                             format!("there is no cell {cell} of degree {degree} in the complex"),
-                        ));
+                        )
+                        .with_fault(Fault::OutOfRange {
+                            index: cell.index(),
+                            count: self.cell_count(degree),
+                        }));
                     }
                 }
             }
@@ -162,11 +166,12 @@ impl ChainComplex {
             let Some(matrix) = self.boundary_matrix(degree) else { continue };
             for &cell in level {
                 let faces = matrix.column(cell.index()).rows();
-                if let Some(face) = faces.iter().find(|&&face| !members[degree - 1][face as usize]) {
+                if let Some(&face) = faces.iter().find(|&&face| !members[degree - 1][face as usize]) {
                     return Err(Error::new(
                         ErrorKind::NotAComplex,
                         format!("cell {cell} of degree {degree} is listed without its face c{face}"),
                     )
+                    .with_fault(Fault::MissingFace { degree, cell, face: CellId::from_u32(face) })
                     .with_cure("list the faces of all cells too"));
                 }
             }

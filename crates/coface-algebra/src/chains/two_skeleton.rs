@@ -3,7 +3,7 @@
 use crate::Sign;
 use crate::chains::ChainComplex;
 use crate::matrices::{RaggedArray, SparseMatrix};
-use crate::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use crate::{EdgeId, Error, ErrorKind, FaceId, Fault, VertexId};
 
 /// The part of a cell complex that loops see: vertices, edges with their ends, and faces with the closed edge paths
 /// that their rims run along. A [`ChainComplex`] forgets the order of a rim; this does not.
@@ -70,7 +70,8 @@ impl TwoSkeleton {
                 "edge {} ends at vertex {}, but there are {vertex_count} vertices",
                 EdgeId::new(at / 2),
                 ends[at]
-            )));
+            ))
+            .with_fault(Fault::OutOfRange { index: ends[at] as usize, count: vertex_count }));
         }
         let mut points = Vec::new();
         for (face, rim) in faces.iter().enumerate() {
@@ -109,14 +110,16 @@ impl TwoSkeleton {
             return Err(Error::new(
                 ErrorKind::Shape,
                 format!("{} vertices for {} faces with an empty rim", vertices.len(), self.points.len()),
-            ));
+            )
+            .with_fault(Fault::Length { found: vertices.len(), expected: self.points.len() }));
         }
         for ((face, at), &vertex) in self.points.iter_mut().zip(vertices) {
             if vertex.index() >= self.vertex_count {
                 return Err(Error::invalid(format!(
                     "face {face} is attached at {vertex}, but there are {} vertices",
                     self.vertex_count
-                )));
+                ))
+                .with_fault(Fault::OutOfRange { index: vertex.index(), count: self.vertex_count }));
             }
             *at = vertex;
         }
@@ -129,12 +132,13 @@ impl TwoSkeleton {
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming a face that does not exist.
     pub fn with_solids(mut self, solids: RaggedArray) -> Result<Self, Error> {
-        if let Some(face) = solids.items().iter().find(|&&face| face as usize >= self.faces.len()) {
+        if let Some(&face) = solids.items().iter().find(|&&face| face as usize >= self.faces.len()) {
             return Err(Error::invalid(format!(
                 "a 3-cell has the face {}, but there are {} faces",
-                FaceId::from_u32(*face),
+                FaceId::from_u32(face),
                 self.faces.len()
-            )));
+            ))
+            .with_fault(Fault::OutOfRange { index: face as usize, count: self.faces.len() }));
         }
         self.solids = solids;
         Ok(self)

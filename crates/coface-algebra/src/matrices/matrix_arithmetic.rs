@@ -1,7 +1,7 @@
 //! Sums, multiples, slices and permutations of sparse matrices.
 
 use crate::combinatorics::Permutation;
-use crate::error::{Error, ErrorKind};
+use crate::error::{Error, ErrorKind, Fault};
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
 use crate::matrices::integer_matrix::IntegerMatrix;
@@ -61,7 +61,11 @@ impl<E: Entry> SparseMatrix<E> {
                     other.row_count(),
                     other.column_count()
                 ),
-            ));
+            )
+            .with_fault(Fault::Shape {
+                found: [other.row_count(), other.column_count()],
+                expected: [Some(self.row_count()), Some(self.column_count())],
+            }));
         }
         let columns = self
             .columns()
@@ -165,7 +169,11 @@ impl<E: Entry> SparseMatrix<E> {
                     self.row_count(),
                     self.column_count()
                 ),
-            ));
+            )
+            .with_fault(Fault::Shape {
+                found: [self.row_count(), self.column_count()],
+                expected: [Some(rows.len()), Some(columns.len())],
+            }));
         }
         let sources = |permutation: &Permutation| {
             permutation.inverse().images().iter().map(|&i| i as usize).collect::<Vec<_>>()
@@ -181,8 +189,9 @@ fn integer_terms<'a, E: Entry + 'a>(terms: impl Iterator<Item = (usize, &'a E)>)
 fn check_numbers(numbers: &[usize], count: usize, what: &str) -> Result<(), Error> {
     match numbers.iter().find(|&&number| number >= count) {
         None => Ok(()),
-        Some(number) => {
-            Err(Error::new(ErrorKind::Shape, format!("{what} {number} of a matrix of {count} {what}s")))
+        Some(&number) => {
+            Err(Error::new(ErrorKind::Shape, format!("{what} {number} of a matrix of {count} {what}s"))
+                .with_fault(Fault::OutOfRange { index: number, count }))
         }
     }
 }

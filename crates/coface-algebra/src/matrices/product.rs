@@ -4,7 +4,7 @@ use crate::error::{Error, ErrorKind};
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
 use crate::matrices::integer_matrix::IntegerMatrix;
-use crate::matrices::sparse_matrix::{SparseMatrix, WideMatrix};
+use crate::matrices::sparse_matrix::{SparseMatrix, WideMatrix, factor_fault};
 use crate::progress::stage;
 use rayon::prelude::*;
 
@@ -101,7 +101,7 @@ impl<E: Entry> SparseMatrix<E> {
     /// ```
     pub fn times_vector(&self, vector: &[Integer]) -> Result<Vec<Integer>, Error> {
         if vector.len() != self.column_count() {
-            return Err(shape_error(self.column_count(), vector.len()));
+            return Err(factor_fault(self.column_count(), vector.len(), 1));
         }
         let mut sums = vec![Integer::ZERO; self.row_count()];
         for (column, factor) in self.columns().zip(vector) {
@@ -119,7 +119,7 @@ impl<E: Entry> SparseMatrix<E> {
         if self.column_count() == other.row_count() {
             Ok(())
         } else {
-            Err(shape_error(self.column_count(), other.row_count()))
+            Err(factor_fault(self.column_count(), other.row_count(), other.column_count()))
         }
     }
 
@@ -182,13 +182,6 @@ impl<E: Entry> SparseMatrix<E> {
             .collect();
         WideMatrix::from_integer_columns(self.row_count(), columns)
     }
-}
-
-fn shape_error(column_count: usize, row_count: usize) -> Error {
-    Error::new(
-        ErrorKind::Shape,
-        format!("a matrix of {column_count} columns cannot be multiplied by one of {row_count} rows"),
-    )
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Sparse integer matrices in compressed columns.
 
-use crate::error::{Error, ErrorKind};
+use crate::error::{Error, ErrorKind, Fault};
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
 use rayon::prelude::*;
@@ -157,7 +157,12 @@ impl SparseMatrix {
                     format!(
                         "entry ({row}, {column}) lies outside a matrix of {row_count} rows and {column_count} columns"
                     ),
-                ));
+                )
+                .with_fault(if row >= row_count {
+                    Fault::OutOfRange { index: row, count: row_count }
+                } else {
+                    Fault::OutOfRange { index: column, count: column_count }
+                }));
             }
             sorted.push((column as u32, row as u32, entry));
         }
@@ -285,7 +290,9 @@ impl<E: Entry> SparseMatrix<E> {
             ));
         }
         if entries.len() != rows.len() {
-            return shape(format!("{} rows beside {} entries", rows.len(), entries.len()));
+            let message = format!("{} rows beside {} entries", rows.len(), entries.len());
+            return Err(Error::new(ErrorKind::Shape, message)
+                .with_fault(Fault::Length { found: entries.len(), expected: rows.len() }));
         }
         let bad = (0..column_starts.len() - 1).into_par_iter().find_first(|&j| {
             let range = column_starts[j] as usize..column_starts[j + 1] as usize;
@@ -433,14 +440,7 @@ impl SparseMatrix {
     /// Linear in the number of multiplications; columns run in parallel.
     pub fn first_nonzero_product_column(&self, other: &Self) -> Result<Option<usize>, Error> {
         if self.column_count() != other.row_count() {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!(
-                    "a matrix of {} columns cannot be multiplied by one of {} rows",
-                    self.column_count(),
-                    other.row_count()
-                ),
-            ));
+            return Err(factor_fault(self.column_count(), other.row_count(), other.column_count()));
         }
         const BLOCK: usize = 1 << 14;
         let block_count = other.column_count().div_ceil(BLOCK);
@@ -494,6 +494,16 @@ impl SparseMatrix {
             .chunk_by(|a, b| a.0 == b.0)
             .all(|group| group.iter().map(|&(_, product)| product).sum::<i128>() == 0)
     }
+}
+
+/// The error of a second factor that has too few or too many rows.
+pub(super) fn factor_fault(column_count: usize, row_count: usize, other_column_count: usize) -> Error {
+    let message =
+        format!("a matrix of {column_count} columns cannot be multiplied by one of {row_count} rows");
+    Error::new(ErrorKind::Shape, message).with_fault(Fault::Shape {
+        found: [row_count, other_column_count],
+        expected: [Some(column_count), None],
+    })
 }
 
 /// The error of an entry that 32 bits do not hold.

@@ -311,9 +311,7 @@ pub fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec
 /// The fault with cells by the numbers of the file, where those of the surface are others.
 fn renumbered(error: Error, numbers: Option<&[u32]>) -> Error {
     let Some(numbers) = numbers else { return error };
-    let number = |&vertex: &u32| numbers.get(vertex as usize).copied().unwrap_or(vertex);
-    let cells: Vec<Vec<u32>> = error.cells().iter().map(|cell| cell.iter().map(number).collect()).collect();
-    error.with_cells(cells)
+    error.with_vertex_numbers(|vertex| numbers.get(vertex as usize).copied().unwrap_or(vertex))
 }
 
 /// The polygon that each face is.

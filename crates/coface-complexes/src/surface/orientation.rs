@@ -3,7 +3,7 @@
 use super::PolygonMesh;
 use super::dual_graph::{DualGraph, coherence};
 use coface_algebra::Sign;
-use coface_algebra::{EdgeId, Error, ErrorKind, FaceId};
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, Fault};
 
 /// How the faces of a mesh are oriented and whether they can be oriented coherently.
 ///
@@ -138,6 +138,10 @@ impl PolygonMesh {
                     self.face_count_at(edge)
                 ),
             )
+            .with_fault(Fault::EdgeInFaces {
+                edge: [a, b],
+                faces: self.faces_of_edge(edge).map(|(face, _)| face).collect(),
+            })
             .with_cure("split the mesh there first"));
         }
         if let Some(cycle) = &orientation.odd_cycle {
@@ -149,6 +153,7 @@ impl PolygonMesh {
                     cycle.faces[0]
                 ),
             )
+            .with_fault(Fault::OddCycle { faces: cycle.faces.clone() })
             .with_cure("cut the mesh open, or take its orientation double cover"));
         }
         if orientation.signs.is_empty() {

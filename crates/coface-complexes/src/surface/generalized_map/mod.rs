@@ -12,7 +12,7 @@ pub use slicing::{PathKind, Slice};
 use super::{SurfaceComponent, SurfaceType};
 use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::progress::stage_of_many;
-use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use coface_algebra::{Sign, UnionFind};
 
 /// A compact surface made of polygons whose sides are glued in pairs: orientable or not, with boundary or without,
@@ -423,7 +423,7 @@ impl GeneralizedMap {
 
     fn several_fans(&self, vertex: VertexId) -> Error {
         let mut seen = vec![false; 2 * self.side_count()];
-        let mut fans: Vec<String> = Vec::new();
+        let (mut fans, mut named): (Vec<Vec<FaceId>>, Vec<String>) = (Vec::new(), Vec::new());
         for flag in 0..2 * self.side_count() as u32 {
             if seen[flag as usize] || self.flag_vertex(flag) != vertex {
                 continue;
@@ -432,20 +432,19 @@ impl GeneralizedMap {
             for &member in &fan {
                 seen[member as usize] = true;
             }
-            let faces: Vec<String> = fan
-                .iter()
-                .step_by(2)
-                .take(8)
-                .map(|&f| self.face(HalfedgeId::from_u32(f >> 1)).to_string())
-                .collect();
-            let more = if fan.len() > 16 { " .." } else { "" };
-            fans.push(format!("{}{more}", faces.join(" ")));
+            let faces: Vec<FaceId> =
+                fan.iter().step_by(2).map(|&f| self.face(HalfedgeId::from_u32(f >> 1))).collect();
+            let more = if faces.len() > 8 { " .." } else { "" };
+            let names: Vec<String> = faces.iter().take(8).map(FaceId::to_string).collect();
+            named.push(format!("{}{more}", names.join(" ")));
+            fans.push(faces);
         }
         Error::new(
             ErrorKind::NonManifold,
-            format!("{} fans of faces meet at vertex {vertex} only: {}", fans.len(), fans.join(" | ")),
+            format!("{} fans of faces meet at vertex {vertex} only: {}", fans.len(), named.join(" | ")),
         )
         .with_cells([[vertex.to_u32()]])
+        .with_fault(Fault::VertexWithFans { vertex, fans })
         .with_cure("split the vertex first")
     }
 }
@@ -476,6 +475,7 @@ fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<(Vec<u32>, Vec<u32>)
                 format!("edge {} = {{{a}, {b}}} lies in no face", EdgeId::new(edge)),
             )
             .with_cells([[a.to_u32(), b.to_u32()]])
+            .with_fault(Fault::EdgeInFaces { edge: [a, b], faces: Vec::new() })
             .with_cure("remove the loose edge"))
         }
     }
@@ -483,7 +483,8 @@ fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<(Vec<u32>, Vec<u32>)
 
 fn many_faces(skeleton: &TwoSkeleton, face_of: &[u32], edge: u32) -> Error {
     let sides = skeleton.faces().items().iter().enumerate().filter(|&(_, &step)| step >> 1 == edge);
-    let faces: Vec<String> = sides.map(|(side, _)| FaceId::from_u32(face_of[side]).to_string()).collect();
+    let faces: Vec<FaceId> = sides.map(|(side, _)| FaceId::from_u32(face_of[side])).collect();
+    let names: Vec<String> = faces.iter().take(8).map(FaceId::to_string).collect();
     let edge = EdgeId::from_u32(edge);
     let [a, b] = skeleton.edge(edge);
     let more = if faces.len() > 8 { ", .." } else { "" };
@@ -492,10 +493,11 @@ fn many_faces(skeleton: &TwoSkeleton, face_of: &[u32], edge: u32) -> Error {
         format!(
             "edge {edge} = {{{a}, {b}}} is on {} sides of faces: {}{more}",
             faces.len(),
-            faces[..faces.len().min(8)].join(", ")
+            names.join(", ")
         ),
     )
     .with_cells([[a.to_u32(), b.to_u32()]])
+    .with_fault(Fault::EdgeInFaces { edge: [a, b], faces })
     .with_cure("a surface has at most two there; split the edge first")
 }
 

@@ -1,10 +1,10 @@
 //! Halfedge meshes from polygons.
 
-use super::super::PolygonMesh;
 use super::super::edge_identification::{identify_edges, is_sound, polygon_fault};
+use super::super::{PolygonMesh, SurfaceDefect};
 use super::mesh::{HalfedgeMesh, NONE};
 use coface_algebra::RaggedArray;
-use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, Fault, VertexId};
 
 /// The most sides of polygons.
 const SIDE_LIMIT: usize = 1 << 30;
@@ -93,6 +93,7 @@ impl PolygonMesh {
                 format!("edge e{edge} = {{{a}, {b}}} lies in no face, so the mesh is no surface"),
             )
             .with_cells([[a.to_u32(), b.to_u32()]])
+            .with_fault(Fault::EdgeInFaces { edge: [a, b], faces: Vec::new() })
             .with_cure("remove the edge"));
         }
         HalfedgeMesh::from_polygons(self.vertex_count(), self.polygons())
@@ -320,6 +321,10 @@ fn edge_fault(polygons: &RaggedArray) -> Error {
             ),
         )
         .with_cells([[a, b]])
+        .with_fault(Fault::EdgeInFaces {
+            edge: [a, b].map(VertexId::from_u32),
+            faces: edge.iter().map(|&(_, face, _)| FaceId::from_u32(face)).collect(),
+        })
         .with_cure("remove faces there, or cut the mesh along the edge");
     }
     let incoherent = edges().find(|edge| matches!(edge, [f, g] if f.2 == g.2));
@@ -332,21 +337,31 @@ fn edge_fault(polygons: &RaggedArray) -> Error {
         format!("faces {} and {} both run from v{a} to v{b}, so they do not agree there", named(f), named(g)),
     )
     .with_cells([[a, b]])
+    .with_fault(Fault::IncoherentFaces {
+        edge: [a, b].map(VertexId::from_u32),
+        faces: [f, g].map(FaceId::from_u32),
+    })
     .with_cure("turn faces around so that all agree, which orienting the mesh does if it is orientable")
 }
 
 /// The fans of faces at a vertex that has several.
 #[cold]
 fn fan_fault(vertex_count: usize, polygons: &RaggedArray, vertex: VertexId) -> Error {
-    let message = match PolygonMesh::new(vertex_count, polygons.clone(), &[]) {
-        Ok(mesh) => {
-            let link = mesh.link_components(vertex);
-            super::super::SurfaceDefect::SeveralFans { vertex, link }.message()
-        }
+    let link = match PolygonMesh::new(vertex_count, polygons.clone(), &[]) {
+        Ok(mesh) => mesh.link_components(vertex),
         Err(error) => return error,
     };
-    Error::new(ErrorKind::NonManifold, message)
+    let mut fans = vec![Vec::new(); link.len()];
+    for (face, polygon) in polygons.iter().enumerate() {
+        let Some(at) = polygon.iter().position(|&corner| corner == vertex.to_u32()) else { continue };
+        let next = VertexId::from_u32(polygon[(at + 1) % polygon.len()]);
+        if let Some(fan) = link.iter().position(|component| component.vertices().contains(&next)) {
+            fans[fan].push(FaceId::new(face));
+        }
+    }
+    Error::new(ErrorKind::NonManifold, SurfaceDefect::SeveralFans { vertex, link }.message())
         .with_cells([[vertex.to_u32()]])
+        .with_fault(Fault::VertexWithFans { vertex, fans })
         .with_cure("split the vertex, one copy for each fan")
 }
 

@@ -4,7 +4,7 @@ use super::super::GeneralizedMap;
 use super::mesh::{HalfedgeMesh, NONE};
 use crate::simplicial::{FrozenComplex, SimplicialComplex};
 use coface_algebra::chains::{ChainComplex, TwoSkeleton};
-use coface_algebra::{EdgeId, Error, ErrorKind, FaceId};
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, Fault};
 use coface_algebra::{RaggedArray, Sign};
 
 impl HalfedgeMesh {
@@ -219,6 +219,7 @@ fn no_mesh(skeleton: &TwoSkeleton) -> Error {
             "{both} through edge {edge} = {{{a}, {b}}} in the same direction, so they do not agree there"
         ),
     )
+    .with_fault(Fault::IncoherentFaces { edge: [a, b], faces })
     .with_cure("turn faces around so that all agree, as a generalized map does if it is orientable")
 }
 

@@ -5,7 +5,7 @@ use super::HalfedgeMesh;
 use super::mesh::NONE;
 use crate::surface::PolygonMesh;
 use coface_algebra::RaggedArray;
-use coface_algebra::{EdgeId, ErrorKind, FaceId, HalfedgeId, VertexId};
+use coface_algebra::{EdgeId, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -157,6 +157,16 @@ fn polygons_that_are_no_surface_are_refused_with_the_place() {
     let book = fault(&[vec![0, 1, 2], vec![1, 0, 3], vec![0, 1, 4]]);
     assert_eq!(book.message(), "edge {v0, v1} lies in 3 faces: f0, f1, f2; a surface has at most two there");
     assert_eq!(book.kind(), ErrorKind::NonManifold);
+    let ends = [0, 1].map(VertexId::new);
+    let faces = |numbers: &[usize]| numbers.iter().map(|&face| FaceId::new(face)).collect::<Vec<_>>();
+    assert_eq!(book.fault(), Some(&Fault::EdgeInFaces { edge: ends, faces: faces(&[0, 1, 2]) }));
+    let alike = fault(&[vec![0, 1, 2], vec![3, 0, 1]]);
+    let both = [0, 1].map(FaceId::new);
+    assert_eq!(alike.fault(), Some(&Fault::IncoherentFaces { edge: ends, faces: both }));
+    // Two triangles that share vertex 0 only.
+    let bow = fault(&[vec![0, 1, 2], vec![3, 4, 0]]);
+    let fans = vec![faces(&[0]), faces(&[1])];
+    assert_eq!(bow.fault(), Some(&Fault::VertexWithFans { vertex: VertexId::new(0), fans }));
     assert_eq!(
         fault(&[vec![0, 1, 2], vec![3, 0, 1]]).message(),
         "faces f0 and f1 both run from v0 to v1, so they do not agree there"
