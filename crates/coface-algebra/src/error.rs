@@ -39,8 +39,9 @@ pub enum ErrorKind {
 }
 
 impl ErrorKind {
-    /// The kind as a word for programs: `io`, `parse`, `unsupported_format`, `invalid_input`, `not_in_complex`, `not_a_complex`,
-    /// `not_pure`, `boundary_of_boundary`, `not_a_cycle`, `shape`, `too_large`, `non_manifold`, `coefficient`.
+    /// The kind as a word for programs: `io`, `parse`, `unsupported_format`, `invalid_input`, `not_in_complex`,
+    /// `not_a_complex`, `not_pure`, `boundary_of_boundary`, `not_a_cycle`, `shape`, `too_large`, `non_manifold`,
+    /// `coefficient`.
     ///
     /// # Examples
     /// ```
@@ -195,6 +196,13 @@ struct Inner {
 
 impl Error {
     /// An error of this kind. The message says what is wrong, in lower case and without a full stop.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Error, ErrorKind};
+    /// let error = Error::new(ErrorKind::TooLarge, "there are 2^40 cells");
+    /// assert_eq!(error.to_string(), "there are 2^40 cells");
+    /// ```
     pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
         Self(Box::new(Inner {
             kind,
@@ -207,23 +215,43 @@ impl Error {
     }
 
     /// A fault in the text or bytes of a file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Error, ErrorKind};
+    /// assert_eq!(Error::parse("the file ends in a number").kind(), ErrorKind::Parse);
+    /// ```
     pub fn parse(message: impl Into<String>) -> Self {
         Self::new(ErrorKind::Parse, message)
     }
 
     /// Readable data that cannot be what is asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Error, ErrorKind};
+    /// assert_eq!(Error::invalid("a face repeats a vertex").kind(), ErrorKind::InvalidInput);
+    /// ```
     pub fn invalid(message: impl Into<String>) -> Self {
         Self::new(ErrorKind::InvalidInput, message)
     }
 
     /// The same error with what to do about it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// let error = Error::invalid("there are no faces").with_cure("add a face");
+    /// assert_eq!(error.to_string(), "there are no faces; add a face");
+    /// ```
     #[must_use]
     pub fn with_cure(mut self, cure: impl Into<String>) -> Self {
         self.0.cure = Some(cure.into());
         self
     }
 
-    /// The same error with the cells it is about, each by the numbers of its vertices; cells without vertices by their own number.
+    /// The same error with the cells it is about, each by the numbers of its vertices; cells without vertices by their
+    /// own number.
     ///
     /// # Examples
     /// ```
@@ -271,6 +299,12 @@ impl Error {
     }
 
     /// The same error at a line of a text file, counted from 1. A line already known is kept.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::parse("a number is missing").at_line(3).to_string(), "line 3: a number is missing");
+    /// ```
     #[must_use]
     pub fn at_line(mut self, line: u64) -> Self {
         self.0.place.line.get_or_insert(line);
@@ -278,6 +312,12 @@ impl Error {
     }
 
     /// The same error at a byte of a binary file, counted from 0. A byte already known is kept.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::parse("the data ends").at_byte(84).to_string(), "at byte 84: the data ends");
+    /// ```
     #[must_use]
     pub fn at_byte(mut self, byte: u64) -> Self {
         self.0.place.byte.get_or_insert(byte);
@@ -285,6 +325,12 @@ impl Error {
     }
 
     /// The same error in the file of this name. A file already known is kept.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::parse("the file is empty").in_file("a.off").to_string(), "a.off: the file is empty");
+    /// ```
     #[must_use]
     pub fn in_file(mut self, file: impl Into<String>) -> Self {
         self.0.place.file.get_or_insert_with(|| file.into());
@@ -292,21 +338,48 @@ impl Error {
     }
 
     /// What sort of fault this is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{ErrorKind, RaggedArray};
+    /// let error = RaggedArray::uniform(3, vec![0, 1]).unwrap_err();
+    /// assert_eq!(error.kind(), ErrorKind::Shape);
+    /// ```
     pub fn kind(&self) -> ErrorKind {
         self.0.kind
     }
 
     /// The fault alone, without place and cure.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// let error = Error::parse("a number is missing").at_line(3).with_cure("add it");
+    /// assert_eq!(error.message(), "a number is missing");
+    /// ```
     pub fn message(&self) -> &str {
         &self.0.message
     }
 
     /// What to do about it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::invalid("there are no faces").with_cure("add a face").cure(), Some("add a face"));
+    /// ```
     pub fn cure(&self) -> Option<&str> {
         self.0.cure.as_deref()
     }
 
-    /// The cells it is about, each by the numbers of its vertices, so that a program can show them; none where it is about no cells.
+    /// The cells it is about, each by the numbers of its vertices, so that a program can show them; none where it is
+    /// about no cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::invalid("triangle 2 is flat").with_cells([[0, 1, 4]]).cells(), [[0, 1, 4]]);
+    /// ```
     pub fn cells(&self) -> &[Vec<u32>] {
         &self.0.cells
     }
@@ -325,16 +398,34 @@ impl Error {
     }
 
     /// The file it is in.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::parse("the file is empty").in_file("a.off").file(), Some("a.off"));
+    /// ```
     pub fn file(&self) -> Option<&str> {
         self.0.place.file.as_deref()
     }
 
     /// The line it is at, from 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::parse("a number is missing").at_line(3).line(), Some(3));
+    /// ```
     pub fn line(&self) -> Option<u64> {
         self.0.place.line
     }
 
     /// The byte it is at, from 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Error;
+    /// assert_eq!(Error::parse("the data ends").at_byte(84).byte(), Some(84));
+    /// ```
     pub fn byte(&self) -> Option<u64> {
         self.0.place.byte
     }

@@ -29,21 +29,44 @@ macro_rules! id {
             ///
             /// # Panics
             /// If `index` does not fit in 32 bits.
+            ///
+            /// # Examples
+            /// ```
+            /// let vertex = coface_algebra::VertexId::new(12);
+            /// assert_eq!(vertex.to_string(), "v12");
+            /// ```
             pub fn new(index: usize) -> Self {
                 Self(u32::try_from(index).expect("an id fits in 32 bits"))
             }
 
             /// The id with this 32-bit number.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::FaceId;
+            /// assert_eq!(FaceId::from_u32(7), FaceId::new(7));
+            /// ```
             pub const fn from_u32(number: u32) -> Self {
                 Self(number)
             }
 
             /// The position, for indexing dense arrays.
+            ///
+            /// # Examples
+            /// ```
+            /// let names = ["a", "b"];
+            /// assert_eq!(names[coface_algebra::CellId::new(1).index()], "b");
+            /// ```
             pub const fn index(self) -> usize {
                 self.0 as usize
             }
 
             /// The position as a 32-bit number.
+            ///
+            /// # Examples
+            /// ```
+            /// assert_eq!(coface_algebra::EdgeId::new(3).to_u32(), 3);
+            /// ```
             pub const fn to_u32(self) -> u32 {
                 self.0
             }
@@ -110,21 +133,46 @@ pub struct IdVec<I, T> {
 
 impl<I: Id, T> IdVec<I, T> {
     /// The vector without entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IdVec, VertexId};
+    /// assert!(IdVec::<VertexId, f64>::new().is_empty());
+    /// ```
     pub const fn new() -> Self {
         Self { items: Vec::new(), kind: PhantomData }
     }
 
     /// The vector whose entry at position `i` belongs to the id `i`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, IdVec};
+    /// let areas: IdVec<FaceId, f64> = IdVec::from_vec(vec![0.5, 2.0]);
+    /// assert_eq!(areas[FaceId::new(1)], 2.0);
+    /// ```
     pub const fn from_vec(items: Vec<T>) -> Self {
         Self { items, kind: PhantomData }
     }
 
     /// The number of entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, IdVec};
+    /// assert_eq!(IdVec::<FaceId, _>::from_vec(vec!['a', 'b']).len(), 2);
+    /// ```
     pub fn len(&self) -> usize {
         self.items.len()
     }
 
     /// Whether there is no entry.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, IdVec};
+    /// assert!(!IdVec::<FaceId, _>::from_vec(vec!['a']).is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
@@ -133,6 +181,14 @@ impl<I: Id, T> IdVec<I, T> {
     ///
     /// # Panics
     /// If there are 2^32 entries already.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, IdVec};
+    /// let mut colors = IdVec::new();
+    /// let red: FaceId = colors.push("red");
+    /// assert_eq!((red, colors[red]), (FaceId::new(0), "red"));
+    /// ```
     pub fn push(&mut self, item: T) -> I {
         let id = I::new(self.items.len());
         self.items.push(item);
@@ -140,26 +196,60 @@ impl<I: Id, T> IdVec<I, T> {
     }
 
     /// The entry of `id`, or `None` if there is none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, IdVec};
+    /// let colors = IdVec::from_vec(vec!["red"]);
+    /// assert_eq!(colors.try_at(FaceId::new(0)), Some(&"red"));
+    /// assert_eq!(colors.try_at(FaceId::new(1)), None);
+    /// ```
     pub fn try_at(&self, id: I) -> Option<&T> {
         self.items.get(id.index())
     }
 
     /// All ids in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IdVec, VertexId};
+    /// let heights: IdVec<VertexId, f64> = IdVec::from_vec(vec![1.5, 0.5]);
+    /// assert!(heights.ids().eq([VertexId::new(0), VertexId::new(1)]));
+    /// ```
     pub fn ids(&self) -> impl ExactSizeIterator<Item = I> + use<I, T> {
         (0..self.items.len()).map(I::new)
     }
 
     /// All entries in the order of their ids.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IdVec, VertexId};
+    /// let degrees: IdVec<VertexId, usize> = IdVec::from_vec(vec![2, 3]);
+    /// assert_eq!(degrees.iter().sum::<usize>(), 5);
+    /// ```
     pub fn iter(&self) -> std::slice::Iter<'_, T> {
         self.items.iter()
     }
 
     /// The entries as a plain slice, in the order of their ids.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IdVec, VertexId};
+    /// assert_eq!(IdVec::<VertexId, _>::from_vec(vec![2, 3]).as_slice(), [2, 3]);
+    /// ```
     pub fn as_slice(&self) -> &[T] {
         &self.items
     }
 
     /// The entries as a plain vector, in the order of their ids.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IdVec, VertexId};
+    /// assert_eq!(IdVec::<VertexId, _>::from_vec(vec![2, 3]).into_vec(), [2, 3]);
+    /// ```
     pub fn into_vec(self) -> Vec<T> {
         self.items
     }

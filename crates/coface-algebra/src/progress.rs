@@ -1,8 +1,33 @@
-//! What long work tells whoever waits for it, and how it is asked to end.
+//! Progress and cancellation of long computations.
 //!
-//! A [`Watch`] belongs to who waits. The work that it [runs](Watch::run) says which [`Stage`] it has come to and how many steps of it are
-//! done; another thread may look at any time, and may [stop](Watch::stop) the work, which then unwinds at its next step. Work that nobody
-//! watches pays a branch a step.
+//! # Words
+//! * A [`Watch`] observes one computation. The caller makes it and [runs](Watch::run) the computation under it.
+//! * A computation has **stages**, such as "reading spot.obj" or "matching cells"; stages may contain stages. A
+//!   [`Stage`] is a snapshot of one: its name, and how many of its steps are done.
+//! * [`Steps`] is the side of the computation: [`stage`] begins a stage, and [`Steps::advance`] counts its steps.
+//!
+//! # Conventions
+//! * Any thread may read the progress at any time by [`Watch::stage`], and may cancel the computation by
+//!   [`Watch::stop`]. The computation then unwinds at its next step, and [`Watch::run`] returns [`Stopped`].
+//! * A computation that is not observed pays one branch for each step.
+//!
+//! # Examples
+//! A thread that shows the progress, while the computation runs in this one:
+//! ```
+//! use coface_algebra::progress::{Watch, stage};
+//! use std::sync::Arc;
+//! let watch = Arc::new(Watch::new());
+//! let observer = std::thread::spawn({
+//!     let watch = Arc::clone(&watch);
+//!     move || watch.stage().map(|stage| format!("{}: {} steps are done", stage.name(), stage.done()))
+//! });
+//! let sum = watch.run(|| {
+//!     let steps = stage("adding numbers", 100);
+//!     steps.each(1..=100_u32).sum::<u32>()
+//! });
+//! assert_eq!(sum, Ok(5050));
+//! observer.join().expect("the observer does not panic");
+//! ```
 
 use std::cell::RefCell;
 use std::fmt;
@@ -11,25 +36,22 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 thread_local! {
-    /// Who waits for the work of this thread.
+    /// The observer of the computation of this thread.
     static WATCH: RefCell<Option<Arc<Watch>>> = const { RefCell::new(None) };
 }
 
-/// Looks on long work from outside.
+/// Observes a computation: reads its progress, and cancels it.
 ///
-/// Stages are told by the thread that called [`run`](Self::run); steps of a stage may be done by any number of threads.
+/// The thread that calls [`run`](Self::run) begins the stages; any number of threads may count the steps of a stage.
 ///
 /// # Examples
 /// ```
 /// use coface_algebra::progress::Watch;
-/// use coface_complexes::simplicial::SimplicialComplex;
 /// use std::sync::Arc;
-/// # fn main() -> Result<(), coface_algebra::Error> {
 /// let watch = Arc::new(Watch::new());
-/// let edges = watch.run(|| SimplicialComplex::from_facets(&[[0, 1, 2]]).map(|complex| complex.f_vector()[1]));
-/// assert_eq!(edges.expect("nobody stopped it")?, 3);
+/// let sum: u64 = watch.run(|| (1..=4).sum()).expect("nothing stops the work");
+/// assert_eq!(sum, 10);
 /// assert_eq!(watch.stage(), None);
-/// # Ok(()) }
 /// ```
 #[derive(Debug, Default)]
 pub struct Watch {
@@ -38,19 +60,35 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Nothing is being done yet.
+    /// An observer without a computation.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::Watch;
+    /// assert_eq!(Watch::new().stage(), None);
+    /// ```
     pub const fn new() -> Self {
         Self { stages: Mutex::new(Vec::new()), is_stopped: AtomicBool::new(false) }
     }
 
-    /// Does the work, in this thread, and tells here how far it is.
+    /// Runs a computation in this thread and records its progress.
     ///
     /// # Errors
-    /// [`Stopped`] when the work was asked to [stop](Self::stop) and did before it was done. Whatever it was changing in place then is not
-    /// to be used any more.
+    /// [`Stopped`] if the computation was [stopped](Self::stop) before its end. Values that it was changing in place
+    /// are then in an unspecified state; discard them.
     ///
     /// # Panics
-    /// Where the work does.
+    /// If the computation panics.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Stopped, Watch, stage};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// assert_eq!(watch.run(|| 6 * 7), Ok(42));
+    /// watch.stop();
+    /// assert_eq!(watch.run(|| stage("adding", 3).advance(1)), Err(Stopped));
+    /// ```
     pub fn run<T>(self: &Arc<Self>, work: impl FnOnce() -> T) -> Result<T, Stopped> {
         let before = WATCH.replace(Some(Arc::clone(self)));
         let outcome = catch_unwind(AssertUnwindSafe(work));
@@ -58,12 +96,42 @@ impl Watch {
         outcome.or_else(|payload| if payload.is::<Stopped>() { Err(Stopped) } else { resume_unwind(payload) })
     }
 
-    /// Asks the work to end. It does at its next step; what was asked once is never taken back.
+    /// Cancels the computation, which ends at its next step. A watch that was stopped stays stopped.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Stopped, Watch, stage};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// let outcome = watch.run(|| {
+    ///     let steps = stage("counting without end", 0);
+    ///     for step in 0.. {
+    ///         if step == 10 {
+    ///             watch.stop();
+    ///         }
+    ///         steps.advance(1);
+    ///     }
+    /// });
+    /// assert_eq!(outcome, Err(Stopped));
+    /// ```
     pub fn stop(&self) {
         self.is_stopped.store(true, Ordering::Relaxed);
     }
 
-    /// What is being done now, the innermost stage that has begun; `None` before the first and between two.
+    /// The innermost stage that is running; `None` before the first stage, between two, and after the last.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Unit, Watch, stage_of_bytes};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// let seen = watch.run(|| {
+    ///     let steps = stage_of_bytes("reading spot.obj", 200);
+    ///     steps.advance(50);
+    ///     watch.stage().map(|stage| (stage.unit(), stage.done(), stage.total()))
+    /// });
+    /// assert_eq!(seen, Ok(Some((Unit::Bytes, 50, Some(200)))));
+    /// ```
     pub fn stage(&self) -> Option<Stage> {
         let stages = self.stages();
         let counted = stages.last()?;
@@ -71,7 +139,7 @@ impl Watch {
             name: counted.name.clone(),
             unit: counted.unit,
             done: counted.done.load(Ordering::Relaxed),
-            total: counted.total,
+            total: Some(counted.total).filter(|&total| total > 0),
         })
     }
 
@@ -81,35 +149,92 @@ impl Watch {
     }
 }
 
-/// The work was asked to end and did.
+/// The computation was cancelled by [`Watch::stop`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped;
 
 impl fmt::Display for Stopped {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the work was stopped")
+        f.write_str("the computation was stopped")
     }
 }
 
 impl std::error::Error for Stopped {}
 
-/// A part of long work, and how much of it is done.
+/// A snapshot of one part of a computation: its name and its progress.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stage {
-    /// What is being done: "reading spot.obj", "matching cells".
-    pub name: String,
-    /// What the steps are.
-    pub unit: Unit,
-    /// The steps that are done.
-    pub done: u64,
-    /// All steps; 0 where nobody can know.
-    pub total: u64,
+    name: String,
+    unit: Unit,
+    done: u64,
+    total: Option<u64>,
 }
 
-/// What the steps of a [`Stage`] are.
+impl Stage {
+    /// The name of the stage, such as "reading spot.obj" or "matching cells".
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Watch, stage};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// let name = watch.run(|| {
+    ///     let _steps = stage("matching cells", 100);
+    ///     watch.stage().map(|stage| stage.name().to_owned())
+    /// });
+    /// assert_eq!(name, Ok(Some("matching cells".to_owned())));
+    /// ```
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The unit of [`Self::done`] and [`Self::total`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Unit, Watch, stage_of_bytes};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// let unit = watch.run(|| {
+    ///     let _steps = stage_of_bytes("reading", 100);
+    ///     watch.stage().map(|stage| stage.unit())
+    /// });
+    /// assert_eq!(unit, Ok(Some(Unit::Bytes)));
+    /// ```
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    /// The number of steps that are done.
+    ///
+    /// # Examples
+    /// See [`stage`].
+    pub fn done(&self) -> u64 {
+        self.done
+    }
+
+    /// The number of all steps; `None` if it is unknown.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Watch, stage};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// let total = |count: usize| {
+    ///     let _steps = stage("matching cells", count);
+    ///     watch.stage().and_then(|stage| stage.total())
+    /// };
+    /// assert_eq!(watch.run(|| [total(100), total(0)]), Ok([Some(100), None]));
+    /// ```
+    pub fn total(&self) -> Option<u64> {
+        self.total
+    }
+}
+
+/// The unit in which a [`Stage`] counts its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// Cells, columns, pairs: whatever the stage goes through.
+    /// Items: cells, columns, pairs, or whatever the stage iterates over.
     Items,
     /// Bytes of a file.
     Bytes,
@@ -123,12 +248,14 @@ struct Counted {
     total: u64,
 }
 
-/// A stage that has begun and ends when this is dropped. [`stage`] begins one.
+/// A running stage, for the computation to count its steps. The stage begins with [`stage`] and ends when this is
+/// dropped.
 #[derive(Debug)]
 pub struct Steps(Option<(Arc<Watch>, Arc<Counted>)>);
 
-/// Begins a stage of so many items, 0 where that is not known. Only the thread that somebody watches can begin one: elsewhere nothing is
-/// told.
+/// Begins a stage of `total` items; 0 if their number is unknown.
+///
+/// Only the thread that called [`Watch::run`] records a stage; in other threads this has no effect.
 ///
 /// # Examples
 /// ```
@@ -138,7 +265,7 @@ pub struct Steps(Option<(Arc<Watch>, Arc<Counted>)>);
 /// let done = watch.run(|| {
 ///     let steps = stage("counting files", 3);
 ///     steps.advance(2);
-///     watch.stage().map(|stage| stage.done)
+///     watch.stage().map(|stage| stage.done())
 /// });
 /// assert_eq!(done, Ok(Some(2)));
 /// ```
@@ -146,12 +273,37 @@ pub fn stage(name: &str, total: usize) -> Steps {
     begin(name, Unit::Items, total as u64)
 }
 
-/// Begins a stage unless there are so few items that nobody would see it: for what is done often, and mostly to little.
+/// Begins a stage of `total` items unless they are too few to be noticed: for functions that are called often, and
+/// mostly with few items.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::progress::{Watch, stage_of_many};
+/// use std::sync::Arc;
+/// let watch = Arc::new(Watch::new());
+/// let shown = |total: usize| {
+///     let _steps = stage_of_many("sorting", total);
+///     watch.stage().is_some()
+/// };
+/// assert_eq!(watch.run(|| [shown(10), shown(1_000_000)]), Ok([false, true]));
+/// ```
 pub fn stage_of_many(name: &str, total: usize) -> Steps {
     if total < 16 * BATCH { Steps(None) } else { stage(name, total) }
 }
 
-/// Begins a stage of so many bytes.
+/// Begins a stage of `total` bytes.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::progress::{Watch, stage_of_bytes};
+/// use std::sync::Arc;
+/// let watch = Arc::new(Watch::new());
+/// let total = watch.run(|| {
+///     let _steps = stage_of_bytes("reading", 4096);
+///     watch.stage().and_then(|stage| stage.total())
+/// });
+/// assert_eq!(total, Ok(Some(4096)));
+/// ```
 pub fn stage_of_bytes(name: &str, total: u64) -> Steps {
     begin(name, Unit::Bytes, total)
 }
@@ -161,22 +313,36 @@ fn begin(name: &str, unit: Unit, total: u64) -> Steps {
     let counted = Arc::new(Counted { name: name.to_owned(), unit, done: AtomicU64::new(0), total });
     watch.stages().push(Arc::clone(&counted));
     let steps = Steps(Some((watch, counted)));
-    // A stage is a step of what is around it: work of many short stages ends when it is asked to.
+    // A stage counts as a step of the stage around it: a computation of many short stages can be stopped between them.
     steps.advance(0);
     steps
 }
 
 impl Steps {
-    /// So many further steps are done. Unwinds when somebody asked the work to stop.
+    /// Counts `count` further steps as done. If the computation was stopped, this unwinds to [`Watch::run`].
     ///
-    /// It costs an atomic addition: loops of a few nanoseconds a step call it once for many.
+    /// A call costs an atomic addition: a loop of a few nanoseconds a step calls it once for many steps.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::{Watch, stage};
+    /// use std::sync::Arc;
+    /// let watch = Arc::new(Watch::new());
+    /// let done = watch.run(|| {
+    ///     let steps = stage("counting", 10);
+    ///     steps.advance(4);
+    ///     steps.advance(3);
+    ///     watch.stage().map(|stage| stage.done())
+    /// });
+    /// assert_eq!(done, Ok(Some(7)));
+    /// ```
     #[inline]
     pub fn advance(&self, count: usize) {
         if let Some((watch, counted)) = &self.0 {
             counted.done.fetch_add(count as u64, Ordering::Relaxed);
-            // What is told while the work unwinds, as when buffers are written out, is told to nobody.
+            // Steps that are counted while the computation unwinds, as when buffers are flushed, do not unwind again.
             if watch.is_stopped.load(Ordering::Relaxed) && !std::thread::panicking() {
-                // No fault, so the hook that reports panics hears nothing of it.
+                // A stop is no fault: the panic hook is not called.
                 resume_unwind(Box::new(Stopped));
             }
         }
@@ -184,14 +350,20 @@ impl Steps {
 }
 
 impl Steps {
-    /// Goes through items; each is a step, told a batch at a time.
-    #[doc(hidden)]
+    /// Iterates over items and counts each as a step, in batches of some thousand.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::progress::stage;
+    /// let steps = stage("squaring", 3);
+    /// assert!(steps.each([1, 2, 3]).map(|x| x * x).eq([1, 4, 9]));
+    /// ```
     pub fn each<I: IntoIterator>(&self, items: I) -> Each<'_, I::IntoIter> {
-        Each { items: items.into_iter(), steps: self, untold: 0 }
+        Each { items: items.into_iter(), steps: self, uncounted: 0 }
     }
 
-    /// The item of this place among all of the stage is being done: each is a step, told a batch at a time by the first of the next batch.
-    /// For loops whose items are done by many threads, or in any order.
+    /// Counts the item at this place as a step, in batches: the first item of a batch counts the batch before it. For
+    /// loops whose items are processed by many threads, or in any order.
     #[inline]
     #[doc(hidden)]
     pub fn pass(&self, place: usize) {
@@ -201,15 +373,15 @@ impl Steps {
     }
 }
 
-/// So many items are told at once where each takes nanoseconds.
+/// The number of items that are counted at once where each takes nanoseconds.
 const BATCH: usize = 1 << 12;
 
-/// Items that are counted as they go by.
+/// The iterator of [`Steps::each`].
 #[derive(Debug)]
 pub struct Each<'a, I> {
     items: I,
     steps: &'a Steps,
-    untold: usize,
+    uncounted: usize,
 }
 
 impl<I: Iterator> Iterator for Each<'_, I> {
@@ -217,17 +389,17 @@ impl<I: Iterator> Iterator for Each<'_, I> {
 
     #[inline]
     fn next(&mut self) -> Option<I::Item> {
-        // What is taken next is not done yet, what was taken before is.
-        if self.untold == BATCH {
+        // The next item is not done yet; those before it are.
+        if self.uncounted == BATCH {
             self.steps.advance(BATCH);
-            self.untold = 0;
+            self.uncounted = 0;
         }
         let item = self.items.next();
         if item.is_some() {
-            self.untold += 1;
+            self.uncounted += 1;
         } else {
-            self.steps.advance(self.untold);
-            self.untold = 0;
+            self.steps.advance(self.uncounted);
+            self.uncounted = 0;
         }
         item
     }
@@ -265,14 +437,14 @@ mod tests {
             drop(inner);
             (before, within, watch.stage())
         });
-        let outer = Stage { name: "outer".into(), unit: Unit::Bytes, done: 4, total: 10 };
-        let inner = Stage { name: "inner".into(), unit: Unit::Items, done: 1, total: 3 };
+        let outer = Stage { name: "outer".into(), unit: Unit::Bytes, done: 4, total: Some(10) };
+        let inner = Stage { name: "inner".into(), unit: Unit::Items, done: 1, total: Some(3) };
         assert_eq!(seen, Ok((Some(outer.clone()), Some(inner), Some(outer))));
         assert_eq!(watch.stage(), None);
     }
 
     #[test]
-    fn unwatched_work_goes_on() {
+    fn computations_without_an_observer_run() {
         let steps = stage("alone", 1);
         steps.advance(1);
         assert!(steps.0.is_none());

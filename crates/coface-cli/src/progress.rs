@@ -98,7 +98,7 @@ impl Line {
     /// The stage that the library has come to.
     fn see(&mut self, stage: Option<Stage>) {
         let is_same = match (&self.counted, &stage) {
-            (Some(a), Some(b)) => (&a.name, a.total) == (&b.name, b.total) && a.done <= b.done,
+            (Some(a), Some(b)) => (a.name(), a.total()) == (b.name(), b.total()) && a.done() <= b.done(),
             _ => false,
         };
         if !is_same {
@@ -111,9 +111,9 @@ impl Line {
     fn show(&mut self, coarse: &str) {
         let bar = self.bar.get_or_insert_with(|| new_bar(self.begin));
         IS_SHOWN.store(true, Ordering::Relaxed);
-        let template = match &self.counted {
-            Some(Stage { total: 0, .. }) | None => UNCOUNTED,
-            Some(Stage { unit: Unit::Bytes, .. }) => OF_BYTES,
+        let template = match self.counted.as_ref().map(|stage| (stage.total(), stage.unit())) {
+            Some((None, _)) | None => UNCOUNTED,
+            Some((Some(_), Unit::Bytes)) => OF_BYTES,
             Some(_) => OF_ITEMS,
         };
         if template != self.template {
@@ -122,19 +122,20 @@ impl Line {
         }
         match &self.counted {
             Some(stage) => {
-                let rate = stage.done as f64 / self.since.elapsed().as_secs_f64().max(TICK.as_secs_f64());
-                let per_second = match stage.unit {
+                let rate = stage.done() as f64 / self.since.elapsed().as_secs_f64().max(TICK.as_secs_f64());
+                let per_second = match stage.unit() {
                     Unit::Bytes => format!("{}/s", HumanBytes(rate as u64)),
                     _ => format!("{}/s", with_prefix(rate)),
                 };
-                match stage.total {
-                    0 if stage.done == 0 => bar.set_message(stage.name.clone()),
-                    0 => bar.set_message(format!("{} {per_second}", stage.name)),
-                    total => {
-                        bar.set_message(stage.name.clone());
+                let name = stage.name().to_owned();
+                match stage.total() {
+                    None if stage.done() == 0 => bar.set_message(name),
+                    None => bar.set_message(format!("{name} {per_second}")),
+                    Some(total) => {
+                        bar.set_message(name);
                         bar.set_length(total);
-                        bar.set_position(stage.done.min(total));
-                        let left = total.saturating_sub(stage.done) as f64 / rate;
+                        bar.set_position(stage.done().min(total));
+                        let left = total.saturating_sub(stage.done()) as f64 / rate;
                         let left = if rate > 0.0 { format!(", {left:.0} s left") } else { String::new() };
                         bar.set_prefix(per_second + &left);
                     }

@@ -33,6 +33,16 @@ impl AffineMap {
     /// # Errors
     /// [`ErrorKind::Shape`] unless the matrix has as many rows and columns as the offset has entries;
     /// [`ErrorKind::InvalidInput`] if a number is not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::AffineMap;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x goes to y + 1, y goes to x.
+    /// let map = AffineMap::new(vec![0., 1., 1., 0.], vec![1., 0.])?;
+    /// assert_eq!(map.image(&[5., 7.]), [8., 5.]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(matrix: Vec<f64>, offset: Vec<f64>) -> Result<Self, Error> {
         let dimension = offset.len();
         if matrix.len() != dimension * dimension {
@@ -48,6 +58,11 @@ impl AffineMap {
     }
 
     /// The map that leaves every point where it is.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_geometry::AffineMap::identity(2).image(&[5., 7.]), [5., 7.]);
+    /// ```
     pub fn identity(dimension: usize) -> Self {
         let matrix =
             (0..dimension * dimension).map(|k| f64::from(u8::from(k % (dimension + 1) == 0))).collect();
@@ -58,6 +73,14 @@ impl AffineMap {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if a number is not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::AffineMap;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(AffineMap::translation(&[1., -1.])?.image(&[5., 7.]), [6., 6.]);
+    /// # Ok(()) }
+    /// ```
     pub fn translation(by: &[f64]) -> Result<Self, Error> {
         Self::new(Self::identity(by.len()).matrix, by.to_vec())
     }
@@ -66,6 +89,14 @@ impl AffineMap {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if a factor is not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::AffineMap;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(AffineMap::scaling(&[2., -1.])?.image(&[5., 7.]), [10., -7.]);
+    /// # Ok(()) }
+    /// ```
     pub fn scaling(factors: &[f64]) -> Result<Self, Error> {
         let mut map = Self::identity(factors.len());
         for (i, &factor) in factors.iter().enumerate() {
@@ -105,8 +136,8 @@ impl AffineMap {
 
     /// The rotation of space about an axis through the origin, counterclockwise for who is looked at by the axis.
     ///
-    /// $R x = \cos\varphi\, x + \sin\varphi\, u \times x + (1 - \cos\varphi)\, (u \cdot x)\, u$ for the unit vector u along the
-    /// axis.
+    /// $R x = \cos\varphi\, x + \sin\varphi\, u \times x + (1 - \cos\varphi)\, (u \cdot x)\, u$ for the unit vector u
+    /// along the axis.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if the axis is zero or not finite.
@@ -146,16 +177,34 @@ impl AffineMap {
     }
 
     /// The dimension of the space.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_geometry::AffineMap::identity(3).dimension(), 3);
+    /// ```
     pub fn dimension(&self) -> usize {
         self.dimension
     }
 
     /// The matrix, row after row.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_geometry::AffineMap::identity(2).matrix(), [1., 0., 0., 1.]);
+    /// ```
     pub fn matrix(&self) -> &[f64] {
         &self.matrix
     }
 
     /// The image of the origin.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::AffineMap;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(AffineMap::translation(&[1., -1.])?.offset(), [1., -1.]);
+    /// # Ok(()) }
+    /// ```
     pub fn offset(&self) -> &[f64] {
         &self.offset
     }
@@ -164,6 +213,16 @@ impl AffineMap {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] if the dimensions differ; [`ErrorKind::InvalidInput`] if a number becomes infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::AffineMap;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let (double, shift) = (AffineMap::scaling(&[2.0])?, AffineMap::translation(&[1.0])?);
+    /// assert_eq!(double.then(&shift)?.image(&[5.0]), [11.0]);
+    /// assert_eq!(shift.then(&double)?.image(&[5.0]), [12.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn then(&self, next: &Self) -> Result<Self, Error> {
         let n = self.dimension;
         if next.dimension != n {
@@ -180,6 +239,14 @@ impl AffineMap {
     ///
     /// # Panics
     /// If the point has fewer coordinates than the map has dimensions.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::AffineMap;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(AffineMap::scaling(&[2., 3.])?.image(&[1., 1.]), [2., 3.]);
+    /// # Ok(()) }
+    /// ```
     pub fn image(&self, point: &[f64]) -> Vec<f64> {
         let mut image = vec![0.0; self.dimension];
         self.write_image(point, &mut image);
@@ -201,6 +268,15 @@ impl AffineMap {
     ///
     /// # Complexity
     /// $O(n d^2)$ for n points, parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::{AffineMap, Positions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let segment = Positions::from_flat(1, vec![0.0, 1.0])?;
+    /// assert_eq!(AffineMap::translation(&[5.0])?.apply(&segment)?.as_flat(), [5.0, 6.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn apply(&self, positions: &Positions) -> Result<Positions, Error> {
         if positions.is_empty() && positions.dimension() == 0 {
             return Ok(positions.clone());
@@ -224,8 +300,8 @@ impl AffineMap {
         Positions::from_flat(n, images)
     }
 
-    /// The sign of the determinant of the matrix, exact for the numbers that it has: minus for a map that turns orientations over;
-    /// `None` for a map that flattens.
+    /// The sign of the determinant of the matrix, exact for the numbers that it has: minus for a map that turns
+    /// orientations over; `None` for a map that flattens.
     ///
     /// # Complexity
     /// $O(d^3)$ products of integers.

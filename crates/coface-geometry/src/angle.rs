@@ -6,8 +6,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 /// An angle, known by its cosine and sine.
 ///
 /// Of multiples of a quarter turn both are exact, of twelfths and eighths of a turn correctly rounded, and equal angles
-/// up to symmetry have equal values up to sign: points that are placed around a circle by [`Self::turns`] are exactly as symmetric
-/// as they should be.
+/// up to symmetry have equal values up to sign: points that are placed around a circle by [`Self::turns`] are exactly
+/// as symmetric as they should be.
 ///
 /// # Examples
 /// ```
@@ -31,6 +31,12 @@ impl Angle {
     ///
     /// # Panics
     /// If the denominator is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Angle;
+    /// assert_eq!(Angle::turns(1, 2).cosine_and_sine(), (-1.0, 0.0));
+    /// ```
     pub fn turns(numerator: i64, denominator: u32) -> Self {
         let d = i128::from(denominator);
         let quarters = 4 * (i128::from(numerator).rem_euclid(d));
@@ -44,6 +50,15 @@ impl Angle {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] unless the number is finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Angle;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Angle::degrees(90.0)?.cosine_and_sine(), (0.0, 1.0));
+    /// assert!(Angle::degrees(f64::NAN).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn degrees(degrees: f64) -> Result<Self, Error> {
         if !degrees.is_finite() {
             return Err(
@@ -60,6 +75,14 @@ impl Angle {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] unless the number is finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Angle;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Angle::radians(0.0)?, Angle::ZERO);
+    /// # Ok(()) }
+    /// ```
     pub fn radians(radians: f64) -> Result<Self, Error> {
         if !radians.is_finite() {
             return Err(
@@ -88,11 +111,25 @@ impl Angle {
     }
 
     /// The cosine and the sine.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Angle;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Angle::degrees(60.0)?.cosine_and_sine().0, 0.5);
+    /// # Ok(()) }
+    /// ```
     pub const fn cosine_and_sine(self) -> (f64, f64) {
         (self.cosine, self.sine)
     }
 
     /// The angle the other way around.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Angle;
+    /// assert_eq!(Angle::turns(1, 4).reversed(), Angle::turns(3, 4));
+    /// ```
     #[must_use]
     pub fn reversed(self) -> Self {
         Self { cosine: self.cosine, sine: 0.0 - self.sine }

@@ -14,11 +14,25 @@ pub(crate) fn box_around(a: &AxisBox, b: &AxisBox) -> AxisBox {
 }
 
 /// Whether two boxes have a point in common; a common boundary is enough.
+///
+/// # Examples
+/// ```
+/// use coface_geometry::boxes_meet;
+/// let unit = [[0.0, 1.0]; 3];
+/// assert!(boxes_meet(&unit, &[[1.0, 2.0]; 3]));
+/// assert!(!boxes_meet(&unit, &[[1.5, 2.0]; 3]));
+/// ```
 pub fn boxes_meet(a: &AxisBox, b: &AxisBox) -> bool {
     a.iter().zip(b).all(|(a, b)| a[0] <= b[1] && b[0] <= a[1])
 }
 
 /// The box around many, in parallel.
+///
+/// # Examples
+/// ```
+/// let boxes = [[[0.0, 1.0]; 3], [[3.0, 4.0]; 3]];
+/// assert_eq!(coface_geometry::frame_around(2, |i| boxes[i]), [[0.0, 4.0]; 3]);
+/// ```
 pub fn frame_around(count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> AxisBox {
     (0..count).into_par_iter().map(&box_at).reduce(|| EMPTY_BOX, |a, b| box_around(&a, &b))
 }
@@ -29,7 +43,8 @@ const WIDTH: usize = 4;
 /// The level of the nodes that [`BoxTree::pairs_of_group`] goes by. Under a node of the lowest level are four boxes.
 const GROUP_LEVEL: usize = 3;
 
-/// Four boxes, coordinate by coordinate, so that they are compared with another one at once. Those that are not there meet none.
+/// Four boxes, coordinate by coordinate, so that they are compared with another one at once. Those that are not there
+/// meet none.
 #[derive(Clone, Copy, Debug)]
 struct Four {
     low: [[f64; WIDTH]; 3],
@@ -71,9 +86,21 @@ impl Four {
     }
 }
 
-/// Boxes sorted along a space-filling curve, with the boxes around each four of them, around each four of those, and so on.
+/// Boxes sorted along a space-filling curve, with the boxes around each four of them, around each four of those, and so
+/// on.
 ///
 /// The order of answers depends on the boxes alone.
+///
+/// # Examples
+/// ```
+/// use coface_geometry::BoxTree;
+/// let boxes = [[[0.0, 1.0]; 3], [[0.5, 2.0]; 3], [[7.0, 8.0]; 3]];
+/// let tree = BoxTree::new(&boxes);
+/// let mut met = Vec::new();
+/// tree.visit(&[[0.0, 3.0]; 3], |number| met.push(number));
+/// met.sort_unstable();
+/// assert_eq!(met, [0, 1]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct BoxTree {
     /// The box at each place.
@@ -87,7 +114,15 @@ impl BoxTree {
     ///
     /// # Complexity
     /// $O(n \log n)$ time and $O(n)$ space.
-    #[doc(hidden)]
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::BoxTree;
+    /// let tree = BoxTree::new(&[[[0.0, 1.0]; 3]]);
+    /// let mut count = 0;
+    /// tree.visit(&[[0.5, 0.5]; 3], |_| count += 1);
+    /// assert_eq!(count, 1);
+    /// ```
     pub fn new(boxes: &[AxisBox]) -> Self {
         Self::of(boxes.len(), |i| boxes[i])
     }
@@ -136,8 +171,8 @@ impl BoxTree {
         self.levels[self.group_level()].len()
     }
 
-    /// Calls for pairs of boxes that meet, of which the one that comes first in the tree is in this group: over all groups, each
-    /// pair once.
+    /// Calls for pairs of boxes that meet, of which the one that comes first in the tree is in this group: over all
+    /// groups, each pair once.
     #[doc(hidden)]
     pub fn pairs_of_group(&self, group: usize, mut visit: impl FnMut(u32, u32)) {
         let level = self.group_level();
@@ -147,8 +182,8 @@ impl BoxTree {
         self.join(level, group, &others, &mut vec![Vec::new(); level], &mut visit);
     }
 
-    /// Calls for the pairs of boxes that meet, the first under this node, the second under one of these of the same level and after
-    /// it. `lists` has room for each level below.
+    /// Calls for the pairs of boxes that meet, the first under this node, the second under one of these of the same
+    /// level and after it. `lists` has room for each level below.
     fn join(
         &self,
         level: usize,
@@ -181,8 +216,14 @@ impl BoxTree {
         }
     }
 
-    /// Calls for each box that meets this one.
-    #[doc(hidden)]
+    /// Calls `visit` with the number of each box that has a point in common with this one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::BoxTree;
+    /// let tree = BoxTree::new(&[[[0.0, 1.0]; 3], [[5.0, 6.0]; 3]]);
+    /// tree.visit(&[[4.0, 5.0]; 3], |number| assert_eq!(number, 1));
+    /// ```
     pub fn visit(&self, query: &AxisBox, mut visit: impl FnMut(u32)) {
         self.visit_nodes(query, 0, 0, |node| {
             Bits(self.levels[0][node].meeting(query))

@@ -1,9 +1,39 @@
-//! Coordinates, beside topology and never inside it.
+//! Positions of vertices, exact predicates, triangulation of polygons, box trees and moments.
 //!
-//! [`Positions`] holds the points of one model, in the unit of its file, in any dimension;
-//! [`polygon_area`] and [`enclosed_volume`] measure polygons on them, [`surface_moment`] and [`enclosed_moment`] integrate
-//! monomials, and [`MassProperties`] are what a solid of density 1 has. [`predicates`] are exact decisions about points, and
-//! [`triangulation`] of polygons needs no more than those. An [`AffineMap`] moves points; an [`Angle`] is exact at quarter turns.
+//! Coordinates stand beside topology, never inside it: a complex knows its vertices by number, and [`Positions`] holds
+//! the point of each number.
+//!
+//! # Map
+//! * [`Positions`]: the points of one model, in any dimension. An [`AffineMap`] moves points; an [`Angle`] is exact at
+//!   quarter turns.
+//! * [`predicates`]: exact decisions about points: orientation, side of a line or plane, order of crossings that are
+//!   never computed.
+//! * [`triangulation`]: triangles of a polygon with holes, by exact predicates alone.
+//! * Measures: [`polygon_area`], [`enclosed_volume`]; the integrals of monomials are [`surface_moment`] and
+//!   [`enclosed_moment`]; [`MassProperties`] are volume, center and inertia tensor of a solid of density 1.
+//! * Boxes: a [`BoxTree`] finds the boxes that meet a given box.
+//!
+//! # Conventions
+//! * Lengths are in the unit of the input, areas in its square, volumes in its cube; angles are in turns, degrees or
+//!   radians, as the constructor of [`Angle`] says.
+//! * A predicate returns an [`Ordering`](std::cmp::Ordering): `Greater` is to the left of a line, counterclockwise, or
+//!   on the side of the normal of a plane.
+//! * Predicates are exact for all finite coordinates; measures are rounded, with the same rounding for any number of
+//!   threads.
+//!
+//! # Examples
+//! A unit square: its area, and the side of its diagonal on which a corner lies.
+//! ```
+//! use coface_algebra::RaggedArray;
+//! use coface_geometry::predicates::orientation;
+//! use coface_geometry::{Positions, polygon_area};
+//! # fn main() -> Result<(), coface_algebra::Error> {
+//! let corners = Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1., 0., 1.])?;
+//! assert_eq!(polygon_area(&corners, &RaggedArray::from_lists([[0, 1, 2, 3]])), Some(1.0));
+//! // The corner (0, 1) lies to the left of the diagonal from (0, 0) to (1, 1).
+//! assert!(orientation([0., 0.], [1., 1.], [0., 1.]).is_gt());
+//! # Ok(()) }
+//! ```
 //!
 #![doc = include_str!("../README.md")]
 
@@ -18,16 +48,9 @@ pub mod triangulation;
 
 pub use affine::AffineMap;
 pub use angle::Angle;
+pub use box_tree::{AxisBox, BoxTree, boxes_meet, frame_around};
 #[doc(hidden)]
-pub use box_tree::boxes_meet;
-pub use box_tree::{AxisBox, BoxTree, frame_around};
-#[doc(hidden)]
-pub use measure::Scaled;
-#[doc(hidden)]
-pub use measure::Sum;
-#[doc(hidden)]
-pub use measure::dot;
-pub use measure::{cross, determinant};
-pub use measure::{enclosed_volume, polygon_area};
+pub use measure::{Scaled, Sum};
+pub use measure::{cross, determinant, dot, enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_centroid, surface_moment};
 pub use positions::Positions;

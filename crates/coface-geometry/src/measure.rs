@@ -135,8 +135,8 @@ impl<'a> Scaled<'a> {
     }
 
     /// Six times the signed volume of the cone over a polygon with the origin as apex: positive when the polygon runs
-    /// counterclockwise seen from the side away from the apex. A polygon of four or more vertices is a fan around the mean
-    /// of its vertices, so that the same polygon has the same cone whatever vertex it starts at.
+    /// counterclockwise seen from the side away from the apex. A polygon of four or more vertices is a fan around the
+    /// mean of its vertices, so that the same polygon has the same cone whatever vertex it starts at.
     #[doc(hidden)]
     pub fn cone(&self, polygon: impl ExactSizeIterator<Item = u32> + Clone, origin: [f64; 3]) -> f64 {
         let point = |vertex| self.relative(vertex, origin);
@@ -163,17 +163,34 @@ impl<'a> Scaled<'a> {
     }
 }
 
-#[doc(hidden)]
+/// The cross product of two vectors.
+///
+/// # Examples
+/// ```
+/// use coface_geometry::cross;
+/// assert_eq!(cross([1., 0., 0.], [0., 1., 0.]), [0., 0., 1.]);
+/// ```
 pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-#[doc(hidden)]
+/// The inner product of two vectors.
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_geometry::dot([1., 2., 3.], [4., 5., 6.]), 32.0);
+/// ```
 pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-#[doc(hidden)]
+/// The determinant of three vectors: the signed volume of the parallelepiped that they span, rounded.
+///
+/// # Examples
+/// ```
+/// use coface_geometry::determinant;
+/// assert_eq!(determinant([2., 0., 0.], [0., 3., 0.], [0., 0., 4.]), 24.0);
+/// ```
 pub fn determinant(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
     dot(a, cross(b, c))
 }
@@ -181,9 +198,9 @@ pub fn determinant(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
 /// The area of all polygons together, in the square of the unit of the positions; `None` without positions.
 ///
 /// The area of one polygon is half the length of its area vector $\sum (p_i - p_0) \wedge (p_{i+1} - p_0)$, in any
-/// dimension: half the square root of the Gram determinant for a triangle, the shoelace sum in the plane, M. E. Newell's
-/// sum in space. It is the area of a flat polygon, convex or not, and the largest area of a shadow of one that is not
-/// flat. The result is infinite when it exceeds the largest number.
+/// dimension: half the square root of the Gram determinant for a triangle, the shoelace sum in the plane, M. E.
+/// Newell's sum in space. It is the area of a flat polygon, convex or not, and the largest area of a shadow of one that
+/// is not flat. The result is infinite when it exceeds the largest number.
 ///
 /// # Panics
 /// If a polygon names a vertex without position.
@@ -216,8 +233,8 @@ pub fn polygon_area(positions: &Positions, polygons: &RaggedArray) -> Option<f64
 /// `None` unless the positions have three coordinates.
 ///
 /// It is the sum of the signed volumes of the cones over the faces; for a closed coherent surface the apex does not
-/// matter. Positive when the faces run counterclockwise seen from outside. For other surfaces the number means nothing. A
-/// face of four or more vertices that is not flat is taken as the fan around the mean of its vertices. The result is
+/// matter. Positive when the faces run counterclockwise seen from outside. For other surfaces the number means nothing.
+/// A face of four or more vertices that is not flat is taken as the fan around the mean of its vertices. The result is
 /// infinite when it exceeds the largest number.
 ///
 /// # Panics

@@ -9,10 +9,10 @@ type Exponents = [u32; 3];
 
 /// The integrals of monomials over simplices with vertices in space, by complete homogeneous sums.
 ///
-/// For a simplex with vertices $v_0, \ldots, v_m$ and volume $V$ let $h$ be the coefficient of $s^a t^b u^c$ in the product of
-/// the series $1 / (1 - x_i s - y_i t - z_i u)$. Then the integral of $x^a y^b z^c$ is
-/// $V \, m! \, a! \, b! \, c! / (a + b + c + m)! \cdot h$. All terms of $h$ are products of coordinates: nothing is subtracted
-/// that the coordinates do not subtract themselves.
+/// For a simplex with vertices $v_0, \ldots, v_m$ and volume $V$ let $h$ be the coefficient of $s^a t^b u^c$ in the
+/// product of the series $1 / (1 - x_i s - y_i t - z_i u)$. Then the integral of $x^a y^b z^c$ is
+/// $V \, m! \, a! \, b! \, c! / (a + b + c + m)! \cdot h$. All terms of $h$ are products of coordinates: nothing is
+/// subtracted that the coordinates do not subtract themselves.
 #[derive(Clone)]
 struct Series {
     exponents: Exponents,
@@ -68,8 +68,8 @@ impl Series {
     }
 }
 
-/// The integral of the monomial $x^a y^b z^c$ over all polygons, with respect to area; `None` unless the positions have three
-/// coordinates.
+/// The integral of the monomial $x^a y^b z^c$ over all polygons, with respect to area; `None` unless the positions have
+/// three coordinates.
 ///
 /// `exponents` are a, b, c. The orientation of polygons does not matter. A polygon of four or more vertices is a fan of
 /// triangles around the mean of its vertices, whose areas have signs, so that flat polygons may be non-convex.
@@ -81,8 +81,8 @@ impl Series {
 /// $O(n (a + 1) (b + 1) (c + 1))$ for n corners.
 ///
 /// # References
-/// V. Baldoni, N. Berline, J. De Loera, M. Koeppe, M. Vergne, *How to integrate a polynomial over a simplex* (2011); C. Cattani,
-/// A. Paoluzzi, *Boundary integration over linear polyhedra* (1990).
+/// V. Baldoni, N. Berline, J. De Loera, M. Koeppe, M. Vergne, *How to integrate a polynomial over a simplex* (2011); C.
+/// Cattani, A. Paoluzzi, *Boundary integration over linear polyhedra* (1990).
 ///
 /// # Examples
 /// The area of a triangle and the integral of x over it: its area times the mean of x.
@@ -121,12 +121,13 @@ pub fn surface_moment(positions: &Positions, polygons: &RaggedArray, exponents: 
     Some(scaled.unscaled(integral / 2.0 * series.factor(2), power))
 }
 
-/// The integral of the monomial $x^a y^b z^c$ over the solid that a closed, coherently oriented surface encloses; `None`
-/// unless the positions have three coordinates.
+/// The integral of the monomial $x^a y^b z^c$ over the solid that a closed, coherently oriented surface encloses;
+/// `None` unless the positions have three coordinates.
 ///
-/// `exponents` are a, b, c. It is the sum of the integrals over the cones over the faces, with the signs of their volumes:
-/// positive where the faces run counterclockwise seen from outside. For surfaces that are not closed and coherent the number
-/// means nothing. A polygon of four or more vertices is a fan of triangles around the mean of its vertices.
+/// `exponents` are a, b, c. It is the sum of the integrals over the cones over the faces, with the signs of their
+/// volumes: positive where the faces run counterclockwise seen from outside. For surfaces that are not closed and
+/// coherent the number means nothing. A polygon of four or more vertices is a fan of triangles around the mean of its
+/// vertices.
 ///
 /// # Panics
 /// If a polygon names a vertex without position.
@@ -259,23 +260,62 @@ impl MassProperties {
     }
 
     /// The signed volume: negative for a surface that is inside out. The inertia has the same sign.
+    ///
+    /// # Examples
+    /// The tetrahedron of the origin and three points on the axes:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_geometry::{MassProperties, Positions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let positions = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 6.])?;
+    /// let outward = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let solid = MassProperties::enclosed(&positions, &outward).expect("a solid");
+    /// assert!((solid.volume() - 1.0).abs() < 1e-15);
+    /// # Ok(()) }
+    /// ```
     pub fn volume(&self) -> f64 {
         self.volume
     }
 
     /// The center of mass.
+    ///
+    /// # Examples
+    /// The center of a tetrahedron is the mean of its corners:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_geometry::{MassProperties, Positions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let positions = Positions::from_flat(3, vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 0., 0., 4.])?;
+    /// let outward = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let solid = MassProperties::enclosed(&positions, &outward).expect("a solid");
+    /// assert!(solid.centroid().iter().all(|x| (x - 1.0).abs() < 1e-14));
+    /// # Ok(()) }
+    /// ```
     pub fn centroid(&self) -> [f64; 3] {
         self.centroid
     }
 
     /// The inertia tensor about the center of mass: on the diagonal integrals like $y^2 + z^2$, beside it like $-xy$.
+    ///
+    /// # Examples
+    /// The inertia tensor is symmetric:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_geometry::{MassProperties, Positions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let positions = Positions::from_flat(3, vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 0., 0., 4.])?;
+    /// let outward = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let inertia = MassProperties::enclosed(&positions, &outward).expect("a solid").inertia();
+    /// assert!(inertia[0][0] > 0.0 && inertia[0][1] == inertia[1][0]);
+    /// # Ok(()) }
+    /// ```
     pub fn inertia(&self) -> [[f64; 3]; 3] {
         self.inertia
     }
 }
 
-/// The center of the area of all polygons; `None` unless the positions have three coordinates and the area is a number other
-/// than zero.
+/// The center of the area of all polygons; `None` unless the positions have three coordinates and the area is a number
+/// other than zero.
 ///
 /// The orientation of polygons does not matter. A polygon of four or more vertices is a fan of triangles, as in
 /// [`surface_moment`].
@@ -481,7 +521,8 @@ mod tests {
             prop_assert!((moment - expected).abs() <= 1e-12 * largest, "{moment} {expected}");
         }
 
-        /// Mass properties of boxes that are turned and moved: the volume stays, the center follows, the inertia turns along.
+        /// Mass properties of boxes that are turned and moved: the volume stays, the center follows, the inertia turns
+        /// along.
         #[test]
         fn mass_properties_move_along(
             sides in prop::array::uniform3(1i32..6), turn in 0.0..6.0f64, tilt in 0.0..6.0f64,

@@ -25,6 +25,15 @@ impl Positions {
     /// # Errors
     /// [`ErrorKind::Shape`] if the coordinates cannot be cut into points; [`ErrorKind::InvalidInput`] naming the first
     /// point with a coordinate that is not finite; [`ErrorKind::TooLarge`] beyond 2^32 - 1 points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Positions::from_flat(3, vec![0.0; 12])?.len(), 4);
+    /// assert!(Positions::from_flat(3, vec![0.0; 4]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn from_flat(dimension: usize, coordinates: Vec<f64>) -> Result<Self, Error> {
         let fits =
             if dimension == 0 { coordinates.is_empty() } else { coordinates.len().is_multiple_of(dimension) };
@@ -53,16 +62,35 @@ impl Positions {
     }
 
     /// The number of coordinates of a point; 0 if there are no positions.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(coface_geometry::Positions::from_flat(2, vec![0.0; 6])?.dimension(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn dimension(&self) -> usize {
         self.dimension
     }
 
     /// The number of points.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(coface_geometry::Positions::from_flat(2, vec![0.0; 6])?.len(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn len(&self) -> usize {
         self.coordinates.len().checked_div(self.dimension).unwrap_or(0)
     }
 
     /// Whether there is no point.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(coface_geometry::Positions::default().is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.coordinates.is_empty()
     }
@@ -71,6 +99,16 @@ impl Positions {
     ///
     /// # Panics
     /// If there is no such point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let positions = Positions::from_flat(2, vec![0.0, 0.0, 3.0, 4.0])?;
+    /// assert_eq!(positions.point(VertexId::new(1)), [3.0, 4.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn point(&self, vertex: VertexId) -> &[f64] {
         &self.coordinates[vertex.index() * self.dimension..(vertex.index() + 1) * self.dimension]
     }
@@ -106,6 +144,14 @@ impl Positions {
     }
 
     /// All coordinates, point after point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Positions::from_flat(2, vec![3.0, 4.0])?.as_flat(), [3.0, 4.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn as_flat(&self) -> &[f64] {
         &self.coordinates
     }

@@ -76,7 +76,7 @@ impl<'py> Listener<'py> {
 
     fn tell(&self, watch: &Watch) -> PyResult<()> {
         if let (Self::Callable(function) | Self::Bar(function), Some(stage)) = (self, watch.stage()) {
-            function.call1((stage.name, stage.done, stage.total))?;
+            function.call1((stage.name(), stage.done(), stage.total().unwrap_or(0)))?;
         }
         Ok(())
     }

@@ -39,7 +39,15 @@ impl ChainComplex {
     /// $O(m \log m)$ for m entries in the boundaries of its cells.
     ///
     /// # Examples
-    /// See [`Chain`].
+    /// ```
+    /// use coface_algebra::chains::{Chain, TwoSkeleton};
+    /// use coface_algebra::{CellId, Integer, RaggedArray};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let chain = Chain::new(&edge, 1, [(CellId::new(0), Integer::from(3))])?;
+    /// assert_eq!(edge.boundary(&chain)?.to_string(), "-3 c0 + 3 c1");
+    /// # Ok(()) }
+    /// ```
     pub fn boundary<C: Coefficient>(&self, chain: &Chain<C>) -> Result<Chain<C>, Error> {
         chain.0.check(self)?;
         let degree = chain.degree();
@@ -59,6 +67,19 @@ impl ChainComplex {
     ///
     /// # Errors
     /// As [`Self::boundary`].
+    ///
+    /// # Examples
+    /// The edges from 0 to 1 and from 1 back to 0 are a cycle:
+    /// ```
+    /// use coface_algebra::chains::{Chain, TwoSkeleton};
+    /// use coface_algebra::{CellId, Integer, RaggedArray};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(2, vec![0, 1, 1, 0], RaggedArray::new())?.chain_complex()?;
+    /// let [first, second] = [0, 1].map(|edge| (CellId::new(edge), Integer::ONE));
+    /// assert!(circle.is_cycle(&Chain::new(&circle, 1, [first.clone(), second])?)?);
+    /// assert!(!circle.is_cycle(&Chain::new(&circle, 1, [first])?)?);
+    /// # Ok(()) }
+    /// ```
     pub fn is_cycle<C: Coefficient>(&self, chain: &Chain<C>) -> Result<bool, Error> {
         Ok(self.boundary(chain)?.is_zero())
     }

@@ -11,18 +11,17 @@ use crate::{CellId, Error, ErrorKind, Fault};
 /// J. R. Munkres, *Elements of Algebraic Topology* (1984), section 13.
 ///
 /// # Examples
-/// The circle of six edges runs twice around that of three:
+/// A circle of two edges runs twice around a circle of one edge:
 /// ```
-/// use coface_complexes::simplicial::SimplicialMap;
-/// use coface_complexes::known_spaces::circle;
-/// use coface_topology::{HomologyBasis, induced_maps};
+/// use coface_algebra::chains::{ChainMap, TwoSkeleton};
+/// use coface_algebra::{RaggedArray, SparseMatrix};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let (six, three) = (circle(6)?.freeze(), circle(3)?.freeze());
-/// let twice = SimplicialMap::new(&six, &three, (0..6).map(|v| (v, v % 3)))?;
-/// let (source, target) = (six.chain_complex()?, three.chain_complex()?);
-/// let map = twice.chain_map(&source, &target)?;
-/// let maps = induced_maps(&map, &HomologyBasis::new(&source), &HomologyBasis::new(&target))?;
-/// assert_eq!(maps[1].columns()[0][0].abs(), 2.into());
+/// let two = TwoSkeleton::new(2, vec![0, 1, 1, 0], RaggedArray::new())?.chain_complex()?;
+/// let one = TwoSkeleton::new(1, vec![0, 0], RaggedArray::new())?.chain_complex()?;
+/// let both = SparseMatrix::from_entries(1, 2, [(0, 0, 1), (0, 1, 1)])?;
+/// let twice = ChainMap::new(&two, &one, vec![both.clone(), both])?;
+/// // The cycle of both edges goes to two times the loop.
+/// assert_eq!(twice.matrix(1).expect("there are edges").times_vector(&[1.into(), 1.into()])?, [2.into()]);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,6 +37,18 @@ impl ChainMap {
     /// [`ErrorKind::Shape`] unless there is a matrix for each degree of the source, with as many columns as the source
     /// has cells and as many rows as the target has; [`ErrorKind::InvalidInput`] naming a cell where the map does not
     /// commute with the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::{ChainComplex, ChainMap};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let (source, target) = (ChainComplex::of_points(1), ChainComplex::of_points(2));
+    /// let second = SparseMatrix::from_entries(2, 1, [(1, 0, 1)])?;
+    /// assert!(ChainMap::new(&source, &target, vec![second.clone()]).is_ok());
+    /// assert!(ChainMap::new(&target, &source, vec![second]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         source: &ChainComplex,
         target: &ChainComplex,
@@ -89,6 +100,16 @@ impl ChainMap {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::{ChainComplex, ChainMap};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = ChainMap::identity(&ChainComplex::of_points(2))?;
+    /// assert_eq!(identity.matrix(0), Some(&SparseMatrix::identity(2)?));
+    /// # Ok(()) }
+    /// ```
     pub fn identity(complex: &ChainComplex) -> Result<Self, Error> {
         let matrices = complex.f_vector().iter().map(|&count| SparseMatrix::identity(count));
         Ok(Self { matrices: matrices.collect::<Result<_, Error>>()? })
@@ -98,6 +119,17 @@ impl ChainMap {
     ///
     /// # Errors
     /// Those of [`ChainComplex::subcomplex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::{ChainComplex, ChainMap};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// let inclusion = ChainMap::inclusion(&points, &[vec![CellId::new(2)]])?;
+    /// assert_eq!(inclusion.matrix(0).expect("there is a point").column(0).rows(), [2]);
+    /// # Ok(()) }
+    /// ```
     pub fn inclusion(complex: &ChainComplex, cells: &[Vec<CellId>]) -> Result<Self, Error> {
         let part = complex.subcomplex(cells)?;
         let matrices = (0..part.degree_count()).map(|degree| {
@@ -112,6 +144,19 @@ impl ChainMap {
     ///
     /// # Errors
     /// Those of [`ChainComplex::relative`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::{ChainComplex, ChainMap};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// // Point 0 goes to zero, point 1 to the only point that is left.
+    /// let projection = ChainMap::projection(&points, &[vec![CellId::new(0)]])?;
+    /// let matrix = projection.matrix(0).expect("there are points");
+    /// assert_eq!((matrix.row_count(), matrix.entry(0, 0), matrix.entry(0, 1)), (1, 0, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn projection(complex: &ChainComplex, cells: &[Vec<CellId>]) -> Result<Self, Error> {
         let relative = complex.relative(cells)?;
         let kept = complex.complement(cells)?;
@@ -122,8 +167,18 @@ impl ChainMap {
         Self::new(complex, &relative, matrices.collect::<Result<_, Error>>()?)
     }
 
-    /// The matrix of a degree: a row for each cell of the target, a column for each cell of the source. `None` beyond the
-    /// degrees of the source.
+    /// The matrix of a degree: a row for each cell of the target, a column for each cell of the source. `None` beyond
+    /// the degrees of the source.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, ChainMap};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = ChainMap::identity(&ChainComplex::of_points(2))?;
+    /// assert_eq!(identity.matrix(0).map(|matrix| matrix.entry_count()), Some(2));
+    /// assert!(identity.matrix(1).is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn matrix(&self, degree: usize) -> Option<&SparseMatrix> {
         self.matrices.get(degree)
     }
@@ -133,6 +188,18 @@ impl ChainMap {
     /// # Errors
     /// [`ErrorKind::Shape`] if the source of the other is not the target of this, [`ErrorKind::TooLarge`] for entries
     /// beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::{ChainComplex, ChainMap};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let swap = SparseMatrix::from_entries(2, 2, [(0, 1, 1), (1, 0, 1)])?;
+    /// let swap = ChainMap::new(&points, &points, vec![swap])?;
+    /// assert_eq!(swap.then(&swap)?, ChainMap::identity(&points)?);
+    /// # Ok(()) }
+    /// ```
     pub fn then(&self, next: &Self) -> Result<Self, Error> {
         let matrices = self.matrices.iter().enumerate().map(|(degree, matrix)| match next.matrix(degree) {
             Some(other) => other.checked_product(matrix),
@@ -145,6 +212,19 @@ impl ChainMap {
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] if the chain has a cell that the source has not.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{Chain, ChainComplex, ChainMap};
+    /// use coface_algebra::{CellId, Integer, SparseMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let swap = SparseMatrix::from_entries(2, 2, [(0, 1, 1), (1, 0, 1)])?;
+    /// let swap = ChainMap::new(&points, &points, vec![swap])?;
+    /// let chain = Chain::new(&points, 0, [(CellId::new(0), Integer::from(5))])?;
+    /// assert_eq!(swap.image(&chain)?.to_string(), "5 c1");
+    /// # Ok(()) }
+    /// ```
     pub fn image<C: Coefficient>(&self, chain: &Chain<C>) -> Result<Chain<C>, Error> {
         let degree = chain.degree();
         let Some(matrix) = self.matrix(degree).filter(|_| !chain.is_zero()) else {

@@ -36,7 +36,16 @@ impl<C: Coefficient> Cochain<C> {
     /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) if the rings do.
     ///
     /// # Examples
-    /// See [`Cochain`].
+    /// ```
+    /// use coface_algebra::chains::{Chain, ChainComplex, Cochain};
+    /// use coface_algebra::{CellId, Integer};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let terms = |values: [i64; 2]| [0, 1].map(|i| (CellId::new(i), Integer::from(values[i])));
+    /// let cochain = Cochain::new(&points, 0, terms([2, 3]))?;
+    /// assert_eq!(cochain.pairing(&Chain::new(&points, 0, terms([10, 1]))?)?, Some(23.into()));
+    /// # Ok(()) }
+    /// ```
     pub fn pairing(&self, chain: &Chain<C>) -> Result<Option<C>, Error> {
         self.0.inner_product(&chain.0)
     }
@@ -52,7 +61,15 @@ impl ChainComplex {
     /// Linear in the boundary matrix of the degree above.
     ///
     /// # Examples
-    /// See [`Cochain`].
+    /// ```
+    /// use coface_algebra::chains::{Cochain, TwoSkeleton};
+    /// use coface_algebra::{CellId, Integer, RaggedArray};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let end = Cochain::new(&edge, 0, [(CellId::new(1), Integer::ONE)])?;
+    /// assert_eq!(edge.coboundary(&end)?.to_string(), "c0");
+    /// # Ok(()) }
+    /// ```
     pub fn coboundary<C: Coefficient>(&self, cochain: &Cochain<C>) -> Result<Cochain<C>, Error> {
         cochain.0.check(self)?;
         let degree = cochain.degree() + 1;
@@ -77,6 +94,18 @@ impl ChainComplex {
     ///
     /// # Errors
     /// As [`Self::coboundary`].
+    ///
+    /// # Examples
+    /// A function on vertices is closed if it is constant on each component:
+    /// ```
+    /// use coface_algebra::chains::{Cochain, TwoSkeleton};
+    /// use coface_algebra::{CellId, Integer, RaggedArray};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let constant = [0, 1].map(|vertex| (CellId::new(vertex), Integer::from(7)));
+    /// assert!(edge.is_closed(&Cochain::new(&edge, 0, constant)?)?);
+    /// # Ok(()) }
+    /// ```
     pub fn is_closed<C: Coefficient>(&self, cochain: &Cochain<C>) -> Result<bool, Error> {
         Ok(self.coboundary(cochain)?.is_zero())
     }

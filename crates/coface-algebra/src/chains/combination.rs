@@ -156,6 +156,18 @@ macro_rules! combination {
             ///
             /// # Complexity
             /// $O(m \log m)$ for m terms.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let points = ChainComplex::of_points(3);
+            /// let terms = [(2, 5), (0, 1), (2, -3)].map(|(cell, x)| (CellId::new(cell), Integer::from(x)));
+            #[doc = concat!("assert_eq!(", stringify!($type), "::new(&points, 0, terms)?.to_string(), \"c0 + 2 c2\");")]
+            /// # Ok(()) }
+            /// ```
             pub fn new(
                 complex: &ChainComplex,
                 degree: usize,
@@ -174,31 +186,85 @@ macro_rules! combination {
             }
 
             #[doc = concat!("The ", $noun, " without terms.")]
+            ///
+            /// # Examples
+            /// ```
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            #[doc = concat!("assert!(", stringify!($type), "::<coface_algebra::Integer>::zero(2).is_zero());")]
+            /// ```
             pub fn zero(degree: usize) -> Self {
                 Self(Combination { degree, terms: Vec::new() })
             }
 
             #[doc = concat!("The degree of the cells of this ", $noun, ".")]
+            ///
+            /// # Examples
+            /// ```
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            #[doc = concat!("assert_eq!(", stringify!($type), "::<coface_algebra::Integer>::zero(2).degree(), 2);")]
+            /// ```
             pub fn degree(&self) -> usize {
                 self.0.degree
             }
 
             /// The cells with their coefficients, which are not zero, in rising order.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let (points, term) = (ChainComplex::of_points(2), (CellId::new(1), Integer::from(4)));
+            #[doc = concat!("assert_eq!(", stringify!($type), "::new(&points, 0, [term.clone()])?.terms(), [term]);")]
+            /// # Ok(()) }
+            /// ```
             pub fn terms(&self) -> &[(CellId, C)] {
                 &self.0.terms
             }
 
             /// The cells whose coefficient is not zero, in rising order.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let term = (CellId::new(1), Integer::from(4));
+            #[doc = concat!("let one = ", stringify!($type), "::new(&ChainComplex::of_points(2), 0, [term])?;")]
+            /// assert!(one.support().eq([CellId::new(1)]));
+            /// # Ok(()) }
+            /// ```
             pub fn support(&self) -> impl ExactSizeIterator<Item = CellId> + '_ {
                 self.0.terms.iter().map(|&(cell, _)| cell)
             }
 
             /// The coefficient of a cell; `None` stands for zero.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let (points, term) = (ChainComplex::of_points(2), (CellId::new(1), Integer::from(4)));
+            #[doc = concat!("let one = ", stringify!($type), "::new(&points, 0, [term])?;")]
+            /// assert_eq!(one.coefficient(CellId::new(1)), Some(&4.into()));
+            /// assert_eq!(one.coefficient(CellId::new(0)), None);
+            /// # Ok(()) }
+            /// ```
             pub fn coefficient(&self, cell: CellId) -> Option<&C> {
                 self.0.coefficient(cell)
             }
 
             /// Whether every coefficient is zero.
+            ///
+            /// # Examples
+            /// ```
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            #[doc = concat!("assert!(", stringify!($type), "::<coface_algebra::Integer>::zero(0).is_zero());")]
+            /// ```
             pub fn is_zero(&self) -> bool {
                 self.0.terms.is_empty()
             }
@@ -208,6 +274,19 @@ macro_rules! combination {
             /// # Errors
             /// [`ErrorKind::Shape`](crate::ErrorKind::Shape) if the degrees differ,
             /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) if the rings do.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let points = ChainComplex::of_points(2);
+            /// let terms = [0, 1].map(|cell| (CellId::new(cell), Integer::ONE));
+            #[doc = concat!("let [a, b] = terms.map(|term| ", stringify!($type), "::new(&points, 0, [term]));")]
+            /// assert_eq!(a?.plus(&b?)?.to_string(), "c0 + c1");
+            /// # Ok(()) }
+            /// ```
             pub fn plus(&self, other: &Self) -> Result<Self, Error> {
                 self.0.plus(&other.0).map(Self)
             }
@@ -216,11 +295,36 @@ macro_rules! combination {
             ///
             /// # Errors
             /// As [`Self::plus`].
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let points = ChainComplex::of_points(2);
+            /// let terms = [0, 1].map(|cell| (CellId::new(cell), Integer::ONE));
+            #[doc = concat!("let [a, b] = terms.map(|term| ", stringify!($type), "::new(&points, 0, [term]));")]
+            /// assert_eq!(a?.minus(&b?)?.to_string(), "c0 - c1");
+            /// # Ok(()) }
+            /// ```
             pub fn minus(&self, other: &Self) -> Result<Self, Error> {
                 self.plus(&other.negated())
             }
 
             #[doc = concat!("The ", $noun, " with the opposite coefficients.")]
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let (point, term) = (ChainComplex::of_points(1), (CellId::new(0), Integer::from(4)));
+            #[doc = concat!("let one = ", stringify!($type), "::new(&point, 0, [term])?;")]
+            /// assert_eq!(one.negated().to_string(), "-4 c0");
+            /// # Ok(()) }
+            /// ```
             #[must_use]
             pub fn negated(&self) -> Self {
                 Self(self.0.negated())
@@ -230,6 +334,18 @@ macro_rules! combination {
             ///
             /// # Errors
             /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) if the factor is of another ring.
+            ///
+            /// # Examples
+            /// ```
+            /// use coface_algebra::chains::ChainComplex;
+            #[doc = concat!("use coface_algebra::chains::", stringify!($type), ";")]
+            /// use coface_algebra::{CellId, Integer};
+            /// # fn main() -> Result<(), coface_algebra::Error> {
+            /// let (point, term) = (ChainComplex::of_points(1), (CellId::new(0), Integer::from(4)));
+            #[doc = concat!("let one = ", stringify!($type), "::new(&point, 0, [term])?;")]
+            /// assert_eq!(one.scaled(&3.into())?.to_string(), "12 c0");
+            /// # Ok(()) }
+            /// ```
             pub fn scaled(&self, factor: &C) -> Result<Self, Error> {
                 self.0.scaled(factor).map(Self)
             }

@@ -7,8 +7,8 @@ use crate::{CellId, Error, ErrorKind, Fault};
 /// A finite chain complex of free abelian groups, each with a basis of cells.
 ///
 /// For each degree k a number of cells and, for k at least 1, the boundary matrix from k-chains to (k-1)-chains.
-/// Incidences of cells are small: entries have 32 bits. What is left of a complex after a reduction can have entries of any size, a
-/// [`WideComplex`].
+/// Incidences of cells are small: entries have 32 bits. What is left of a complex after a reduction can have entries of
+/// any size, a [`WideComplex`].
 ///
 /// # Examples
 /// A triangle's rim: three vertices and three edges.
@@ -42,6 +42,18 @@ impl ChainComplex {
     ///
     /// # Complexity
     /// Linear in the multiplications of the products of neighboring matrices, in parallel; no product is stored.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// assert_eq!(ChainComplex::new(vec![edge.clone()])?.f_vector(), [2, 1]);
+    /// // The boundary of a face on one edge alone is no cycle.
+    /// assert!(ChainComplex::new(vec![edge, SparseMatrix::identity(1)?]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(boundaries: Vec<SparseMatrix>) -> Result<Self, Error> {
         let Some(first) = boundaries.first() else {
             return Err(Error::new(ErrorKind::Shape, "a chain complex needs a boundary matrix")
@@ -56,8 +68,8 @@ impl ChainComplex {
         Ok(Self { cell_counts, boundaries })
     }
 
-    /// The same for matrices, at least one, that fit together and whose products are zero by the way they were made: only debug builds
-    /// multiply them.
+    /// The same for matrices, at least one, that fit together and whose products are zero by the way they were made:
+    /// only debug builds multiply them.
     #[doc(hidden)]
     pub fn from_trusted_boundaries(boundaries: Vec<SparseMatrix>) -> Self {
         debug_assert!(Self::new(boundaries.clone()).is_ok(), "the boundary of a boundary is zero");
@@ -67,6 +79,12 @@ impl ChainComplex {
     }
 
     /// The complex of `count` points: cells of degree 0 only. No point gives the empty complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// assert_eq!(ChainComplex::of_points(3).f_vector(), [3]);
+    /// ```
     pub fn of_points(count: usize) -> Self {
         Self { cell_counts: if count == 0 { Vec::new() } else { vec![count] }, boundaries: Vec::new() }
     }
@@ -77,6 +95,17 @@ impl WideComplex {
     ///
     /// # Errors
     /// As of [`ChainComplex::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::WideComplex;
+    /// use coface_algebra::{Integer, WideMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let huge: Integer = "100000000000000000000".parse()?;
+    /// let matrix = WideMatrix::from_integer_columns(1, [vec![(0, huge)]])?;
+    /// assert_eq!(WideComplex::of_wide(1, vec![matrix])?.f_vector(), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn of_wide(vertex_count: usize, boundaries: Vec<WideMatrix>) -> Result<Self, Error> {
         cell_counts_of(vertex_count, &boundaries)?;
         for (k, pair) in boundaries.windows(2).enumerate() {
@@ -124,7 +153,8 @@ fn no_cycle(cell: usize, degree: usize) -> Error {
 }
 
 impl<E: Entry> ChainComplex<E> {
-    /// The complex of this many vertices and these matrices, which fit together and whose products are zero by the way they were made.
+    /// The complex of this many vertices and these matrices, which fit together and whose products are zero by the way
+    /// they were made.
     pub(super) fn from_trusted(vertex_count: usize, boundaries: Vec<SparseMatrix<E>>) -> Self {
         let has_no_degree = vertex_count == 0 && boundaries.is_empty();
         let counts = cell_counts_of(vertex_count, &boundaries).expect("the matrices fit together");
@@ -132,43 +162,115 @@ impl<E: Entry> ChainComplex<E> {
     }
 
     /// The number of cells of this degree; 0 beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// let points = ChainComplex::of_points(3);
+    /// assert_eq!((points.cell_count(0), points.cell_count(1)), (3, 0));
+    /// ```
     pub fn cell_count(&self, degree: usize) -> usize {
         self.cell_counts.get(degree).copied().unwrap_or(0)
     }
 
     /// The numbers of cells of degrees 0, 1, ...
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::from_lists([[0, 2, 4]]))?;
+    /// assert_eq!(triangle.chain_complex()?.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> &[usize] {
         &self.cell_counts
     }
 
     /// The number of degrees: one more than the highest degree that is stored (possibly without cells).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// assert_eq!(ChainComplex::of_points(3).degree_count(), 1);
+    /// ```
     pub fn degree_count(&self) -> usize {
         self.cell_counts.len()
     }
 
     /// The highest degree with a cell; `None` for the empty complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// assert_eq!(ChainComplex::of_points(3).dimension(), Some(0));
+    /// assert_eq!(ChainComplex::of_points(0).dimension(), None);
+    /// ```
     pub fn dimension(&self) -> Option<usize> {
         self.cell_counts.iter().rposition(|&count| count > 0)
     }
 
     /// The boundary matrix from degree `degree` to `degree - 1`; `None` for degree 0 and beyond the dimension, where
     /// the map is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// assert_eq!(edge.boundary_matrix(1).expect("there is an edge").entries(), [-1, 1]);
+    /// assert!(edge.boundary_matrix(0).is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_matrix(&self, degree: usize) -> Option<&SparseMatrix<E>> {
         self.boundaries.get(degree.checked_sub(1)?)
     }
 
     /// The coboundary matrix from degree `degree` to `degree + 1`, the transpose of the boundary matrix of
     /// `degree + 1`; `None` where that map is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let coboundary = edge.coboundary_matrix(0).expect("there is an edge");
+    /// assert_eq!((coboundary.row_count(), coboundary.column_count()), (1, 2));
+    /// # Ok(()) }
+    /// ```
     pub fn coboundary_matrix(&self, degree: usize) -> Option<SparseMatrix<E>> {
         self.boundary_matrix(degree + 1).map(SparseMatrix::transpose)
     }
 
     /// All boundary matrices, of degrees 1, 2, ...
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::from_lists([[0, 2, 4]]))?;
+    /// assert_eq!(triangle.chain_complex()?.boundary_matrices().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_matrices(&self) -> &[SparseMatrix<E>] {
         &self.boundaries
     }
 
     /// The alternating sum of the numbers of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::from_lists([[0, 2, 4]]))?;
+    /// assert_eq!(triangle.chain_complex()?.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         self.cell_counts
             .iter()

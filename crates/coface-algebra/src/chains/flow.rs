@@ -226,7 +226,8 @@ impl<'a, E: Entry> Flow<'a, E> {
     }
 }
 
-/// The images of chains on the numbers of critical cells under the inclusion in the complex, by rising cells; each is a step.
+/// The images of chains on the numbers of critical cells under the inclusion in the complex, by rising cells; each is a
+/// step.
 pub(super) fn inclusions<'c, E: Entry>(
     complex: &ChainComplex<E>,
     matching: &AcyclicMatching,
@@ -251,8 +252,8 @@ pub(super) fn inclusions<'c, E: Entry>(
     chains.into_iter().map(image).collect()
 }
 
-/// The dual of elimination, for many cochains at once: each cell of degree k - 1 gets the list of (number of the cochain,
-/// value). Given are the values on unmatched faces and a source on cells of degree k.
+/// The dual of elimination, for many cochains at once: each cell of degree k - 1 gets the list of (number of the
+/// cochain, value). Given are the values on unmatched faces and a source on cells of degree k.
 ///
 /// For a pair of a face a and a cell b with incidence e the value is
 /// $w(a) = e \, (s(b) - \sum_{a' \ne a} [b : a'] \, w(a'))$, taken from the last pair to the first: the other matched

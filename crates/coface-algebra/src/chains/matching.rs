@@ -4,6 +4,7 @@
 //! when its pairs can be put in an order in which each a occurs in the boundary of no later b but its own. Cancelling
 //! all pairs then leaves a chain complex on the unmatched, **critical** cells with the same integral homology.
 
+use crate::CellId;
 use crate::chains::ChainComplex;
 use crate::combinatorics::UnionFind;
 use crate::matrices::{Entry, SparseMatrix};
@@ -13,10 +14,26 @@ use std::sync::OnceLock;
 /// A pair of a cell and one of its faces that cancel, with unit incidence between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MatchedPair {
+    pub(super) face: u32,
+    pub(super) cell: u32,
+}
+
+impl MatchedPair {
     /// The face, of degree k - 1.
-    pub face: u32,
+    ///
+    /// # Examples
+    /// See [`AcyclicMatching::pairs`].
+    pub fn face(self) -> CellId {
+        CellId::from_u32(self.face)
+    }
+
     /// The cell, of degree k.
-    pub cell: u32,
+    ///
+    /// # Examples
+    /// See [`AcyclicMatching::pairs`].
+    pub fn cell(self) -> CellId {
+        CellId::from_u32(self.cell)
+    }
 }
 
 /// An acyclic matching of the cells of a chain complex on unit incidences.
@@ -31,8 +48,9 @@ pub struct MatchedPair {
 /// of their ids tell which one is left when there is just one.
 ///
 /// # References
-/// R. Forman, *Morse theory for cell complexes* (1998); E. Skoeldberg, *Morse theory from an algebraic viewpoint* (2006);
-/// B. Benedetti, F. H. Lutz, *Random discrete Morse theory and a new library of triangulations* (2014) for the strategy.
+/// R. Forman, *Morse theory for cell complexes* (1998); E. Skoeldberg, *Morse theory from an algebraic viewpoint*
+/// (2006); B. Benedetti, F. H. Lutz, *Random discrete Morse theory and a new library of triangulations* (2014) for the
+/// strategy.
 ///
 /// # Examples
 /// ```
@@ -64,8 +82,8 @@ enum Pairs {
 
 /// Classes of cells such that pairs are only taken within one.
 ///
-/// The class of a cell must not change the choices within another, so that whoever sees a whole class finds the same pairs in it: a class
-/// is gone through by rising ids, as if it were alone.
+/// The class of a cell must not change the choices within another, so that whoever sees a whole class finds the same
+/// pairs in it: a class is gone through by rising ids, as if it were alone.
 #[derive(Clone, Copy)]
 pub(super) struct CellClasses<'a> {
     /// For each degree the class of each cell.
@@ -79,7 +97,8 @@ pub(super) struct CellClasses<'a> {
 enum Within<'a> {
     /// All: there is one class.
     Whole,
-    /// Those of a face and a cell of one class: the classes of the faces, those of the cells, and how many classes there are.
+    /// Those of a face and a cell of one class: the classes of the faces, those of the cells, and how many classes
+    /// there are.
     Classes(&'a [u32], &'a [u32], usize),
 }
 
@@ -109,14 +128,26 @@ impl Within<'_> {
 
 impl AcyclicMatching {
     /// Matches the cells of a complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{AcyclicMatching, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // An edge collapses to a vertex.
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let matching = AcyclicMatching::new(&edge);
+    /// assert_eq!((matching.critical_cells(0), matching.critical_cells(1)), (&[0][..], &[][..]));
+    /// # Ok(()) }
+    /// ```
     pub fn new<E: Entry>(complex: &ChainComplex<E>) -> Self {
         Self::of(complex, None)
     }
 
     /// Matches the cells of a complex, each within its class.
     ///
-    /// Pairs come by rising rank: so faces, which are of higher rank where they are of another class, are eliminated after the cells that
-    /// have them.
+    /// Pairs come by rising rank: so faces, which are of higher rank where they are of another class, are eliminated
+    /// after the cells that have them.
     pub(super) fn within<E: Entry>(complex: &ChainComplex<E>, classes: CellClasses<'_>) -> Self {
         let mut matching = Self::of(complex, Some(classes));
         for degree in 1..complex.degree_count() {
@@ -156,6 +187,12 @@ impl AcyclicMatching {
     }
 
     /// The critical cells of this degree, rising: those in no pair.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{AcyclicMatching, ChainComplex};
+    /// assert_eq!(AcyclicMatching::new(&ChainComplex::of_points(2)).critical_cells(0), [0, 1]);
+    /// ```
     pub fn critical_cells(&self, degree: usize) -> &[u32] {
         self.critical.get(degree).map_or(&[], Vec::as_slice)
     }
@@ -164,6 +201,18 @@ impl AcyclicMatching {
     /// in the boundary of no cell of a later pair.
     ///
     /// `complex` must be the one that was matched.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, RaggedArray};
+    /// use coface_algebra::chains::{AcyclicMatching, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let matching = AcyclicMatching::new(&edge);
+    /// let pair = matching.pairs(&edge, 1)[0];
+    /// assert_eq!((pair.face(), pair.cell()), (CellId::new(1), CellId::new(0)));
+    /// # Ok(()) }
+    /// ```
     pub fn pairs<E: Entry>(&self, complex: &ChainComplex<E>, degree: usize) -> &[MatchedPair] {
         match degree.checked_sub(1).and_then(|below| self.pairs.get(below)) {
             None => &[],
@@ -228,8 +277,9 @@ impl Remaining {
 
 /// What the remaining edges make of the vertices.
 ///
-/// Where the edges of a class make a graph, a spanning forest is taken, which no collapse is better than; elsewhere they collapse. An edge
-/// whose other end is in another class is an edge to a vertex outside, one for each class; trees that reach it are rooted there.
+/// Where the edges of a class make a graph, a spanning forest is taken, which no collapse is better than; elsewhere
+/// they collapse. An edge whose other end is in another class is an edge to a vertex outside, one for each class; trees
+/// that reach it are rooted there.
 fn span_or_collapse<E: Entry>(
     matrix: &SparseMatrix<E>,
     remaining: &Remaining,
@@ -320,7 +370,8 @@ fn end_of<E: Entry>(matrix: &SparseMatrix<E>, edge: u32, within: Within<'_>) -> 
     }
 }
 
-/// Roots a forest at the given vertices and those outside, and pairs each other vertex with the edge towards its root, leaves first.
+/// Roots a forest at the given vertices and those outside, and pairs each other vertex with the edge towards its root,
+/// leaves first.
 fn root_forest<E: Entry>(
     matrix: &SparseMatrix<E>,
     forest: &[u32],
@@ -459,8 +510,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Invariant: pairs have unit incidence, no cell is used twice, and each face of a pair is in the boundary of no
-        /// cell of a later pair; cells and criticals add up.
+        /// Invariant: pairs have unit incidence, no cell is used twice, and each face of a pair is in the boundary of
+        /// no cell of a later pair; cells and criticals add up.
         #[test]
         fn matchings_are_acyclic_on_unit_incidences(complex in random_complexes()) {
             let matching = AcyclicMatching::new(&complex);

@@ -1,14 +1,28 @@
-//! The centre of the house: chain complexes of free abelian groups with a basis of cells.
+//! Chain complexes of free abelian groups with a basis of cells: what all producers make and all questions take.
 //!
 //! # Words and conventions
 //! * The **boundary matrix** of degree k goes from k-chains to (k-1)-chains: column j is the boundary of the k-cell j.
 //!   Its transpose is the **coboundary matrix** of degree k - 1.
-//! * Boundary of boundary is zero (checked when a [`ChainComplex`] is made).
-//! * A [`Chain`] is a combination of cells, a [`Cochain`] a function on cells; the value of the coboundary of a cochain
-//!   on a chain is its value on the boundary of the chain. A chain without boundary is a **cycle**, a cochain without
-//!   coboundary is **closed**. The [`Coefficient`]s are integers, rationals, residues modulo n, or `f64`;
-//!   a [`Selection`] has -1, 0 and 1 only.
-//! * A room above asks questions of a `ChainComplex`; a producer makes one. No coordinates are ever seen here.
+//! * The boundary of a boundary is zero; the constructor of a [`ChainComplex`] checks it.
+//! * A [`Chain`] is a combination of cells, a [`Cochain`] is a function on cells. The value of the coboundary of a
+//!   cochain on a chain is the value of the cochain on the boundary of the chain. A chain without boundary is a
+//!   **cycle**, a cochain without coboundary is **closed**. The [`Coefficient`]s are integers, rationals, residues
+//!   modulo n, or `f64`; a [`Selection`] has the coefficients -1, 0 and 1 only.
+//! * A [`TwoSkeleton`] also knows the order in which the boundary of each face runs along its edges.
+//! * An [`AcyclicMatching`] pairs cells that cancel each other; what is left is a [`MorseComplex`] with the same
+//!   homology. A [`Reduction`] repeats this. A [`Partition`] cuts a complex into [`Part`]s that are reduced one by one.
+//!
+//! # Examples
+//! An edge with two ends, and the boundary of three times the edge:
+//! ```
+//! use coface_algebra::chains::{Chain, ChainComplex};
+//! use coface_algebra::{CellId, Integer, SparseMatrix};
+//! # fn main() -> Result<(), coface_algebra::Error> {
+//! let edge = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+//! let chain = Chain::new(&edge, 1, [(CellId::new(0), Integer::from(3))])?;
+//! assert_eq!(edge.boundary(&chain)?.to_string(), "-3 c0 + 3 c1");
+//! # Ok(()) }
+//! ```
 
 mod chain;
 mod chain_map;
@@ -33,7 +47,7 @@ pub use coefficient::Coefficient;
 pub use complex::{ChainComplex, WideComplex};
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
-pub use partition::{ChainById, Part, PartTree, Partition, Parts, ReducedPart, WallHash, sum_of_chains};
+pub use partition::{ChainById, Part, PartTree, Partition, Parts, ReducedPart, StratumHash, sum_of_chains};
 pub use product::ProductComplex;
 #[doc(hidden)]
 pub use product::ProductNumbers;

@@ -14,9 +14,9 @@ use std::borrow::Cow;
 /// matched face, the cell of that pair is added with the coefficient that cancels the face. What remains on critical
 /// faces is the boundary in the Morse complex, and the grown chain is the image of c under the **inclusion** g, a chain
 /// map into the original complex. Elimination of matched faces from any chain z gives its **projection** f(z), on
-/// critical cells, and the **homotopy** h(z), the cells that were taken away:
-/// $f g = 1$ and $1 - g f = \partial h + h \partial$. So f and g are inverse on homology, and no map is ever stored as a
-/// matrix. Cochains go the other way, by a sweep through the pairs in reverse: see [`Self::pullback`].
+/// critical cells, and the **homotopy** h(z), the cells that were taken away: $f g = 1$ and
+/// $1 - g f = \partial h + h \partial$. So f and g are inverse on homology, and no map is ever stored as a matrix.
+/// Cochains go the other way, by a sweep through the pairs in reverse: see [`Self::pullback`].
 ///
 /// # Complexity
 /// Each critical cell costs the cells that its gradient paths reach, each met once; coefficients are 64 bits, checked,
@@ -50,6 +50,12 @@ pub struct MorseComplex<'a, E: Entry = i32> {
 
 impl<'a, E: Entry> MorseComplex<'a, E> {
     /// Matches and cancels.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, MorseComplex};
+    /// assert_eq!(MorseComplex::new(&ChainComplex::of_points(2)).critical_count(0), 2);
+    /// ```
     pub fn new(complex: &'a ChainComplex<E>) -> Self {
         Self::of(Cow::Borrowed(complex))
     }
@@ -84,16 +90,44 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     }
 
     /// The complex that was reduced.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, MorseComplex};
+    /// let points = ChainComplex::of_points(2);
+    /// assert_eq!(MorseComplex::new(&points).complex(), &points);
+    /// ```
     pub fn complex(&self) -> &ChainComplex<E> {
         &self.complex
     }
 
     /// The number of critical cells of this degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::new())?.chain_complex()?;
+    /// let morse = MorseComplex::new(&circle);
+    /// assert_eq!((morse.critical_count(0), morse.critical_count(1)), (1, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn critical_count(&self, degree: usize) -> usize {
         self.matching.critical_cells(degree).len()
     }
 
     /// The matching that was cancelled.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// assert_eq!(MorseComplex::new(&edge).matching().critical_cells(0), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn matching(&self) -> &AcyclicMatching {
         &self.matching
     }
@@ -103,6 +137,16 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ///
     /// # Panics
     /// If there is no such critical cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::new())?.chain_complex()?;
+    /// assert!(MorseComplex::new(&circle).boundary(1, 0).is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn boundary(&self, degree: usize, i: usize) -> &[(u32, Integer)] {
         assert!(i < self.critical_count(degree), "there is no critical cell {i} of degree {degree}");
         degree.checked_sub(1).map_or(&[], |below| &self.boundaries[below][i])
@@ -110,6 +154,16 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
 
     /// The boundary matrix of the Morse complex from this degree to the one below, on the numbers of critical cells:
     /// column j is the boundary of critical cell j. Without rows for degree 0, without columns beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = TwoSkeleton::new(1, vec![0, 0], RaggedArray::from_lists([[0, 0]]))?.chain_complex()?;
+    /// assert_eq!(MorseComplex::new(&plane).boundary_matrix(2).entry(0, 0), 2.into());
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_matrix(&self, degree: usize) -> WideMatrix {
         let row_count = degree.checked_sub(1).map_or(0, |below| self.critical_count(below));
         let columns = (0..self.critical_count(degree)).map(|i| self.boundary(degree, i).to_vec());
@@ -121,6 +175,18 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ///
     /// # Panics
     /// If a number is not below the count of critical cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::new())?.chain_complex()?;
+    /// // The critical edge stands for the cycle of all three edges.
+    /// let cycle = MorseComplex::new(&circle).inclusion(1, &[(0, 1.into())]);
+    /// assert_eq!(cycle.iter().map(|(edge, _)| *edge).collect::<Vec<_>>(), [0, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn inclusion(&self, degree: usize, chain: &[(u32, Integer)]) -> SparseVector {
         self.inclusions(degree, [chain]).pop().expect("one chain has one image")
     }
@@ -129,6 +195,15 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ///
     /// # Panics
     /// If a number is not below the count of critical cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, MorseComplex};
+    /// let points = ChainComplex::of_points(2);
+    /// let chains = [vec![(0, 1.into())], vec![(1, 1.into())]];
+    /// let images = MorseComplex::new(&points).inclusions(0, chains.iter().map(Vec::as_slice));
+    /// assert_eq!(images, chains);
+    /// ```
     pub fn inclusions<'c>(
         &self,
         degree: usize,
@@ -136,11 +211,11 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ) -> Vec<SparseVector> {
         let chains = chains.into_iter();
         let steps = stage("growing chains", chains.size_hint().0);
-        self.inclusions_told(degree, chains, &steps)
+        self.inclusions_with_steps(degree, chains, &steps)
     }
 
     /// The same, each chain a step.
-    pub(crate) fn inclusions_told<'c>(
+    pub(crate) fn inclusions_with_steps<'c>(
         &self,
         degree: usize,
         chains: impl IntoIterator<Item = &'c [(u32, Integer)]>,
@@ -149,9 +224,9 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         inclusions(&self.complex, &self.matching, degree, chains, steps)
     }
 
-    /// The projection of a chain of this degree, given on the cells of the complex, to the Morse complex: on the numbers
-    /// of critical cells. The projection of an inclusion is the chain itself; cycles go to cycles, boundaries to
-    /// boundaries.
+    /// The projection of a chain of this degree, given on the cells of the complex, to the Morse complex: on the
+    /// numbers of critical cells. The projection of an inclusion is the chain itself; cycles go to cycles, boundaries
+    /// to boundaries.
     ///
     /// # Panics
     /// If a cell is not in the complex.
@@ -178,6 +253,17 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ///
     /// # Panics
     /// If a cell is not in the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Vertex 1 collapses along the edge to vertex 0.
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// assert_eq!(MorseComplex::new(&edge).homotopy(0, &[(1, 1.into())]), [(0, 1.into())]);
+    /// # Ok(()) }
+    /// ```
     pub fn homotopy(&self, degree: usize, chain: &[(u32, Integer)]) -> SparseVector {
         self.projection_and_homotopy(degree, chain).1
     }
@@ -202,14 +288,27 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     }
 
     /// Cochains of the Morse complex as cochains of the original one, by composition with the projection: column i of
-    /// the argument holds the values of all cochains on critical cell i of this degree, a row for each cochain; column c
-    /// of the result holds their values on cell c. Closed cochains go to closed ones.
+    /// the argument holds the values of all cochains on critical cell i of this degree, a row for each cochain; column
+    /// c of the result holds their values on cell c. Closed cochains go to closed ones.
     ///
     /// # Complexity
     /// One pass through the pairs and the entries of their boundaries, and the values that are not zero.
     ///
     /// # Panics
     /// Unless the argument has a column for each critical cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// use coface_algebra::{RaggedArray, SparseMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// // The value at the critical vertex becomes the value at both vertices.
+    /// let value = SparseMatrix::from_entries(1, 1, [(0, 0, 5)])?.to_wide();
+    /// let values = MorseComplex::new(&edge).pullback(0, &value);
+    /// assert_eq!(values.to_narrow()?.entries(), [5, 5]);
+    /// # Ok(()) }
+    /// ```
     pub fn pullback(&self, degree: usize, cochains: &WideMatrix) -> WideMatrix {
         let critical = self.matching.critical_cells(degree);
         assert_eq!(cochains.column_count(), critical.len(), "a cochain has a value on each critical cell");
@@ -227,6 +326,18 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ///
     /// # Panics
     /// Unless the argument has a column for each cell of this degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// use coface_algebra::{RaggedArray, SparseMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// // Vertex 0 is critical, vertex 1 is not.
+    /// let values = SparseMatrix::from_entries(1, 2, [(0, 0, 5), (0, 1, 7)])?.to_wide();
+    /// assert_eq!(MorseComplex::new(&edge).restriction(0, &values).to_narrow()?.entries(), [5]);
+    /// # Ok(()) }
+    /// ```
     pub fn restriction(&self, degree: usize, cochains: &WideMatrix) -> WideMatrix {
         let critical = self.matching.critical_cells(degree);
         // g(c) = c - h(boundary of c).
@@ -253,6 +364,19 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ///
     /// # Panics
     /// For degree 0, and unless the argument has a column for each cell of this degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{MorseComplex, TwoSkeleton};
+    /// use coface_algebra::{RaggedArray, SparseMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// // The edge climbs by 5: that is the height of vertex 1 over vertex 0.
+    /// let climb = SparseMatrix::from_entries(1, 1, [(0, 0, 5)])?.to_wide();
+    /// let heights = MorseComplex::new(&edge).cohomotopy(1, &climb);
+    /// assert_eq!((heights.entry(0, 0), heights.entry(0, 1)), (0.into(), 5.into()));
+    /// # Ok(()) }
+    /// ```
     pub fn cohomotopy(&self, degree: usize, cochains: &WideMatrix) -> WideMatrix {
         assert!(degree > 0, "there are no cochains of degree -1");
         assert_eq!(
@@ -320,7 +444,8 @@ mod tests {
             }
         }
 
-        /// The projection undoes the inclusion, and both sides of $1 - g f = \partial h + h \partial$ agree on random chains.
+        /// The projection undoes the inclusion, and both sides of $1 - g f = \partial h + h \partial$ agree on random
+        /// chains.
         #[test]
         fn projection_and_homotopy_retract(complex in random_complexes(), seed in prop::collection::vec(-3i64..4, 60)) {
             let morse = MorseComplex::new(&complex);

@@ -7,8 +7,8 @@ use crate::{CellId, Error, ErrorKind};
 /// The product of two chain complexes, with the numbers of its cells.
 ///
 /// # Conventions
-/// A cell of degree n is a pair of a cell a of degree p of the first factor and a cell b of degree n - p of the second. Cells of
-/// one degree are in the order of p, then of a, then of b. The boundary is
+/// A cell of degree n is a pair of a cell a of degree p of the first factor and a cell b of degree n - p of the second.
+/// Cells of one degree are in the order of p, then of a, then of b. The boundary is
 /// $\partial(a \times b) = \partial a \times b + (-1)^p \, a \times \partial b$.
 ///
 /// # Examples
@@ -43,6 +43,15 @@ impl ProductComplex {
     ///
     /// # References
     /// J. R. Munkres, *Elements of Algebraic Topology* (1984), section 57.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, ProductComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let product = ProductComplex::new(&ChainComplex::of_points(2), &ChainComplex::of_points(3))?;
+    /// assert_eq!(product.complex(), &ChainComplex::of_points(6));
+    /// # Ok(()) }
+    /// ```
     pub fn new(first: &ChainComplex, second: &ChainComplex) -> Result<Self, Error> {
         let numbers = ProductNumbers::new(first.f_vector(), second.f_vector())?;
         let mut boundaries = Vec::with_capacity(numbers.degree_count().saturating_sub(1));
@@ -58,23 +67,54 @@ impl ProductComplex {
     }
 
     /// The product as a chain complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{ProductComplex, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(1, vec![0, 0], RaggedArray::new())?.chain_complex()?;
+    /// let torus = ProductComplex::new(&circle, &circle)?;
+    /// assert_eq!(torus.complex().f_vector(), [1, 2, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &ChainComplex {
         &self.complex
     }
 
     /// The product by itself.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, ProductComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let point = ChainComplex::of_points(1);
+    /// assert_eq!(ProductComplex::new(&point, &point)?.into_complex(), point);
+    /// # Ok(()) }
+    /// ```
     pub fn into_complex(self) -> ChainComplex {
         self.complex
     }
 
-    /// The number of the product of a cell of degree p of the first factor and a cell of degree q of the second, among the
-    /// cells of degree p + q.
+    /// The number of the product of a cell of degree p of the first factor and a cell of degree q of the second, among
+    /// the cells of degree p + q.
     ///
     /// # Panics
     /// If a factor has no such cell.
     ///
     /// # Complexity
     /// Constant.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::{ChainComplex, ProductComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let product = ProductComplex::new(&ChainComplex::of_points(2), &ChainComplex::of_points(3))?;
+    /// // The pairs are (0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2).
+    /// assert_eq!(product.cell((0, CellId::new(1)), (0, CellId::new(2))), CellId::new(5));
+    /// # Ok(()) }
+    /// ```
     pub fn cell(&self, first: (usize, CellId), second: (usize, CellId)) -> CellId {
         let [(p, a), (q, b)] = [first, second];
         let [in_first, in_second] = &self.numbers.counts;
@@ -86,6 +126,16 @@ impl ProductComplex {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::{ChainComplex, ProductComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let product = ProductComplex::new(&ChainComplex::of_points(2), &ChainComplex::of_points(3))?;
+    /// assert_eq!(product.factors(0, CellId::new(5)), [(0, CellId::new(1)), (0, CellId::new(2))]);
+    /// # Ok(()) }
+    /// ```
     pub fn factors(&self, degree: usize, cell: CellId) -> [(usize, CellId); 2] {
         let mut rest = cell.index();
         for p in self.numbers.first_degrees(degree) {
@@ -163,8 +213,8 @@ fn boundary_matrix(
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProductNumbers {
     counts: [Vec<usize>; 2],
-    /// At [degree][p]: the first number of the products with a cell of degree p of the first factor; beyond the last one
-    /// the number of all.
+    /// At [degree][p]: the first number of the products with a cell of degree p of the first factor; beyond the last
+    /// one the number of all.
     starts: Vec<Vec<u32>>,
 }
 

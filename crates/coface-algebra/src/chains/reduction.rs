@@ -18,13 +18,16 @@ use std::borrow::Cow;
 /// That of the first [`MorseComplex`]: the further ones are of what it leaves.
 ///
 /// # Examples
+/// A torus of one vertex, two loops and a square, with one loop cut in two:
 /// ```
-/// use coface_algebra::chains::Reduction;
-/// use coface_complexes::known_spaces::torus_grid;
+/// use coface_algebra::RaggedArray;
+/// use coface_algebra::chains::{Reduction, TwoSkeleton};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let torus = torus_grid(&[5, 5])?.chain_complex()?;
+/// // Edges 0 and 1 are the first loop, edge 2 is the second; the face runs along 0 1 2 -1 -0 -2.
+/// let rim = RaggedArray::from_lists([[0, 2, 4, 3, 1, 5]]);
+/// let torus = TwoSkeleton::new(2, vec![0, 1, 1, 0, 0, 0], rim)?.chain_complex()?;
 /// let reduction = Reduction::new(&torus);
-/// assert_eq!((0..3).map(|degree| reduction.cell_count(degree)).collect::<Vec<_>>(), [1, 2, 1]);
+/// assert_eq!([0, 1, 2].map(|degree| reduction.cell_count(degree)), [1, 2, 1]);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
@@ -35,6 +38,12 @@ pub struct Reduction<'a> {
 
 impl<'a> Reduction<'a> {
     /// Matches and cancels as long as there is a pair.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Reduction};
+    /// assert_eq!(Reduction::new(&ChainComplex::of_points(2)).cell_count(0), 2);
+    /// ```
     pub fn new(complex: &'a ChainComplex) -> Self {
         let mut levels = vec![MorseComplex::new(complex)];
         while let Some(left) = levels.last().and_then(narrow_complex) {
@@ -54,22 +63,57 @@ impl<'a> Reduction<'a> {
     }
 
     /// The complex that was reduced.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Reduction};
+    /// let points = ChainComplex::of_points(2);
+    /// assert_eq!(Reduction::new(&points).complex(), &points);
+    /// ```
     pub fn complex(&self) -> &ChainComplex {
         self.levels[0].complex()
     }
 
     /// The number of matchings taken.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Reduction};
+    /// assert_eq!(Reduction::new(&ChainComplex::of_points(2)).level_count(), 1);
+    /// ```
     pub fn level_count(&self) -> usize {
         self.levels.len()
     }
 
     /// The number of cells of the reduced complex in this degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Reduction, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::new())?.chain_complex()?;
+    /// let reduction = Reduction::new(&circle);
+    /// assert_eq!([0, 1].map(|degree| reduction.cell_count(degree)), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self, degree: usize) -> usize {
         self.last().critical_count(degree)
     }
 
     /// The boundary matrix of the reduced complex from this degree to the one below. Without rows for degree 0, without
     /// columns beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Reduction, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: nothing cancels an incidence of 2.
+    /// let plane = TwoSkeleton::new(1, vec![0, 0], RaggedArray::from_lists([[0, 0]]))?.chain_complex()?;
+    /// assert_eq!(Reduction::new(&plane).boundary_matrix(2).entry(0, 0).abs(), 2.into());
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_matrix(&self, degree: usize) -> WideMatrix {
         self.last().boundary_matrix(degree)
     }
@@ -78,21 +122,33 @@ impl<'a> Reduction<'a> {
     ///
     /// # Panics
     /// If a number is not below the count of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Reduction, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::new())?.chain_complex()?;
+    /// // The edge that is left stands for the cycle of all three.
+    /// let cycles = Reduction::new(&circle).inclusions(1, vec![vec![(0, 1.into())]]);
+    /// assert_eq!(cycles[0].len(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn inclusions(&self, degree: usize, chains: Vec<SparseVector>) -> Vec<SparseVector> {
         let steps = stage("growing chains", chains.len() * self.levels.len());
-        self.inclusions_told(degree, chains, &steps)
+        self.inclusions_with_steps(degree, chains, &steps)
     }
 
     /// The same, each chain a step for each matching.
     #[doc(hidden)]
-    pub fn inclusions_told(
+    pub fn inclusions_with_steps(
         &self,
         degree: usize,
         chains: Vec<SparseVector>,
         steps: &Steps,
     ) -> Vec<SparseVector> {
         self.levels.iter().rev().fold(chains, |chains, level| {
-            level.inclusions_told(degree, chains.iter().map(Vec::as_slice), steps)
+            level.inclusions_with_steps(degree, chains.iter().map(Vec::as_slice), steps)
         })
     }
 
@@ -137,6 +193,18 @@ impl<'a> Reduction<'a> {
     ///
     /// # Panics
     /// Unless the argument has a column for each cell of the reduced complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Reduction};
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// // No cell cancels, so the values stay.
+    /// let values = SparseMatrix::from_entries(1, 2, [(0, 0, 5), (0, 1, 7)])?.to_wide();
+    /// assert_eq!(Reduction::new(&points).pullback(0, &values), values);
+    /// # Ok(()) }
+    /// ```
     pub fn pullback(&self, degree: usize, cochains: &WideMatrix) -> WideMatrix {
         let pulled = self.last().pullback(degree, cochains);
         self.levels.iter().rev().skip(1).fold(pulled, |cochains, level| level.pullback(degree, &cochains))
@@ -148,6 +216,18 @@ impl<'a> Reduction<'a> {
     ///
     /// # Panics
     /// Unless the argument has a column for each cell of the original complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Reduction};
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let values = SparseMatrix::from_entries(1, 2, [(0, 0, 5), (0, 1, 7)])?.to_wide();
+    /// let (restriction, cohomotopy) = Reduction::new(&points).restriction_and_cohomotopy(0, &values);
+    /// assert_eq!((restriction, cohomotopy.column_count()), (values, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn restriction_and_cohomotopy(
         &self,
         degree: usize,

@@ -8,9 +8,9 @@ use std::fmt;
 
 /// Cells of one degree, each chosen once with a sign: a chain over {-1, 0, 1}.
 ///
-/// These three numbers are no group under addition of integers, since 1 + 1 is not among them. So a sum that would choose
-/// a cell twice is refused, and the boundary is a chain of integers. With 1 + 1 = -1 they would be Z/3: take a [`Chain`] of
-/// [`Residue`](crate::integers::Residue)s for that.
+/// These three numbers are no group under addition of integers, since 1 + 1 is not among them. So a sum that would
+/// choose a cell twice is refused, and the boundary is a chain of integers. With 1 + 1 = -1 they would be Z/3: take a
+/// [`Chain`] of [`Residue`](crate::integers::Residue)s for that.
 ///
 /// # Examples
 /// The path 0 1 2 and the way back from 2 to 1 on a rim of three edges:
@@ -40,11 +40,22 @@ impl Selection {
     /// The selection of these cells, in any order.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] for a cell that the complex does not have; [`ErrorKind::InvalidInput`] for one that is
-    /// chosen twice.
+    /// [`ErrorKind::NotInComplex`] for a cell that the complex does not have; [`ErrorKind::InvalidInput`] for one that
+    /// is chosen twice.
     ///
     /// # Complexity
     /// $O(m \log m)$ for m cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Selection};
+    /// use coface_algebra::{CellId, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// let selection = Selection::new(&points, 0, [(CellId::new(2), Sign::Minus), (CellId::new(0), Sign::Plus)])?;
+    /// assert_eq!(selection.to_string(), "c0 - c2");
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         complex: &ChainComplex,
         degree: usize,
@@ -66,32 +77,78 @@ impl Selection {
     }
 
     /// The selection of no cell.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::chains::Selection::zero(1).to_string(), "0");
+    /// ```
     pub fn zero(degree: usize) -> Self {
         Self { degree, terms: Vec::new() }
     }
 
     /// The degree of the cells.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::chains::Selection::zero(1).degree(), 1);
+    /// ```
     pub fn degree(&self) -> usize {
         self.degree
     }
 
     /// The chosen cells with their signs, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Selection};
+    /// use coface_algebra::{CellId, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let term = (CellId::new(1), Sign::Minus);
+    /// assert_eq!(Selection::new(&ChainComplex::of_points(2), 0, [term])?.terms(), [term]);
+    /// # Ok(()) }
+    /// ```
     pub fn terms(&self) -> &[(CellId, Sign)] {
         &self.terms
     }
 
     /// The sign of a cell; `None` for one that is not chosen.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Selection};
+    /// use coface_algebra::{CellId, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let selection = Selection::new(&ChainComplex::of_points(2), 0, [(CellId::new(1), Sign::Minus)])?;
+    /// assert_eq!(selection.sign(CellId::new(1)), Some(Sign::Minus));
+    /// assert_eq!(selection.sign(CellId::new(0)), None);
+    /// # Ok(()) }
+    /// ```
     pub fn sign(&self, cell: CellId) -> Option<Sign> {
         let at = self.terms.binary_search_by_key(&cell, |term| term.0).ok()?;
         Some(self.terms[at].1)
     }
 
     /// Whether no cell is chosen.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(coface_algebra::chains::Selection::zero(1).is_zero());
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
     /// The same cells with the opposite signs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Selection};
+    /// use coface_algebra::{CellId, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let selection = Selection::new(&ChainComplex::of_points(1), 0, [(CellId::new(0), Sign::Minus)])?;
+    /// assert_eq!(selection.negated().to_string(), "c0");
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn negated(&self) -> Self {
         let terms = self.terms.iter().map(|&(cell, sign)| (cell, sign.opposite())).collect();
@@ -101,8 +158,20 @@ impl Selection {
     /// The sum: cells chosen with opposite signs fall away.
     ///
     /// # Errors
-    /// [`ErrorKind::Coefficient`] naming the first cell that both choose with the same sign; [`ErrorKind::Shape`] if the
-    /// degrees differ.
+    /// [`ErrorKind::Coefficient`] naming the first cell that both choose with the same sign; [`ErrorKind::Shape`] if
+    /// the degrees differ.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Selection};
+    /// use coface_algebra::{CellId, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let one = |cell: usize, sign: Sign| Selection::new(&points, 0, [(CellId::new(cell), sign)]);
+    /// assert_eq!(one(0, Sign::Plus)?.plus(&one(1, Sign::Minus)?)?.to_string(), "c0 - c1");
+    /// assert!(one(0, Sign::Plus)?.plus(&one(0, Sign::Minus)?)?.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn plus(&self, other: &Self) -> Result<Self, Error> {
         if self.degree != other.degree {
             return Err(Error::new(
@@ -163,6 +232,17 @@ impl Selection {
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] if the selection has a cell that is not in the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{Selection, TwoSkeleton};
+    /// use coface_algebra::{CellId, RaggedArray, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let backward = Selection::new(&edge, 1, [(CellId::new(0), Sign::Minus)])?;
+    /// assert_eq!(backward.boundary(&edge)?.to_string(), "c0 - c1");
+    /// # Ok(()) }
+    /// ```
     pub fn boundary(&self, complex: &ChainComplex) -> Result<Chain<Integer>, Error> {
         complex.boundary(&self.to_chain(&Integer::ONE)?)
     }
@@ -265,7 +345,8 @@ mod tests {
             prop_assert_eq!(a.to_chain(&1.0).unwrap().terms().len(), a.terms().len());
         }
 
-        /// c(-s) = -c(s): with cells turned around and their coefficients negated the boundary is the same, over all rings.
+        /// c(-s) = -c(s): with cells turned around and their coefficients negated the boundary is the same, over all
+        /// rings.
         #[test]
         fn a_cell_turned_around_has_the_opposite_coefficient((complex, a, _) in selections(), turns in any::<u64>()) {
             let is_turned = |degree: usize, cell: usize| turns.rotate_left((11 * degree + cell) as u32) & 1 == 1;

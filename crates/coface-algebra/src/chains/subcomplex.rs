@@ -66,6 +66,16 @@ impl ChainComplex {
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] and [`ErrorKind::InvalidInput`] as for [`Self::subcomplex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::ChainComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// assert_eq!(points.complement(&[vec![CellId::new(1)]])?, [[CellId::new(0), CellId::new(2)]]);
+    /// # Ok(()) }
+    /// ```
     pub fn complement(&self, cells: &[Vec<CellId>]) -> Result<Vec<Vec<CellId>>, Error> {
         let members = self.members(cells)?;
         let outside = |level: &Vec<bool>| (0..level.len()).filter(|&i| !level[i]).map(CellId::new).collect();

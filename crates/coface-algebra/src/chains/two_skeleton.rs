@@ -51,6 +51,18 @@ impl TwoSkeleton {
     ///
     /// # Complexity
     /// Linear.
+    ///
+    /// # Examples
+    /// A square of four vertices and four edges:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let rim = RaggedArray::from_lists([[0, 2, 4, 6]]);
+    /// let square = TwoSkeleton::new(4, vec![0, 1, 1, 2, 2, 3, 3, 0], rim)?;
+    /// assert_eq!(square.f_vector(), [4, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(vertex_count: usize, ends: Vec<u32>, faces: RaggedArray) -> Result<Self, Error> {
         if !ends.len().is_multiple_of(2) {
             return Err(Error::new(
@@ -89,8 +101,8 @@ impl TwoSkeleton {
     /// The same complex with its faces of empty rim at these vertices, in the order of the faces.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there are as many vertices as such faces; [`ErrorKind::InvalidInput`] naming a vertex
-    /// that does not exist.
+    /// [`ErrorKind::Shape`] unless there are as many vertices as such faces; [`ErrorKind::InvalidInput`] naming a
+    /// vertex that does not exist.
     ///
     /// # Examples
     /// Two points, and a sphere at the second of them:
@@ -126,11 +138,23 @@ impl TwoSkeleton {
         Ok(self)
     }
 
-    /// The same complex with the faces around its 3-cells: list i names the faces that the boundary sphere of 3-cell i is
-    /// made of, each as often as the sphere runs over it.
+    /// The same complex with the faces around its 3-cells: list i names the faces that the boundary sphere of 3-cell i
+    /// is made of, each as often as the sphere runs over it.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming a face that does not exist.
+    ///
+    /// # Examples
+    /// A ball: its boundary sphere is made of two disks on one loop.
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let sphere = TwoSkeleton::new(1, vec![0, 0], RaggedArray::from_lists([[0], [1]]))?;
+    /// let ball = sphere.with_solids(RaggedArray::from_lists([[0, 1]]))?;
+    /// assert_eq!(ball.solids().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn with_solids(mut self, solids: RaggedArray) -> Result<Self, Error> {
         if let Some(&face) = solids.items().iter().find(|&&face| face as usize >= self.faces.len()) {
             return Err(Error::invalid(format!(
@@ -145,21 +169,57 @@ impl TwoSkeleton {
     }
 
     /// The number of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.vertex_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
     /// The number of edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.edge_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.ends.len() / 2
     }
 
     /// The number of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(TwoSkeleton::new(1, vec![0, 0], RaggedArray::from_lists([[0, 0]]))?.face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.faces.len()
     }
 
     /// The numbers of vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.f_vector(), [2, 1, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> [usize; 3] {
         [self.vertex_count(), self.edge_count(), self.face_count()]
     }
@@ -168,12 +228,31 @@ impl TwoSkeleton {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// use coface_algebra::{EdgeId, RaggedArray, VertexId};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let arrow = TwoSkeleton::new(2, vec![1, 0], RaggedArray::new())?;
+    /// assert_eq!(arrow.edge(EdgeId::new(0)), [VertexId::new(1), VertexId::new(0)]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge(&self, edge: EdgeId) -> [VertexId; 2] {
         let at = 2 * edge.index();
         [VertexId::from_u32(self.ends[at]), VertexId::from_u32(self.ends[at + 1])]
     }
 
     /// The sources and targets of all edges, two by two.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.edge_ends(), [0, 1, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_ends(&self) -> &[u32] {
         &self.ends
     }
@@ -182,6 +261,17 @@ impl TwoSkeleton {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// use coface_algebra::{EdgeId, FaceId, RaggedArray, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let disk = TwoSkeleton::new(1, vec![0, 0], RaggedArray::from_lists([[0, 1]]))?;
+    /// let loop_edge = EdgeId::new(0);
+    /// assert!(disk.face(FaceId::new(0)).eq([(loop_edge, Sign::Plus), (loop_edge, Sign::Minus)]));
+    /// # Ok(()) }
+    /// ```
     pub fn face(
         &self,
         face: FaceId,
@@ -190,6 +280,16 @@ impl TwoSkeleton {
     }
 
     /// The steps around all faces as numbers: 2e along edge e, 2e + 1 against it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::from_lists([[0, 2, 4]]))?;
+    /// assert_eq!(triangle.faces().list(0), [0, 2, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn faces(&self) -> &RaggedArray {
         &self.faces
     }
@@ -198,6 +298,16 @@ impl TwoSkeleton {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// use coface_algebra::{FaceId, RaggedArray, VertexId};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = TwoSkeleton::new(3, vec![0, 1, 1, 2, 2, 0], RaggedArray::from_lists([[2, 4, 0]]))?;
+    /// assert_eq!(triangle.start(FaceId::new(0)), VertexId::new(1));
+    /// # Ok(()) }
+    /// ```
     pub fn start(&self, face: FaceId) -> VertexId {
         match self.faces.list(face.index()).first() {
             Some(&packed) => VertexId::from_u32(self.ends[packed as usize]),
@@ -209,6 +319,15 @@ impl TwoSkeleton {
     }
 
     /// The faces around each 3-cell, as far as they are known; empty without 3-cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::TwoSkeleton;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert!(TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.solids().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn solids(&self) -> &RaggedArray {
         &self.solids
     }

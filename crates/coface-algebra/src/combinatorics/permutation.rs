@@ -26,6 +26,12 @@ impl Permutation {
     ///
     /// # Panics
     /// Beyond 2^32 - 1 numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// assert_eq!(Permutation::identity(3).images(), [0, 1, 2]);
+    /// ```
     pub fn identity(count: usize) -> Self {
         Self {
             images: (0..u32::try_from(count).expect("a permutation is of fewer than 2^32 numbers")).collect(),
@@ -36,6 +42,15 @@ impl Permutation {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming the first image that is out of range or there already.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Permutation::from_images(vec![1, 0])?.to_string(), "(0 1)");
+    /// assert!(Permutation::from_images(vec![1, 1]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn from_images(images: Vec<u32>) -> Result<Self, Error> {
         let mut is_met = vec![false; images.len()];
         for (i, &image) in images.iter().enumerate() {
@@ -80,16 +95,35 @@ impl Permutation {
     }
 
     /// The number of numbers that are permuted.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::Permutation::identity(3).len(), 3);
+    /// ```
     pub fn len(&self) -> usize {
         self.images.len()
     }
 
     /// Whether there is nothing to permute.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(coface_algebra::Permutation::identity(0).is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.images.is_empty()
     }
 
     /// Whether every number stays where it is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let swap = Permutation::from_images(vec![1, 0])?;
+    /// assert!(!swap.is_identity() && swap.then(&swap).is_identity());
+    /// # Ok(()) }
+    /// ```
     pub fn is_identity(&self) -> bool {
         self.images.iter().enumerate().all(|(i, &image)| i == image as usize)
     }
@@ -98,16 +132,40 @@ impl Permutation {
     ///
     /// # Panics
     /// If `i` is not below [`Self::len`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Permutation::from_images(vec![2, 0, 1])?.image(0), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn image(&self, i: usize) -> usize {
         self.images[i] as usize
     }
 
     /// The images of 0, 1, ...
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Permutation::from_images(vec![2, 0, 1])?.images(), [2, 0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn images(&self) -> &[u32] {
         &self.images
     }
 
     /// The permutation that undoes this one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Permutation::from_images(vec![2, 0, 1])?.inverse().images(), [1, 2, 0]);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn inverse(&self) -> Self {
         let mut images = vec![0; self.len()];
@@ -121,6 +179,16 @@ impl Permutation {
     ///
     /// # Panics
     /// If the two are of different lengths.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let (turn, swap) = (Permutation::from_images(vec![1, 2, 0])?, Permutation::from_images(vec![1, 0, 2])?);
+    /// // 0 goes to 1 by the turn, then to 0 by the swap.
+    /// assert_eq!(turn.then(&swap).images(), [0, 2, 1]);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         assert_eq!(self.len(), next.len(), "permutations of one length are composed");
@@ -128,6 +196,14 @@ impl Permutation {
     }
 
     /// The cycles of two or more numbers, each from its least number on, in the order of those.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Permutation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Permutation::from_images(vec![3, 2, 1, 0])?.cycles(), [[0, 3], [1, 2]]);
+    /// # Ok(()) }
+    /// ```
     pub fn cycles(&self) -> Vec<Vec<u32>> {
         let mut is_met = vec![false; self.len()];
         let mut cycles = Vec::new();
@@ -147,6 +223,14 @@ impl Permutation {
     }
 
     /// Plus for an even number of transpositions, minus for an odd one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Permutation, Sign};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Permutation::from_images(vec![1, 0, 2])?.sign(), Sign::Minus);
+    /// # Ok(()) }
+    /// ```
     pub fn sign(&self) -> Sign {
         Sign::power_of_minus_one(self.cycles().iter().map(|cycle| cycle.len() - 1).sum())
     }

@@ -13,11 +13,22 @@ pub enum Sign {
 
 impl Sign {
     /// The sign of $(-1)^i$: plus when `exponent` is even.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Sign;
+    /// assert_eq!([0, 1, 2].map(Sign::power_of_minus_one), [Sign::Plus, Sign::Minus, Sign::Plus]);
+    /// ```
     pub fn power_of_minus_one(exponent: usize) -> Self {
         if exponent.is_multiple_of(2) { Self::Plus } else { Self::Minus }
     }
 
     /// +1 or -1.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::Sign::Minus.to_i32(), -1);
+    /// ```
     pub fn to_i32(self) -> i32 {
         match self {
             Self::Plus => 1,
@@ -26,12 +37,24 @@ impl Sign {
     }
 
     /// The product of two signs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Sign;
+    /// assert_eq!(Sign::Minus.times(Sign::Minus), Sign::Plus);
+    /// ```
     #[must_use]
     pub fn times(self, other: Self) -> Self {
         if self == other { Self::Plus } else { Self::Minus }
     }
 
     /// The opposite sign.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Sign;
+    /// assert_eq!(Sign::Plus.opposite(), Sign::Minus);
+    /// ```
     #[must_use]
     pub fn opposite(self) -> Self {
         self.times(Self::Minus)

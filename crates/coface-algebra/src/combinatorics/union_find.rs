@@ -30,27 +30,56 @@ impl UnionFind {
     ///
     /// # Panics
     /// From 2^31 members on.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::UnionFind::new(3).class_count(), 3);
+    /// ```
     pub fn new(count: usize) -> Self {
         assert!(count < ROOT as usize, "a union-find holds fewer than 2^31 members");
         Self { parent: vec![ROOT | 1; count], class_count: count }
     }
 
     /// The number of members.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::UnionFind::new(3).len(), 3);
+    /// ```
     pub fn len(&self) -> usize {
         self.parent.len()
     }
 
     /// Whether there is no member.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(coface_algebra::UnionFind::new(0).is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.parent.is_empty()
     }
 
     /// The number of classes.
+    ///
+    /// # Examples
+    /// ```
+    /// let mut partition = coface_algebra::UnionFind::new(3);
+    /// partition.unite(0, 2);
+    /// assert_eq!(partition.class_count(), 2);
+    /// ```
     pub fn class_count(&self) -> usize {
         self.class_count
     }
 
     /// The representative of the class of `member`; it changes only when the class is united with another.
+    ///
+    /// # Examples
+    /// ```
+    /// let mut partition = coface_algebra::UnionFind::new(3);
+    /// partition.unite(0, 2);
+    /// assert_eq!(partition.find(0), partition.find(2));
+    /// ```
     pub fn find(&mut self, member: u32) -> u32 {
         let mut at = member;
         loop {
@@ -68,6 +97,13 @@ impl UnionFind {
     }
 
     /// Unites the classes of two members; false if they were one class already.
+    ///
+    /// # Examples
+    /// ```
+    /// let mut partition = coface_algebra::UnionFind::new(2);
+    /// assert!(partition.unite(0, 1));
+    /// assert!(!partition.unite(0, 1));
+    /// ```
     pub fn unite(&mut self, a: u32, b: u32) -> bool {
         let (mut a, mut b) = (self.find(a), self.find(b));
         if a == b {
@@ -84,11 +120,25 @@ impl UnionFind {
     }
 
     /// Whether two members are in one class.
+    ///
+    /// # Examples
+    /// ```
+    /// let mut partition = coface_algebra::UnionFind::new(3);
+    /// partition.unite(0, 2);
+    /// assert!(partition.same(2, 0) && !partition.same(0, 1));
+    /// ```
     pub fn same(&mut self, a: u32, b: u32) -> bool {
         self.find(a) == self.find(b)
     }
 
     /// The number of the class of each member; classes are numbered in the order of their first members.
+    ///
+    /// # Examples
+    /// ```
+    /// let mut partition = coface_algebra::UnionFind::new(4);
+    /// partition.unite(0, 2);
+    /// assert_eq!(partition.class_numbers(), [0, 1, 0, 2]);
+    /// ```
     pub fn class_numbers(&mut self) -> Vec<u32> {
         let mut number_of_root = vec![u32::MAX; self.len()];
         let mut next = 0;
@@ -109,6 +159,16 @@ impl UnionFind {
 ///
 /// Uniting two members with a relative sign either joins two classes, agrees with what is known, or contradicts it:
 /// the test for a consistent orientation.
+///
+/// # Examples
+/// Three members that all are to differ from each other in sign contradict each other:
+/// ```
+/// use coface_algebra::{ParityUnion, ParityUnionFind, Sign};
+/// let mut partition = ParityUnionFind::new(3);
+/// assert_eq!(partition.unite(0, 1, Sign::Minus), ParityUnion::Joined);
+/// assert_eq!(partition.unite(1, 2, Sign::Minus), ParityUnion::Joined);
+/// assert_eq!(partition.unite(2, 0, Sign::Minus), ParityUnion::Contradicts);
+/// ```
 #[derive(Clone, Debug)]
 pub struct ParityUnionFind {
     /// The parent shifted left by one, and in the lowest bit the parity to it; a root is its own parent.
@@ -133,17 +193,39 @@ impl ParityUnionFind {
     ///
     /// # Panics
     /// From 2^31 members on.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::ParityUnionFind::new(3).class_count(), 3);
+    /// ```
     pub fn new(count: usize) -> Self {
         assert!(count < ROOT as usize, "a union-find holds fewer than 2^31 members");
         Self { link: (0..count as u32).map(|i| i << 1).collect(), rank: vec![0; count], class_count: count }
     }
 
     /// The number of classes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{ParityUnionFind, Sign};
+    /// let mut partition = ParityUnionFind::new(3);
+    /// partition.unite(0, 1, Sign::Minus);
+    /// assert_eq!(partition.class_count(), 2);
+    /// ```
     pub fn class_count(&self) -> usize {
         self.class_count
     }
 
     /// The representative of the class of `member` and the sign of `member` relative to it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{ParityUnionFind, Sign};
+    /// let mut partition = ParityUnionFind::new(2);
+    /// partition.unite(0, 1, Sign::Minus);
+    /// let ((root, sign), (other, opposite)) = (partition.find(0), partition.find(1));
+    /// assert_eq!((root, sign), (other, opposite.opposite()));
+    /// ```
     pub fn find(&mut self, member: u32) -> (u32, Sign) {
         let (root, parity) = self.find_parity(member);
         (root, Sign::power_of_minus_one(parity as usize))
@@ -167,6 +249,15 @@ impl ParityUnionFind {
     }
 
     /// States that `a` has the sign `relative` to `b`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{ParityUnion, ParityUnionFind, Sign};
+    /// let mut partition = ParityUnionFind::new(2);
+    /// assert_eq!(partition.unite(0, 1, Sign::Minus), ParityUnion::Joined);
+    /// assert_eq!(partition.unite(1, 0, Sign::Minus), ParityUnion::Agrees);
+    /// assert_eq!(partition.unite(1, 0, Sign::Plus), ParityUnion::Contradicts);
+    /// ```
     pub fn unite(&mut self, a: u32, b: u32, relative: Sign) -> ParityUnion {
         let ((mut root_a, parity_a), (mut root_b, parity_b)) = (self.find_parity(a), self.find_parity(b));
         let parity = parity_a ^ parity_b ^ u32::from(relative == Sign::Minus);

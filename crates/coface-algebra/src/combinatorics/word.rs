@@ -19,6 +19,11 @@ pub struct Word {
 
 impl Word {
     /// The empty word: the unit of the group.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::Word::new().to_string(), "1");
+    /// ```
     pub const fn new() -> Self {
         Self { letters: Vec::new() }
     }
@@ -27,6 +32,12 @@ impl Word {
     ///
     /// # Panics
     /// If a letter is 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, 2, -2, -1, 3]).letters(), [3]);
+    /// ```
     pub fn from_letters(letters: impl IntoIterator<Item = i32>) -> Self {
         let mut word = Self::new();
         for letter in letters {
@@ -36,16 +47,34 @@ impl Word {
     }
 
     /// The letters, no two neighbors inverse to each other.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, -2]).letters(), [1, -2]);
+    /// ```
     pub fn letters(&self) -> &[i32] {
         &self.letters
     }
 
     /// The number of letters.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, 1, -2]).len(), 3);
+    /// ```
     pub fn len(&self) -> usize {
         self.letters.len()
     }
 
     /// Whether this is the unit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert!(Word::from_letters([1, -1]).is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.letters.is_empty()
     }
@@ -54,6 +83,14 @@ impl Word {
     ///
     /// # Panics
     /// If the letter is 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// let mut word = Word::from_letters([1, 2]);
+    /// word.push(-2);
+    /// assert_eq!(word.letters(), [1]);
+    /// ```
     pub fn push(&mut self, letter: i32) {
         assert_ne!(letter, 0, "letters are +1, -1, +2, -2, ...");
         if self.letters.last() == Some(&-letter) {
@@ -67,6 +104,14 @@ impl Word {
     ///
     /// # Complexity
     /// Linear in the other word.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// let mut word = Word::from_letters([1, 2]);
+    /// word.append(&Word::from_letters([-2, 3]));
+    /// assert_eq!(word.letters(), [1, 3]);
+    /// ```
     pub fn append(&mut self, other: &Self) {
         let cancelled =
             self.letters.iter().rev().zip(&other.letters).take_while(|(a, b)| **a == -**b).count();
@@ -75,6 +120,12 @@ impl Word {
     }
 
     /// The product, this word first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, 2]).times(&Word::from_letters([-2, 3])).letters(), [1, 3]);
+    /// ```
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut product = self.clone();
@@ -83,6 +134,12 @@ impl Word {
     }
 
     /// The inverse: the inverse letters backwards.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, -2]).inverse().letters(), [2, -1]);
+    /// ```
     #[must_use]
     pub fn inverse(&self) -> Self {
         Self { letters: self.letters.iter().rev().map(|letter| -letter).collect() }
@@ -184,6 +241,12 @@ impl Word {
     ///
     /// # Panics
     /// If a letter is beyond `count`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, 2, 1, -2]).exponent_sums(2), [2, 0]);
+    /// ```
     pub fn exponent_sums(&self, count: usize) -> Vec<i64> {
         let mut sums = vec![0; count];
         for &letter in &self.letters {
@@ -193,6 +256,12 @@ impl Word {
     }
 
     /// The greatest letter without its sign; 0 for the empty word.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// assert_eq!(Word::from_letters([1, -4, 2]).highest_letter(), 4);
+    /// ```
     pub fn highest_letter(&self) -> usize {
         self.letters.iter().map(|letter| letter.unsigned_abs() as usize).max().unwrap_or(0)
     }

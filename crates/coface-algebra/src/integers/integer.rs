@@ -59,6 +59,13 @@ impl Integer {
     }
 
     /// The value if it fits in 64 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert_eq!(Integer::from(-7).to_i64(), Some(-7));
+    /// assert_eq!((Integer::from(i64::MAX) + Integer::ONE).to_i64(), None);
+    /// ```
     pub fn to_i64(&self) -> Option<i64> {
         match &self.0 {
             Repr::Small(value) => Some(*value),
@@ -67,6 +74,11 @@ impl Integer {
     }
 
     /// The nearest floating-point number; infinite beyond the range.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::Integer::from(-7).to_f64(), -7.0);
+    /// ```
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
             Repr::Small(value) => *value as f64,
@@ -75,16 +87,33 @@ impl Integer {
     }
 
     /// Whether this is 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert!((Integer::from(3) - Integer::from(3)).is_zero());
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.0 == Repr::Small(0)
     }
 
     /// Whether this is 1 or -1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert!(Integer::from(-1).is_unit() && !Integer::from(2).is_unit());
+    /// ```
     pub fn is_unit(&self) -> bool {
         matches!(self.0, Repr::Small(1 | -1))
     }
 
     /// -1, 0 or 1.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::Integer::from(-12).signum(), -1);
+    /// ```
     pub fn signum(&self) -> i32 {
         match &self.0 {
             Repr::Small(value) => value.signum() as i32,
@@ -99,6 +128,12 @@ impl Integer {
     }
 
     /// The absolute value.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert_eq!(Integer::from(i64::MIN).abs().to_string(), "9223372036854775808");
+    /// ```
     #[must_use]
     pub fn abs(&self) -> Self {
         if self.signum() < 0 { -self } else { self.clone() }
@@ -117,11 +152,23 @@ impl Integer {
     }
 
     /// The value of these bytes in two's complement, the lowest first; 0 for none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert_eq!(Integer::from_le_bytes(&[0xff]), Integer::from(-1));
+    /// ```
     pub fn from_le_bytes(bytes: &[u8]) -> Self {
         Self::from_big(IBig::from_le_bytes(bytes))
     }
 
     /// The number of bits of the absolute value; 0 for 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert_eq!([0, 1, -8].map(|n| Integer::from(n).bit_length()), [0, 1, 4]);
+    /// ```
     pub fn bit_length(&self) -> usize {
         match &self.0 {
             Repr::Small(value) => (u64::BITS - value.unsigned_abs().leading_zeros()) as usize,
@@ -133,6 +180,13 @@ impl Integer {
     ///
     /// # Panics
     /// If `divisor` is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// let (quotient, remainder) = Integer::from(-7).div_rem_floor(&Integer::from(4));
+    /// assert_eq!((quotient, remainder), (Integer::from(-2), Integer::from(1)));
+    /// ```
     pub fn div_rem_floor(&self, divisor: &Self) -> (Self, Self) {
         if let (Repr::Small(a), Repr::Small(b)) = (&self.0, &divisor.0)
             && let (Some(quotient), Some(remainder)) = (a.checked_div(*b), a.checked_rem(*b))
@@ -175,6 +229,13 @@ impl Integer {
     }
 
     /// The quotient if `divisor` divides this, else `None`. Zero divides nothing but zero, with quotient 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert_eq!(Integer::from(12).exact_quotient(&Integer::from(-3)), Some(Integer::from(-4)));
+    /// assert_eq!(Integer::from(12).exact_quotient(&Integer::from(5)), None);
+    /// ```
     pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         if divisor.is_zero() {
             return self.is_zero().then_some(Self::ZERO);
@@ -184,11 +245,23 @@ impl Integer {
     }
 
     /// Whether this divides `other`. Zero divides zero only.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert!(Integer::from(-3).divides(&Integer::from(12)));
+    /// ```
     pub fn divides(&self, other: &Self) -> bool {
         other.exact_quotient(self).is_some()
     }
 
     /// The greatest common divisor, not negative; gcd(0, 0) = 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// assert_eq!(Integer::from(12).gcd(&Integer::from(-18)), Integer::from(6));
+    /// ```
     #[must_use]
     pub fn gcd(&self, other: &Self) -> Self {
         if let (Repr::Small(a), Repr::Small(b)) = (&self.0, &other.0) {
@@ -208,6 +281,15 @@ impl Integer {
     }
 
     /// $(g, x, y)$ with $g = \gcd(a, b) = x a + y b$, for `self` = a and `other` = b; g is not negative.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// let (a, b) = (Integer::from(12), Integer::from(18));
+    /// let (g, x, y) = a.extended_gcd(&b);
+    /// assert_eq!(g, Integer::from(6));
+    /// assert_eq!(&x * &a + &y * &b, g);
+    /// ```
     pub fn extended_gcd(&self, other: &Self) -> (Self, Self, Self) {
         if self.is_zero() {
             return (other.abs(), Self::ZERO, Self::from(i64::from(other.signum())));

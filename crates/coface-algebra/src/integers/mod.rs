@@ -1,4 +1,9 @@
-//! Exact numbers: integers that widen instead of overflowing, fractions, residues and prime fields.
+//! Exact numbers: integers of any size, fractions, residues and prime fields.
+//!
+//! An [`Integer`] holds 64 bits as long as its value fits, and a big integer beyond: arithmetic never overflows. A
+//! [`Rational`] is a fraction in lowest terms with a positive denominator. A [`Residue`] is an element of Z/n and knows
+//! its modulus; elements of different moduli do not mix. A [`Field`] is a prime field as elimination uses it: 32-bit
+//! classes modulo an odd prime, or the field of two elements.
 
 mod integer;
 pub(crate) mod modular;

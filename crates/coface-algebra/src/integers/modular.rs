@@ -10,8 +10,8 @@ use rayon::prelude::*;
 /// The rank of a matrix, and a non-zero minor of that size, positive.
 ///
 /// The matrix is eliminated modulo primes of 31 bits until their product exceeds twice the bound of Hadamard for minors
-/// of one more than the rank: a larger minor would vanish modulo all of them, so it is zero, and the minor is known from
-/// its residues. Nothing is left to chance; a prime that sees a larger rank starts the search anew.
+/// of one more than the rank: a larger minor would vanish modulo all of them, so it is zero, and the minor is known
+/// from its residues. Nothing is left to chance; a prime that sees a larger rank starts the search anew.
 ///
 /// # Complexity
 /// With b the bits of that bound, b / 30 dense eliminations of 32-bit residues, in parallel.

@@ -31,6 +31,15 @@ impl Rational {
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] if the denominator is 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Integer, Rational};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Rational::new(Integer::from(4), Integer::from(-6))?.to_string(), "-2/3");
+    /// assert!(Rational::new(Integer::ONE, Integer::ZERO).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(numerator: Integer, denominator: Integer) -> Result<Self, Error> {
         if denominator.is_zero() {
             return Err(Error::new(ErrorKind::Coefficient, format!("{numerator}/0 is not a number")));
@@ -44,31 +53,79 @@ impl Rational {
     }
 
     /// The numerator in lowest terms; it has the sign.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Rational;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!("-4/6".parse::<Rational>()?.numerator(), (-2).into());
+    /// # Ok(()) }
+    /// ```
     pub fn numerator(&self) -> Integer {
         Integer::from_big(self.0.numerator().clone())
     }
 
     /// The denominator in lowest terms, positive.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Rational;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!("-4/6".parse::<Rational>()?.denominator(), 3.into());
+    /// # Ok(()) }
+    /// ```
     pub fn denominator(&self) -> Integer {
         Integer::from_big(self.0.denominator().clone().into())
     }
 
     /// Whether this is 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Rational;
+    /// assert!((Rational::from(2) - Rational::from(2)).is_zero());
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.0.is_zero()
     }
 
     /// The value if it is an integer.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Rational;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!("6/3".parse::<Rational>()?.to_integer(), Some(2.into()));
+    /// assert_eq!("7/3".parse::<Rational>()?.to_integer(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn to_integer(&self) -> Option<Integer> {
         self.0.is_int().then(|| self.numerator())
     }
 
     /// A floating-point number within one unit in the last place; infinite beyond the range.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Rational;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!("3/4".parse::<Rational>()?.to_f64(), 0.75);
+    /// # Ok(()) }
+    /// ```
     pub fn to_f64(&self) -> f64 {
         self.0.to_f64().value()
     }
 
     /// The number with which the product is 1; `None` for 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Rational;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!("3/4".parse::<Rational>()?.inverse(), Some("4/3".parse()?));
+    /// assert_eq!(Rational::ZERO.inverse(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn inverse(&self) -> Option<Self> {
         (!self.is_zero()).then(|| Self(&RBig::ONE / &self.0))
     }

@@ -29,6 +29,14 @@ impl Residue {
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] for the modulus 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Residue;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Residue::new(-1, 5)?.value(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn new(value: i64, modulus: u32) -> Result<Self, Error> {
         Self::from_integer(&Integer::from(value), modulus)
     }
@@ -37,6 +45,15 @@ impl Residue {
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] for the modulus 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Integer, Residue};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let huge: Integer = "100000000000000000001".parse()?;
+    /// assert_eq!(Residue::from_integer(&huge, 10)?.value(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn from_integer(value: &Integer, modulus: u32) -> Result<Self, Error> {
         if modulus == 0 {
             return Err(Error::new(ErrorKind::Coefficient, "there are no residues modulo 0")
@@ -51,16 +68,37 @@ impl Residue {
     }
 
     /// The representative from 0 to the modulus less one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(coface_algebra::Residue::new(17, 5)?.value(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn value(self) -> u32 {
         self.value
     }
 
     /// The modulus.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(coface_algebra::Residue::new(17, 5)?.modulus(), 5);
+    /// # Ok(()) }
+    /// ```
     pub fn modulus(self) -> u32 {
         self.modulus
     }
 
     /// Whether this is the class of 0.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert!(coface_algebra::Residue::new(10, 5)?.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn is_zero(self) -> bool {
         self.value == 0
     }
@@ -81,6 +119,15 @@ impl Residue {
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] if the moduli differ.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Residue;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Residue::new(3, 5)?.plus(Residue::new(4, 5)?)?, Residue::new(2, 5)?);
+    /// assert!(Residue::new(3, 5)?.plus(Residue::new(3, 7)?).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn plus(self, other: Self) -> Result<Self, Error> {
         self.check(other)?;
         Ok(self.with(u64::from(self.value) + u64::from(other.value)))
@@ -90,18 +137,42 @@ impl Residue {
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] if the moduli differ.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Residue;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Residue::new(3, 5)?.times(Residue::new(4, 5)?)?, Residue::new(2, 5)?);
+    /// # Ok(()) }
+    /// ```
     pub fn times(self, other: Self) -> Result<Self, Error> {
         self.check(other)?;
         Ok(self.with(u64::from(self.value) * u64::from(other.value)))
     }
 
     /// The opposite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Residue;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Residue::new(3, 5)?.negated(), Residue::new(2, 5)?);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn negated(self) -> Self {
         self.with(u64::from(self.modulus - self.value))
     }
 
     /// The element with which the product is 1; `None` unless the value is prime to the modulus.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Residue;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(Residue::new(3, 5)?.inverse(), Some(Residue::new(2, 5)?));
+    /// # Ok(()) }
+    /// ```
     pub fn inverse(self) -> Option<Self> {
         let (value, modulus) = (Integer::from(i64::from(self.value)), Integer::from(i64::from(self.modulus)));
         let (gcd, inverse, _) = value.extended_gcd(&modulus);

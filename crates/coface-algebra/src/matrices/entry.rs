@@ -3,7 +3,8 @@
 use crate::integers::Integer;
 use std::fmt;
 
-/// The entry of a [`SparseMatrix`](crate::matrices::sparse_matrix::SparseMatrix): `i32`, or [`Integer`] where 32 bits are too narrow.
+/// The entry of a [`SparseMatrix`](crate::matrices::sparse_matrix::SparseMatrix): `i32`, or [`Integer`] where 32 bits
+/// are too narrow.
 ///
 /// No other type implements it: matrices over a field are made from integer ones by the question that needs them.
 pub trait Entry: Clone + Default + Eq + fmt::Debug + fmt::Display + Send + Sync + sealed::Sealed {

@@ -25,6 +25,15 @@ pub enum IntegerMatrix {
 
 impl IntegerMatrix {
     /// The matrix with 32-bit entries, if it is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IntegerMatrix, SparseMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = SparseMatrix::identity(2)?;
+    /// assert_eq!(IntegerMatrix::from(identity.clone()).as_narrow(), Some(&identity));
+    /// # Ok(()) }
+    /// ```
     pub fn as_narrow(&self) -> Option<&SparseMatrix> {
         match self {
             Self::Narrow(matrix) => Some(matrix),
@@ -36,6 +45,15 @@ impl IntegerMatrix {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`](crate::error::ErrorKind::TooLarge) naming the first entry beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = SparseMatrix::identity(2)?;
+    /// assert_eq!(identity.product(&identity)?.into_narrow()?, identity);
+    /// # Ok(()) }
+    /// ```
     pub fn into_narrow(self) -> Result<SparseMatrix, Error> {
         match self {
             Self::Narrow(matrix) => Ok(matrix),
@@ -44,6 +62,15 @@ impl IntegerMatrix {
     }
 
     /// The matrix with entries of any size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let double = SparseMatrix::identity(2)?.scaled(&2.into());
+    /// assert_eq!(double.into_wide().entry(1, 1), 2.into());
+    /// # Ok(()) }
+    /// ```
     pub fn into_wide(self) -> WideMatrix {
         match self {
             Self::Narrow(matrix) => matrix.to_wide(),
@@ -52,6 +79,15 @@ impl IntegerMatrix {
     }
 
     /// A copy of the matrix with entries of any size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{IntegerMatrix, SparseMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = IntegerMatrix::from(SparseMatrix::identity(3)?);
+    /// assert_eq!(matrix.to_wide().entry_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn to_wide(&self) -> WideMatrix {
         match self {
             Self::Narrow(matrix) => matrix.to_wide(),
@@ -60,6 +96,15 @@ impl IntegerMatrix {
     }
 
     /// Whether every entry is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = SparseMatrix::identity(2)?;
+    /// assert!(identity.difference(&identity)?.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn is_zero(&self) -> bool {
         match self {
             Self::Narrow(matrix) => matrix.is_zero(),

@@ -10,6 +10,14 @@ use crate::matrices::sparse_vector::combination;
 
 impl<E: Entry> SparseMatrix<E> {
     /// Whether every entry is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert!(SparseMatrix::zero(2, 3)?.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.entry_count() == 0
     }
@@ -18,6 +26,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless the shapes agree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = SparseMatrix::identity(2)?;
+    /// assert_eq!(identity.sum(&identity)?.into_narrow()?.entry(1, 1), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn sum<F: Entry>(&self, other: &SparseMatrix<F>) -> Result<IntegerMatrix, Error> {
         self.combined(&Integer::ONE, other, &Integer::ONE)
     }
@@ -26,6 +43,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless the shapes agree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = SparseMatrix::identity(2)?;
+    /// assert!(identity.difference(&identity)?.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn difference<F: Entry>(&self, other: &SparseMatrix<F>) -> Result<IntegerMatrix, Error> {
         self.combined(&Integer::ONE, other, &Integer::from(-1))
     }
@@ -75,6 +101,15 @@ impl<E: Entry> SparseMatrix<E> {
     }
 
     /// The matrix with each entry multiplied by `factor`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let tenfold = SparseMatrix::identity(2)?.scaled(&10.into());
+    /// assert_eq!(tenfold.into_narrow()?.entry(0, 0), 10);
+    /// # Ok(()) }
+    /// ```
     pub fn scaled(&self, factor: &Integer) -> IntegerMatrix {
         if factor.is_zero() {
             let zero = SparseMatrix::zero(self.row_count(), self.column_count());
@@ -84,12 +119,29 @@ impl<E: Entry> SparseMatrix<E> {
     }
 
     /// The matrix with each entry replaced by its opposite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SparseMatrix::identity(2)?.negated().entry(0, 0), -1);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn negated(&self) -> Self {
         self.with_entries(E::negated)
     }
 
     /// The matrix of absolute values: of a boundary matrix, the unsigned incidence matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// assert_eq!(edge.abs().entries(), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn abs(&self) -> Self {
         self.with_entries(|entry| if entry.is_negative() { entry.negated() } else { entry.clone() })
@@ -102,6 +154,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Complexity
     /// Linear in the entries of the columns taken.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(1, 3, [(0, 0, 4), (0, 1, 5), (0, 2, 6)])?;
+    /// assert_eq!(matrix.select_columns(&[2, 0])?.entries(), [6, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn select_columns(&self, columns: &[usize]) -> Result<Self, Error> {
         check_numbers(columns, self.column_count(), "column")?;
         let (mut starts, mut rows, mut entries) = (vec![0], Vec::new(), Vec::new());
@@ -121,6 +182,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Complexity
     /// Linear in the matrix and the result.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(3, 1, [(0, 0, 4), (1, 0, 5), (2, 0, 6)])?;
+    /// assert_eq!(matrix.select_rows(&[2, 0])?.entries(), [6, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn select_rows(&self, rows: &[usize]) -> Result<Self, Error> {
         check_numbers(rows, self.row_count(), "row")?;
         Ok(self.transpose().select_columns(rows)?.transpose())

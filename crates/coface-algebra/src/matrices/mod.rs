@@ -1,4 +1,13 @@
 //! Sparse integer matrices in compressed columns, their products, and lists of lists in one flat array.
+//!
+//! # Words and conventions
+//! * Column j of a [`SparseMatrix`] is a list of (row, entry) pairs with strictly rising rows; no entry is zero. So
+//!   equal matrices have equal parts.
+//! * Entries have 32 bits. A [`WideMatrix`] has [`Integer`](crate::Integer) entries, as products and normal forms need
+//!   them; an [`IntegerMatrix`] is the smaller of both kinds that suffices.
+//! * A [`SparseVector`] is a list of (position, entry) pairs with strictly rising positions and without zeros.
+//! * A [`RaggedArray`] is a list of lists of 32-bit numbers. Lists of one common length, such as triangles, need no
+//!   starts.
 
 mod entry;
 mod integer_matrix;

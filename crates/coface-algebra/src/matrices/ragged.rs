@@ -37,6 +37,11 @@ impl Default for RaggedArray {
 
 impl RaggedArray {
     /// No list at all.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::RaggedArray::new().len(), 0);
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
@@ -46,6 +51,15 @@ impl RaggedArray {
     /// # Errors
     /// [`ErrorKind::Shape`] if `width` is zero or does not divide the number of items;
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 items.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = RaggedArray::uniform(3, vec![0, 1, 2, 2, 1, 3])?;
+    /// assert_eq!(triangles.list(1), [2, 1, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn uniform(width: usize, items: Vec<u32>) -> Result<Self, Error> {
         if width == 0 || !items.len().is_multiple_of(width) {
             return Err(Error::new(
@@ -64,6 +78,15 @@ impl RaggedArray {
     /// # Errors
     /// [`ErrorKind::Shape`] unless the starts rise from 0 to the number of items;
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 items.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let lists = RaggedArray::from_parts(vec![0, 2, 2, 3], vec![7, 8, 9])?;
+    /// assert_eq!(lists, RaggedArray::from_lists([vec![7, 8], vec![], vec![9]]));
+    /// # Ok(()) }
+    /// ```
     pub fn from_parts(starts: Vec<u32>, items: Vec<u32>) -> Result<Self, Error> {
         let Ok(item_count) = u32::try_from(items.len()) else { return Err(too_large(items.len())) };
         if starts.first() != Some(&0) || starts.last() != Some(&item_count) || !starts.is_sorted() {
@@ -79,6 +102,12 @@ impl RaggedArray {
     ///
     /// # Panics
     /// Beyond 2^32 - 1 items.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert_eq!(RaggedArray::from_lists([[0, 1], [1, 2]]).items(), [0, 1, 1, 2]);
+    /// ```
     pub fn from_lists<L: AsRef<[u32]>>(lists: impl IntoIterator<Item = L>) -> Self {
         let mut array = Self::new();
         for list in lists {
@@ -125,8 +154,8 @@ impl RaggedArray {
         Self { items, starts: Starts::Listed(starts) }
     }
 
-    /// The lists in which each item below `item_count` stands: list x has the positions of the lists with x, rising, once for
-    /// each time it stands there.
+    /// The lists in which each item below `item_count` stands: list x has the positions of the lists with x, rising,
+    /// once for each time it stands there.
     ///
     /// # Panics
     /// If an item is not below `item_count`.
@@ -164,6 +193,12 @@ impl RaggedArray {
     }
 
     /// The number of lists.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert_eq!(RaggedArray::from_lists([vec![0, 1], vec![]]).len(), 2);
+    /// ```
     pub fn len(&self) -> usize {
         match &self.starts {
             Starts::Uniform(width) => self.items.len() / width,
@@ -172,16 +207,36 @@ impl RaggedArray {
     }
 
     /// Whether there is no list.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert!(RaggedArray::new().is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// The number of items in all lists.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert_eq!(RaggedArray::from_lists([vec![0, 1], vec![5]]).item_count(), 3);
+    /// ```
     pub fn item_count(&self) -> usize {
         self.items.len()
     }
 
     /// The common length of all lists if they are stored that way.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(RaggedArray::uniform(2, vec![0, 1, 1, 2])?.uniform_width(), Some(2));
+    /// # Ok(()) }
+    /// ```
     pub fn uniform_width(&self) -> Option<usize> {
         match &self.starts {
             Starts::Uniform(width) => Some(*width),
@@ -190,6 +245,13 @@ impl RaggedArray {
     }
 
     /// Where list `i` starts among [`Self::items`]; `start(len())` is the number of items.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// let lists = RaggedArray::from_lists([vec![7, 8], vec![9]]);
+    /// assert_eq!((lists.start(1), lists.start(2)), (2, 3));
+    /// ```
     pub fn start(&self, i: usize) -> usize {
         match &self.starts {
             Starts::Uniform(width) => i * width,
@@ -201,21 +263,48 @@ impl RaggedArray {
     ///
     /// # Panics
     /// If `i >= len()`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert_eq!(RaggedArray::from_lists([vec![7, 8], vec![9]]).list(0), [7, 8]);
+    /// ```
     pub fn list(&self, i: usize) -> &[u32] {
         &self.items[self.start(i)..self.start(i + 1)]
     }
 
     /// All lists in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// let polygons = RaggedArray::from_lists([vec![0, 1, 2], vec![0, 2, 3, 4]]);
+    /// assert!(polygons.iter().map(<[u32]>::len).eq([3, 4]));
+    /// ```
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + DoubleEndedIterator {
         (0..self.len()).map(|i| self.list(i))
     }
 
     /// The items of all lists, one after the other.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert_eq!(RaggedArray::from_lists([vec![7, 8], vec![9]]).items(), [7, 8, 9]);
+    /// ```
     pub fn items(&self) -> &[u32] {
         &self.items
     }
 
     /// The items of all lists, for changing them in place; the lengths stay.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// let mut lists = RaggedArray::from_lists([[0, 1], [1, 2]]);
+    /// lists.items_mut().iter_mut().for_each(|item| *item += 10);
+    /// assert_eq!(lists.list(1), [11, 12]);
+    /// ```
     pub fn items_mut(&mut self) -> &mut [u32] {
         &mut self.items
     }
@@ -252,6 +341,12 @@ impl RaggedArray {
     }
 
     /// The flat items, given away.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// assert_eq!(RaggedArray::from_lists([[0, 1], [1, 2]]).into_items(), [0, 1, 1, 2]);
+    /// ```
     pub fn into_items(self) -> Vec<u32> {
         self.items
     }
@@ -260,6 +355,14 @@ impl RaggedArray {
     ///
     /// # Panics
     /// Beyond 2^32 - 1 items.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// let mut polygons = RaggedArray::new();
+    /// polygons.push(&[0, 1, 2]);
+    /// assert_eq!(polygons.list(0), [0, 1, 2]);
+    /// ```
     pub fn push(&mut self, list: &[u32]) {
         match &mut self.starts {
             Starts::Uniform(width) if *width == list.len() => {}

@@ -53,21 +53,57 @@ impl<E> Copy for Column<'_, E> {}
 
 impl<'a, E: Entry> Column<'a, E> {
     /// The rows with a non-zero entry, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(4, 1, [(3, 0, 5), (1, 0, -2)])?;
+    /// assert_eq!(matrix.column(0).rows(), [1, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn rows(self) -> &'a [u32] {
         self.rows
     }
 
     /// The entries in the order of [`Self::rows`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(4, 1, [(3, 0, 5), (1, 0, -2)])?;
+    /// assert_eq!(matrix.column(0).entries(), [-2, 5]);
+    /// # Ok(()) }
+    /// ```
     pub fn entries(self) -> &'a [E] {
         self.entries
     }
 
     /// The pairs (row, entry by reference); for 32-bit entries [`Column::iter`] gives values.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(4, 1, [(3, 0, 5), (1, 0, -2)])?;
+    /// assert!(matrix.column(0).terms().eq([(1, &-2), (3, &5)]));
+    /// # Ok(()) }
+    /// ```
     pub fn terms(self) -> impl ExactSizeIterator<Item = (usize, &'a E)> + Clone + 'a {
         self.rows.iter().zip(self.entries).map(|(&row, entry)| (row as usize, entry))
     }
 
     /// The entry in this row; 0 where nothing is stored.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(4, 1, [(3, 0, 5)])?;
+    /// assert_eq!((matrix.column(0).entry(3), matrix.column(0).entry(0)), (5, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn entry(self, row: usize) -> E {
         match self.rows.binary_search_by(|&r| (r as usize).cmp(&row)) {
             Ok(at) => self.entries[at].clone(),
@@ -78,6 +114,15 @@ impl<'a, E: Entry> Column<'a, E> {
 
 impl<'a> Column<'a> {
     /// The pairs (row, entry).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(4, 1, [(3, 0, 5), (1, 0, -2)])?;
+    /// assert!(matrix.column(0).iter().eq([(1, -2), (3, 5)]));
+    /// # Ok(()) }
+    /// ```
     pub fn iter(self) -> impl ExactSizeIterator<Item = (usize, i32)> + Clone + 'a {
         self.rows.iter().zip(self.entries).map(|(&row, &entry)| (row as usize, entry))
     }
@@ -88,6 +133,15 @@ impl SparseMatrix {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] if a count does not fit in 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let zero = SparseMatrix::zero(2, 3)?;
+    /// assert_eq!((zero.row_count(), zero.column_count(), zero.entry_count()), (2, 3, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn zero(row_count: usize, column_count: usize) -> Result<Self, Error> {
         Self::from_parts(row_count, vec![0; column_count + 1], Vec::new(), Vec::new())
     }
@@ -96,6 +150,15 @@ impl SparseMatrix {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] if `count` does not fit in 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let identity = SparseMatrix::identity(2)?;
+    /// assert_eq!((identity.entry(0, 0), identity.entry(0, 1)), (1, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn identity(count: usize) -> Result<Self, Error> {
         let count32 = fits(count, "rows")?;
         Self::from_parts(count, (0..=count32).collect(), (0..count32).collect(), vec![1; count])
@@ -106,6 +169,16 @@ impl SparseMatrix {
     /// # Errors
     /// [`ErrorKind::Shape`] unless the starts rise from 0 to the number of entries, the rows of each column rise
     /// strictly and are below `row_count`, and no entry is zero or $-2^{31}$; [`ErrorKind::TooLarge`] beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two columns: 7 in row 0, and 8 in row 1.
+    /// let matrix = SparseMatrix::from_parts(2, vec![0, 1, 2], vec![0, 1], vec![7, 8])?;
+    /// assert_eq!(matrix, SparseMatrix::from_entries(2, 2, [(0, 0, 7), (1, 1, 8)])?);
+    /// # Ok(()) }
+    /// ```
     pub fn from_parts(
         row_count: usize,
         column_starts: Vec<u32>,
@@ -142,6 +215,15 @@ impl SparseMatrix {
     ///
     /// # Complexity
     /// $O(m \log m)$ for m triples.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(2, 2, [(0, 1, 3), (1, 0, 5), (0, 1, -1)])?;
+    /// assert_eq!((matrix.entry(0, 1), matrix.entry(1, 0), matrix.entry_count()), (2, 5, 2));
+    /// # Ok(()) }
+    /// ```
     pub fn from_entries(
         row_count: usize,
         column_count: usize,
@@ -313,6 +395,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] naming the first entry beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, WideMatrix};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let wide = WideMatrix::from_integer_columns(1, [vec![(0, 7.into())]])?;
+    /// assert_eq!(wide.to_narrow()?, SparseMatrix::from_entries(1, 1, [(0, 0, 7)])?);
+    /// # Ok(()) }
+    /// ```
     pub fn to_narrow(&self) -> Result<SparseMatrix, Error> {
         let mut entries = Vec::with_capacity(self.entry_count());
         for (j, column) in self.columns().enumerate() {
@@ -342,21 +433,53 @@ impl<E: Entry> SparseMatrix<E> {
     }
 
     /// The same matrix with entries of any size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SparseMatrix::identity(2)?.to_wide().entry(1, 1), 1.into());
+    /// # Ok(()) }
+    /// ```
     pub fn to_wide(&self) -> WideMatrix {
         self.with_entries(E::to_integer)
     }
 
     /// The number of rows.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SparseMatrix::zero(2, 3)?.row_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn row_count(&self) -> usize {
         self.row_count as usize
     }
 
     /// The number of columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SparseMatrix::zero(2, 3)?.column_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn column_count(&self) -> usize {
         self.column_starts.len() - 1
     }
 
     /// The number of non-zero entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SparseMatrix::identity(3)?.entry_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn entry_count(&self) -> usize {
         self.rows.len()
     }
@@ -365,27 +488,71 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Panics
     /// If `j` is not below the number of columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SparseMatrix::identity(3)?.column(2).rows(), [2]);
+    /// # Ok(()) }
+    /// ```
     pub fn column(&self, j: usize) -> Column<'_, E> {
         let range = self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
         Column { rows: &self.rows[range.clone()], entries: &self.entries[range] }
     }
 
     /// All columns in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(2, 2, [(0, 0, 1), (1, 0, 1)])?;
+    /// assert!(matrix.columns().map(|column| column.rows().len()).eq([2, 0]));
+    /// # Ok(()) }
+    /// ```
     pub fn columns(&self) -> impl ExactSizeIterator<Item = Column<'_, E>> {
         (0..self.column_count()).map(|j| self.column(j))
     }
 
     /// Where each column starts among the rows and entries; one more than columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(2, 2, [(0, 0, 1), (1, 0, 1)])?;
+    /// assert_eq!(matrix.column_starts(), [0, 2, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn column_starts(&self) -> &[u32] {
         &self.column_starts
     }
 
     /// The rows of all columns, one after the other.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(3, 2, [(2, 0, 5), (0, 1, 6)])?;
+    /// assert_eq!(matrix.rows(), [2, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn rows(&self) -> &[u32] {
         &self.rows
     }
 
     /// The entries of all columns, one after the other.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(3, 2, [(2, 0, 5), (0, 1, 6)])?;
+    /// assert_eq!(matrix.entries(), [5, 6]);
+    /// # Ok(()) }
+    /// ```
     pub fn entries(&self) -> &[E] {
         &self.entries
     }
@@ -394,6 +561,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Panics
     /// If `column` is not below the number of columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(3, 2, [(2, 0, 5)])?;
+    /// assert_eq!((matrix.entry(2, 0), matrix.entry(2, 1)), (5, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn entry(&self, row: usize, column: usize) -> E {
         self.column(column).entry(row)
     }
@@ -402,6 +578,15 @@ impl<E: Entry> SparseMatrix<E> {
     ///
     /// # Complexity
     /// Linear, by counting.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(3, 2, [(2, 0, 5)])?;
+    /// assert_eq!(matrix.transpose(), SparseMatrix::from_entries(2, 3, [(0, 2, 5)])?);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn transpose(&self) -> Self {
         let mut starts = vec![0u32; self.row_count() + 1];
@@ -438,6 +623,17 @@ impl SparseMatrix {
     ///
     /// # Complexity
     /// Linear in the number of multiplications; columns run in parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let row = SparseMatrix::from_entries(1, 2, [(0, 0, 1), (0, 1, 1)])?;
+    /// // The first column cancels, the second does not.
+    /// let columns = SparseMatrix::from_entries(2, 2, [(0, 0, 1), (1, 0, -1), (0, 1, 2)])?;
+    /// assert_eq!(row.first_nonzero_product_column(&columns)?, Some(1));
+    /// # Ok(()) }
+    /// ```
     pub fn first_nonzero_product_column(&self, other: &Self) -> Result<Option<usize>, Error> {
         if self.column_count() != other.row_count() {
             return Err(factor_fault(self.column_count(), other.row_count(), other.column_count()));

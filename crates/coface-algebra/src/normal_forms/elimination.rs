@@ -21,8 +21,9 @@ pub(super) struct Pivot {
 ///
 /// Rows are stored; each column also has a list of the rows that may meet it, which may name a row twice or in vain.
 /// Pivots are taken by least absolute value, then by least fill (the cost of Markowitz: row count less one times column
-/// count less one, kept up to date lazily). The column of a pivot is cleared by row operations, with remainders as new pivots
-/// when the division leaves any; then the column holds nothing else, and column operations touch the pivot row alone.
+/// count less one, kept up to date lazily). The column of a pivot is cleared by row operations, with remainders as new
+/// pivots when the division leaves any; then the column holds nothing else, and column operations touch the pivot row
+/// alone.
 pub(super) struct Elimination {
     rows: Vec<SparseVector>,
     columns: Vec<Vec<u32>>,
@@ -171,9 +172,9 @@ impl Elimination {
         }
     }
 
-    /// Brings what is left to a diagonal by Hermite forms of columns and rows in turns, whose transforms are small. So a
-    /// remainder without units, whose elimination would make the transforms grow, becomes first a triangle as small as
-    /// its torsion, then a diagonal.
+    /// Brings what is left to a diagonal by Hermite forms of columns and rows in turns, whose transforms are small. So
+    /// a remainder without units, whose elimination would make the transforms grow, becomes first a triangle as small
+    /// as its torsion, then a diagonal.
     pub(super) fn diagonalize(&mut self) {
         let mut side = Side::Columns;
         while self.rows.iter().any(|row| row.len() > 1) || self.column_counts.iter().any(|&count| count > 1) {

@@ -14,8 +14,8 @@ pub(super) struct HermiteTransform {
     pub(super) inverse_columns: Vec<Vec<Integer>>,
 }
 
-/// Computes the row Hermite form by the algorithm of Havas, Majewski and Matthews, which keeps the rows of the transform
-/// reduced in the sense of Lenstra, Lenstra and Lovász while it makes the form, so that they stay short.
+/// Computes the row Hermite form by the algorithm of Havas, Majewski and Matthews, which keeps the rows of the
+/// transform reduced in the sense of Lenstra, Lenstra and Lovász while it makes the form, so that they stay short.
 ///
 /// # Complexity
 /// Polynomial; about $m^4$ operations on integers of the size of the minors for m rows.

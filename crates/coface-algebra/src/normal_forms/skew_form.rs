@@ -32,6 +32,15 @@ impl SkewForm {
     ///
     /// # Complexity
     /// That of Smith normal form.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Integer, SkewForm};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let rows = [[0, 2], [-2, 0]].map(|row| row.map(Integer::from).to_vec());
+    /// assert_eq!(SkewForm::new(rows.to_vec())?.determinant(), 4.into());
+    /// # Ok(()) }
+    /// ```
     pub fn new(rows: Vec<Vec<Integer>>) -> Result<Self, Error> {
         check_square(&rows)?;
         for (i, row) in rows.iter().enumerate() {
@@ -54,12 +63,26 @@ impl SkewForm {
     /// As [`Self::new`].
     ///
     /// # Examples
-    /// See [`SkewForm`].
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SkewForm::from_rows([[0, 3], [-3, 0]])?.divisors(), [3.into()]);
+    /// assert!(SkewForm::from_rows([[1]]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn from_rows<const N: usize>(rows: [[i64; N]; N]) -> Result<Self, Error> {
         Self::new(rows.iter().map(|row| row.iter().map(|&x| Integer::from(x)).collect()).collect())
     }
 
     /// The number n of basis vectors.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SkewForm::from_rows([[0, 1], [-1, 0]])?.size(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn size(&self) -> usize {
         self.rows.len()
     }
@@ -68,11 +91,27 @@ impl SkewForm {
     ///
     /// # Panics
     /// If one of them is not below the size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SkewForm::from_rows([[0, 1], [-1, 0]])?.entry(1, 0), &(-1).into());
+    /// # Ok(()) }
+    /// ```
     pub fn entry(&self, i: usize, j: usize) -> &Integer {
         &self.rows[i][j]
     }
 
     /// The rows of the matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SkewForm::from_rows([[0, 1], [-1, 0]])?.rows()[0], [0.into(), 1.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn rows(&self) -> &[Vec<Integer>] {
         &self.rows
     }
@@ -95,11 +134,27 @@ impl SkewForm {
     }
 
     /// The rank, an even number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SkewForm::from_rows([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])?.rank(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn rank(&self) -> usize {
         2 * self.divisors.len()
     }
 
     /// The determinant, the square of the product of the divisors if the rank is the size, else 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SkewForm::from_rows([[0, 3], [-3, 0]])?.determinant(), 9.into());
+    /// # Ok(()) }
+    /// ```
     pub fn determinant(&self) -> Integer {
         if self.rank() < self.size() {
             return Integer::ZERO;
@@ -108,6 +163,15 @@ impl SkewForm {
     }
 
     /// Whether the determinant is 1: the form is an isomorphism of the lattice with its dual.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert!(SkewForm::from_rows([[0, 1], [-1, 0]])?.is_unimodular());
+    /// assert!(!SkewForm::from_rows([[0, 3], [-3, 0]])?.is_unimodular());
+    /// # Ok(()) }
+    /// ```
     pub fn is_unimodular(&self) -> bool {
         self.determinant().is_unit()
     }
@@ -116,6 +180,16 @@ impl SkewForm {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] if their lengths are not the size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SkewForm::from_rows([[0, 1], [-1, 0]])?;
+    /// // The determinant of the two vectors (2, 3) and (1, 4).
+    /// assert_eq!(torus.value(&[2.into(), 3.into()], &[1.into(), 4.into()])?, 5.into());
+    /// # Ok(()) }
+    /// ```
     pub fn value(&self, first: &[Integer], second: &[Integer]) -> Result<Integer, Error> {
         evaluate(&self.rows, first, second)
     }
@@ -124,6 +198,16 @@ impl SkewForm {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] for a vector whose length is not the size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SkewForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SkewForm::from_rows([[0, 1], [-1, 0]])?;
+    /// let swapped = torus.in_basis(&[vec![0.into(), 1.into()], vec![1.into(), 0.into()]])?;
+    /// assert_eq!(swapped, SkewForm::from_rows([[0, -1], [1, 0]])?);
+    /// # Ok(()) }
+    /// ```
     pub fn in_basis(&self, basis: &[Vec<Integer>]) -> Result<Self, Error> {
         let row = |v: &Vec<Integer>| basis.iter().map(|w| self.value(v, w)).collect();
         Self::new(basis.iter().map(row).collect::<Result<_, Error>>()?)

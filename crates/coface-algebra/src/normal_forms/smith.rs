@@ -28,36 +28,95 @@ pub struct SmithForm {
 
 impl SmithForm {
     /// The invariant factors $d_1 \mid d_2 \mid \dots$, all positive: the diagonal without its zeros.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let form = smith_form(&SparseMatrix::from_entries(2, 2, [(0, 0, 2), (1, 1, 3)])?);
+    /// assert_eq!(form.diagonal(), [1.into(), 6.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn diagonal(&self) -> &[Integer] {
         &self.diagonal
     }
 
     /// The invariant factors above 1: the orders of the torsion of the cokernel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let form = smith_form(&SparseMatrix::from_entries(2, 2, [(0, 0, 2), (1, 1, 3)])?);
+    /// assert_eq!(form.torsion(), [6.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn torsion(&self) -> &[Integer] {
         &self.diagonal[self.diagonal.partition_point(|factor| *factor == Integer::ONE)..]
     }
 
     /// The rank of the matrix: the number of invariant factors.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(smith_form(&SparseMatrix::from_entries(2, 2, [(0, 0, 1), (0, 1, 1)])?).rank(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn rank(&self) -> usize {
         self.diagonal.len()
     }
 
     /// The rank of the kernel: columns less rank.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(smith_form(&SparseMatrix::from_entries(1, 3, [(0, 0, 1), (0, 1, 1)])?).nullity(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn nullity(&self) -> usize {
         self.column_count - self.rank()
     }
 
     /// The number of rows of the matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(smith_form(&SparseMatrix::zero(2, 3)?).row_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn row_count(&self) -> usize {
         self.row_count
     }
 
     /// The number of columns of the matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(smith_form(&SparseMatrix::zero(2, 3)?).column_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn column_count(&self) -> usize {
         self.column_count
     }
 
     /// The form as a matrix D, of the shape of the original.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(2, 2, [(0, 1, -5)])?;
+    /// assert_eq!(smith_form(&matrix).to_matrix(), SparseMatrix::from_entries(2, 2, [(0, 0, 5)])?);
+    /// # Ok(()) }
+    /// ```
     pub fn to_matrix(&self) -> WideMatrix {
         let columns = (0..self.column_count)
             .map(|j| self.diagonal.get(j).map(|factor| (j as u32, factor.clone())).into_iter().collect());
@@ -96,26 +155,76 @@ pub struct SmithTransforms {
 
 impl SmithTransforms {
     /// The form D.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form_with_transforms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let smith = smith_form_with_transforms(&SparseMatrix::from_entries(1, 2, [(0, 0, 4), (0, 1, 6)])?);
+    /// assert_eq!(smith.form().diagonal(), [2.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn form(&self) -> &SmithForm {
         &self.form
     }
 
     /// U, with as many rows and columns as A has rows.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form_with_transforms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(2, 2, [(0, 0, 2), (0, 1, 4), (1, 0, 3), (1, 1, 5)])?;
+    /// let smith = smith_form_with_transforms(&matrix);
+    /// let product = smith.left().product(&matrix)?.into_wide().product(smith.right())?.into_wide();
+    /// assert_eq!(product, smith.form().to_matrix());
+    /// # Ok(()) }
+    /// ```
     pub fn left(&self) -> &WideMatrix {
         &self.left
     }
 
     /// The inverse of U.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form_with_transforms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let smith = smith_form_with_transforms(&SparseMatrix::from_entries(2, 1, [(0, 0, 2), (1, 0, 3)])?);
+    /// assert_eq!(smith.left().product(smith.left_inverse())?.into_narrow()?, SparseMatrix::identity(2)?);
+    /// # Ok(()) }
+    /// ```
     pub fn left_inverse(&self) -> &WideMatrix {
         &self.left_inverse
     }
 
     /// V, with as many rows and columns as A has columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form_with_transforms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let matrix = SparseMatrix::from_entries(1, 2, [(0, 0, 2), (0, 1, 4)])?;
+    /// let smith = smith_form_with_transforms(&matrix);
+    /// // Columns from the rank on are a basis of the kernel.
+    /// let kernel = smith.right().select_columns(&[1])?;
+    /// assert!(matrix.product(&kernel)?.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn right(&self) -> &WideMatrix {
         &self.right
     }
 
     /// The inverse of V.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{SparseMatrix, smith_form_with_transforms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let smith = smith_form_with_transforms(&SparseMatrix::from_entries(1, 2, [(0, 0, 2), (0, 1, 4)])?);
+    /// assert_eq!(smith.right().product(smith.right_inverse())?.into_narrow()?, SparseMatrix::identity(2)?);
+    /// # Ok(()) }
+    /// ```
     pub fn right_inverse(&self) -> &WideMatrix {
         &self.right_inverse
     }
@@ -136,7 +245,13 @@ impl SmithTransforms {
 /// normal form computation using modulo determinant arithmetic* (1987).
 ///
 /// # Examples
-/// See [`SmithForm`].
+/// ```
+/// use coface_algebra::{SparseMatrix, smith_form};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let form = smith_form(&SparseMatrix::from_entries(2, 2, [(0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, -1)])?);
+/// assert_eq!(form.diagonal(), [1.into(), 2.into()]);
+/// # Ok(()) }
+/// ```
 pub fn smith_form<E: Entry>(matrix: &SparseMatrix<E>) -> SmithForm {
     SmithForm {
         row_count: matrix.row_count(),
@@ -254,15 +369,23 @@ impl DivisorChain {
 /// turns, with transforms that lattice basis reduction keeps short.
 ///
 /// # Complexity
-/// As [`smith_form`] for the unit pivots; for a remainder of m columns about $m^4$ operations on integers of the size of
-/// its minors. Reduce a chain complex by an acyclic matching first.
+/// As [`smith_form`] for the unit pivots; for a remainder of m columns about $m^4$ operations on integers of the size
+/// of its minors. Reduce a chain complex by an acyclic matching first.
 ///
 /// # References
 /// G. Havas, B. S. Majewski and K. R. Matthews, *Extended gcd and Hermite normal form algorithms via lattice basis
 /// reduction* (1998).
 ///
 /// # Examples
-/// See [`SmithTransforms`].
+/// ```
+/// use coface_algebra::{SparseMatrix, smith_form_with_transforms};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let matrix = SparseMatrix::from_entries(1, 2, [(0, 0, 2), (0, 1, 3)])?;
+/// let smith = smith_form_with_transforms(&matrix);
+/// let product = smith.left().product(&matrix)?.into_wide().product(smith.right())?;
+/// assert_eq!(product.into_narrow()?, SparseMatrix::from_entries(1, 2, [(0, 0, 1)])?);
+/// # Ok(()) }
+/// ```
 pub fn smith_form_with_transforms<E: Entry>(matrix: &SparseMatrix<E>) -> SmithTransforms {
     let mut elimination = Elimination::new(matrix, true);
     elimination.finish_units();

@@ -33,10 +33,30 @@ pub struct SymmetricForm {
 /// By Sylvester's law of inertia they do not depend on the diagonal form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Inertia {
+    positive: usize,
+    negative: usize,
+}
+
+impl Inertia {
     /// The dimension of a largest subspace on which the form is positive.
-    pub positive: usize,
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::SymmetricForm::diagonal([5, -1, -1]).inertia().positive(), 1);
+    /// ```
+    pub fn positive(self) -> usize {
+        self.positive
+    }
+
     /// The dimension of a largest subspace on which the form is negative.
-    pub negative: usize,
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::SymmetricForm::diagonal([5, -1, -1]).inertia().negative(), 2);
+    /// ```
+    pub fn negative(self) -> usize {
+        self.negative
+    }
 }
 
 /// Whether a form takes odd values on the diagonal.
@@ -124,7 +144,13 @@ impl SymmetricForm {
     /// As [`Self::new`].
     ///
     /// # Examples
-    /// See [`SymmetricForm`].
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SymmetricForm::from_rows([[2, 1], [1, 2]])?.determinant(), 3.into());
+    /// assert!(SymmetricForm::from_rows([[0, 1], [2, 0]]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn from_rows<const N: usize>(rows: [[i64; N]; N]) -> Result<Self, Error> {
         Self::new(rows.iter().map(|row| row.iter().map(|&x| Integer::from(x)).collect()).collect())
     }
@@ -145,7 +171,8 @@ impl SymmetricForm {
         Self::new((0..values.len()).map(row).collect()).expect("a diagonal matrix is symmetric")
     }
 
-    /// The form $E_8$: even, positive definite, of determinant 1; 2 on the eight nodes of the diagram, -1 between neighbors.
+    /// The form $E_8$: even, positive definite, of determinant 1; 2 on the eight nodes of the diagram, -1 between
+    /// neighbors.
     ///
     /// # References
     /// J. Milnor, D. Husemoller, *Symmetric bilinear forms* (1973), chapter II, section 6.
@@ -166,6 +193,11 @@ impl SymmetricForm {
     }
 
     /// The number n of basis vectors.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_algebra::SymmetricForm::e8().size(), 8);
+    /// ```
     pub fn size(&self) -> usize {
         self.rows.len()
     }
@@ -174,41 +206,94 @@ impl SymmetricForm {
     ///
     /// # Panics
     /// If one of them is not below the size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// assert_eq!(SymmetricForm::diagonal([2, -3]).entry(1, 1), &(-3).into());
+    /// ```
     pub fn entry(&self, i: usize, j: usize) -> &Integer {
         &self.rows[i][j]
     }
 
     /// The rows of the matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// assert_eq!(SymmetricForm::diagonal([2, -3]).rows()[0], [2.into(), 0.into()]);
+    /// ```
     pub fn rows(&self) -> &[Vec<Integer>] {
         &self.rows
     }
 
     /// The numbers of positive and negative entries of a diagonal form over the rationals.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// let inertia = SymmetricForm::diagonal([5, -1, -1, 0]).inertia();
+    /// assert_eq!((inertia.positive(), inertia.negative()), (1, 2));
+    /// ```
     pub fn inertia(&self) -> Inertia {
         self.inertia
     }
 
     /// The rank: the size less that of the radical.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SymmetricForm::from_rows([[1, 1], [1, 1]])?.rank(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn rank(&self) -> usize {
         self.inertia.positive + self.inertia.negative
     }
 
     /// The signature: positive less negative entries of a diagonal form over the rationals.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// assert_eq!(SymmetricForm::diagonal([1, 1, -1]).signature(), 1);
+    /// ```
     pub fn signature(&self) -> i64 {
         self.inertia.positive as i64 - self.inertia.negative as i64
     }
 
     /// The determinant of the matrix; 1 for the form of size 0. It is the same in every basis.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(SymmetricForm::from_rows([[2, 1], [1, 2]])?.determinant(), 3.into());
+    /// # Ok(()) }
+    /// ```
     pub fn determinant(&self) -> Integer {
         self.determinant.clone()
     }
 
     /// Whether the determinant is 1 or -1: the form is an isomorphism of the lattice with its dual.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// assert!(SymmetricForm::e8().is_unimodular() && !SymmetricForm::diagonal([2]).is_unimodular());
+    /// ```
     pub fn is_unimodular(&self) -> bool {
         self.determinant.is_unit()
     }
 
     /// Even if the diagonal is: then all values on a vector with itself are.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{Parity, SymmetricForm};
+    /// assert_eq!(SymmetricForm::diagonal([1, -1]).parity(), Parity::Odd);
+    /// ```
     pub fn parity(&self) -> Parity {
         let is_odd = |x: &Integer| !Integer::from(2).divides(x);
         if self.rows.iter().enumerate().any(|(i, row)| is_odd(&row[i])) { Parity::Odd } else { Parity::Even }
@@ -236,8 +321,8 @@ impl SymmetricForm {
         }
     }
 
-    /// A basis of the radical: of all vectors whose value with every vector is zero. No multiple of another lattice vector
-    /// lies in it without that vector.
+    /// A basis of the radical: of all vectors whose value with every vector is zero. No multiple of another lattice
+    /// vector lies in it without that vector.
     ///
     /// # Complexity
     /// That of Smith normal form with transforms.
@@ -268,6 +353,15 @@ impl SymmetricForm {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] if their lengths are not the size.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let form = SymmetricForm::from_rows([[0, 1], [1, 0]])?;
+    /// assert_eq!(form.value(&[1.into(), 2.into()], &[3.into(), 4.into()])?, 10.into());
+    /// # Ok(()) }
+    /// ```
     pub fn value(&self, first: &[Integer], second: &[Integer]) -> Result<Integer, Error> {
         evaluate(&self.rows, first, second)
     }
@@ -290,6 +384,12 @@ impl SymmetricForm {
     }
 
     /// The form with the opposite values: that of the manifold with the opposite orientation.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SymmetricForm;
+    /// assert_eq!(SymmetricForm::diagonal([1, -2]).negated(), SymmetricForm::diagonal([-1, 2]));
+    /// ```
     #[must_use]
     pub fn negated(&self) -> Self {
         let rows = self.rows.iter().map(|row| row.iter().map(|x| -x).collect()).collect();
@@ -314,13 +414,13 @@ impl SymmetricForm {
         Self::new(basis.iter().map(row).collect::<Result<_, Error>>()?)
     }
 
-    /// The isomorphism class in the usual words, where rank, signature and parity fix it: $a(1) + b(-1)$ if odd, copies of
-    /// $E_8$ or its negative and of the hyperbolic plane H if even. `None` for forms that are not unimodular and for
+    /// The isomorphism class in the usual words, where rank, signature and parity fix it: $a(1) + b(-1)$ if odd, copies
+    /// of $E_8$ or its negative and of the hyperbolic plane H if even. `None` for forms that are not unimodular and for
     /// definite ones above rank 8, where there are several; `0` for size 0.
     ///
     /// # References
-    /// J. Milnor, D. Husemoller, *Symmetric bilinear forms* (1973), chapter II, theorems 5.3 and 4.3; definite forms up to
-    /// rank 8: section 6.
+    /// J. Milnor, D. Husemoller, *Symmetric bilinear forms* (1973), chapter II, theorems 5.3 and 4.3; definite forms up
+    /// to rank 8: section 6.
     ///
     /// # Examples
     /// ```
@@ -400,11 +500,11 @@ pub(super) fn evaluate(
 
 /// Inertia and determinant of a symmetric matrix by fraction-free symmetric elimination.
 ///
-/// After k steps the remaining entries are minors: those of the first k rows and columns together with one more of each,
-/// so that every division is exact (E. H. Bareiss, *Sylvester's identity and multistep integer-preserving Gaussian
-/// elimination*, 1968) and the pivots are the leading principal minors $D_1, D_2, \dots$ of a matrix congruent to the given
-/// one. The diagonal form is $D_k / D_{k-1}$. Where no diagonal entry is left that is not zero, adding a basis vector to
-/// another makes one.
+/// After k steps the remaining entries are minors: those of the first k rows and columns together with one more of
+/// each, so that every division is exact (E. H. Bareiss, *Sylvester's identity and multistep integer-preserving
+/// Gaussian elimination*, 1968) and the pivots are the leading principal minors $D_1, D_2, \dots$ of a matrix congruent
+/// to the given one. The diagonal form is $D_k / D_{k-1}$. Where no diagonal entry is left that is not zero, adding a
+/// basis vector to another makes one.
 fn eliminate(mut rows: Vec<Vec<Integer>>) -> (Inertia, Integer) {
     let n = rows.len();
     let mut inertia = Inertia::default();

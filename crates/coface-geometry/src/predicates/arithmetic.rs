@@ -2,11 +2,12 @@
 
 use super::double_double::Approximation;
 use super::estimate::Estimate;
+use super::short_dyadic::ShortDyadic;
 use super::{Dyadic, SpatialPlane};
 use std::cmp::Ordering;
 
 /// Numbers that formulas are evaluated in: an [`Estimate`], an [`Approximation`], the exact
-/// [`ShortDyadic`](super::short_dyadic::ShortDyadic) or the exact [`Dyadic`].
+/// [`ShortDyadic`] or the exact [`Dyadic`].
 pub(super) trait Arithmetic: Sized {
     fn difference(a: f64, b: f64) -> Self;
     fn plus(&self, other: &Self) -> Self;
@@ -52,6 +53,24 @@ impl Arithmetic for Approximation {
     }
 }
 
+impl Arithmetic for ShortDyadic {
+    fn difference(a: f64, b: f64) -> Self {
+        ShortDyadic::difference(a, b)
+    }
+    fn plus(&self, other: &Self) -> Self {
+        ShortDyadic::plus(self, other)
+    }
+    fn minus(&self, other: &Self) -> Self {
+        ShortDyadic::minus(self, other)
+    }
+    fn times(&self, other: &Self) -> Self {
+        ShortDyadic::times(self, other)
+    }
+    fn certain_sign(&self) -> Option<Ordering> {
+        ShortDyadic::certain_sign(self)
+    }
+}
+
 impl Arithmetic for Dyadic {
     fn difference(a: f64, b: f64) -> Self {
         &Dyadic::from(a) - &Dyadic::from(b)
@@ -70,8 +89,8 @@ impl Arithmetic for Dyadic {
     }
 }
 
-/// The sign of a formula in the first precision that tells: `sign_of!(formula(arguments))` for a `formula` that is generic in
-/// its [`Arithmetic`].
+/// The sign of a formula in the first precision that tells: `sign_of!(formula(arguments))` for a `formula` that is
+/// generic in its [`Arithmetic`].
 macro_rules! sign_of {
     ($formula:ident($($argument:expr),*)) => {
         $formula::<$crate::predicates::estimate::Estimate>($($argument),*)

@@ -6,8 +6,8 @@ use super::spatial_point::SpatialPoint;
 use super::{Dyadic, SpatialPlane};
 use std::cmp::Ordering;
 
-/// The line from a point to another where both are in two planes: then its direction is the product of the normals or the
-/// opposite, and decisions about given points around it take no more than the given planes.
+/// The line from a point to another where both are in two planes: then its direction is the product of the normals or
+/// the opposite, and decisions about given points around it take no more than the given planes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CommonLine {
     planes: [SpatialPlane; 2],
@@ -61,8 +61,8 @@ fn joint_plane(a: &SpatialPoint, b: &SpatialPoint) -> Option<SpatialPlane> {
     }
 }
 
-/// The order of two points of two planes along an axis, and the sign of the product of the normals along it, if that is quickly
-/// known for some axis.
+/// The order of two points of two planes along an axis, and the sign of the product of the normals along it, if that is
+/// quickly known for some axis.
 fn quick_order(
     a: &SpatialPoint,
     b: &SpatialPoint,
@@ -73,8 +73,8 @@ fn quick_order(
     (0..3).find_map(|axis| Some((b.known_order(a, axis)?, product[axis].sign()?)))
 }
 
-/// An axis that the line where two planes cross is not at right angles to, and the sign of the product of the normals along
-/// it; `None` for parallel planes.
+/// An axis that the line where two planes cross is not at right angles to, and the sign of the product of the normals
+/// along it; `None` for parallel planes.
 fn crossing_axis(f: SpatialPlane, g: SpatialPlane) -> Option<(usize, Ordering)> {
     let exact = cross(&normal::<Dyadic>(f), &normal::<Dyadic>(g));
     (0..3).map(|axis| (axis, exact[axis].sign())).find(|(_, sign)| sign.is_ne())
@@ -88,7 +88,8 @@ fn height<T: Arithmetic>(plane: SpatialPlane, normal: &[T; 3], point: [f64; 3]) 
     dot(normal, &vector(plane[0], point))
 }
 
-/// A coordinate of $(n \times n') \times (c - a) = n' (n \cdot (c - a)) - n (n' \cdot (c - a))$ for a point a of both planes.
+/// A coordinate of $(n \times n') \times (c - a) = n' (n \cdot (c - a)) - n (n' \cdot (c - a))$ for a point a of both
+/// planes.
 fn moment<T: Arithmetic>(f: SpatialPlane, g: SpatialPlane, c: [f64; 3], axis: usize) -> T {
     let (n, m) = (normal::<T>(f), normal::<T>(g));
     let (over_f, over_g) = (height(f, &n, c), height(g, &m, c));

@@ -1,7 +1,7 @@
 //! Numbers of twice the usual precision that know how wrong they can be.
 
-/// Whether products of four differences of such numbers, and the errors of those products, stay in the range of ordinary
-/// numbers.
+/// Whether products of four differences of such numbers, and the errors of those products, stay in the range of
+/// ordinary numbers.
 pub(super) fn is_ordinary(x: f64) -> bool {
     const SMALLEST: f64 = f64::from_bits((1023 - 150) << 52);
     const LARGEST: f64 = f64::from_bits((1023 + 150) << 52);
@@ -41,8 +41,8 @@ fn two_product(a: f64, b: f64) -> [f64; 2] {
 ///
 /// # References
 /// M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of double-word
-/// arithmetic* (2017): sums are within 3, products within 7, quotients within 15 squares of the unit roundoff 2^-53. The
-/// bounds here are at least twice as wide, which covers their own rounding.
+/// arithmetic* (2017): sums are within 3, products within 7, quotients within 15 squares of the unit roundoff 2^-53.
+/// The bounds here are at least twice as wide, which covers their own rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Approximation {
     pub(super) high: f64,
@@ -67,8 +67,9 @@ impl Approximation {
         Self { high: value, low: 0.0, error }
     }
 
-    /// A number below and one above all that may be added to `high` to have the number that is meant: one number where it is known
-    /// exactly. Sums of `low` and `error` may be rounded inward, so they are not enough where a half of the last digit decides.
+    /// A number below and one above all that may be added to `high` to have the number that is meant: one number where
+    /// it is known exactly. Sums of `low` and `error` may be rounded inward, so they are not enough where a half of the
+    /// last digit decides.
     pub(super) fn rest(self) -> [f64; 2] {
         if self.error == 0.0 {
             return [self.low; 2];

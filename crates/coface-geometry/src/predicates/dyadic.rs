@@ -35,8 +35,8 @@ impl Dyadic {
         Rational::from_big(fraction)
     }
 
-    /// The floating-point number that is nearest to `self / divisor`, a tie to the even one, and how the quotient compares
-    /// with it. The divisor is positive.
+    /// The floating-point number that is nearest to `self / divisor`, a tie to the even one, and how the quotient
+    /// compares with it. The divisor is positive.
     pub(crate) fn rounded_quotient(&self, divisor: &Self) -> (f64, Ordering) {
         const SMALLEST: i64 = -1022;
         let numerator = (&self.mantissa).unsigned_abs();

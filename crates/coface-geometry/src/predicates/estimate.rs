@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 /// The unit roundoff 2^-53.
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
-/// A number within `error` of `value`, as long as some hundred operations led to it. What leaves the range of numbers has no
-/// sign.
+/// A number within `error` of `value`, as long as some hundred operations led to it. What leaves the range of numbers
+/// has no sign.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Estimate {
     value: f64,

@@ -1,20 +1,27 @@
 //! Exact decisions about points in the plane and in space.
 //!
 //! # Words and conventions
-//! * Coordinates are binary fractions, taken at their exact values. A **line** is given by two different points on it and is
-//!   directed from the first to the second; a **segment** is the part between them.
-//! * A [`PlanarPoint`] is a point that is given, or the crossing of two lines, which is never computed: decisions about it are
-//!   signs of polynomials in the coordinates of the lines' ends.
+//! * Coordinates are binary fractions, taken at their exact values. A **line** is given by two different points on it
+//!   and is directed from the first to the second; a **segment** is the part between them.
+//! * A [`PlanarPoint`] is a given point, or the crossing of two lines. The coordinates of a crossing are never
+//!   computed: decisions about it are signs of polynomials in the coordinates of the ends of the lines.
 //! * A **plane** is given by three points $a, b, c$ of space that are not on one line; its **normal** is
-//!   $(b - a) \times (c - a)$. A [`SpatialPoint`] is a point that is given, or the place where a line and a plane, three planes or
-//!   two lines meet, which is never computed either.
-//! * A sign is an [`Ordering`](std::cmp::Ordering) of a determinant with zero: `Greater` is to the left or counterclockwise,
-//!   `Less` to the right or clockwise, `Equal` on the line. In space `Greater` is where the normal points, from where the triangle
-//!   $a b c$ is seen to run counterclockwise.
+//!   $(b - a) \times (c - a)$. A [`SpatialPoint`] is a given point, or the intersection of a line and a plane, of three
+//!   planes or of two lines; its coordinates are never computed either.
+//! * A sign is the [`Ordering`](std::cmp::Ordering) of a determinant and zero: `Greater` is to the left or
+//!   counterclockwise, `Less` is to the right or clockwise, `Equal` is on the line. In space `Greater` is the side to
+//!   which the normal points; from there the triangle $a b c$ runs counterclockwise.
 //!
-//! Each decision is made in floating point with a bound on the error, then in twice that precision, and by integers where that
-//! leaves it open: in space first by short ones, then by those of any size. Numbers so large or small that products leave the range
-//! go to the integers at once.
+//! # Algorithm
+//! Each decision is made in floating point with a bound on the error, then in twice that precision, and, if the sign is
+//! still open, by exact integers: in space first by integers of up to 1024 bits, then by integers of any size. Numbers
+//! that are so large or small that products overflow or underflow go to the integers at once.
+//!
+//! # Examples
+//! ```
+//! use coface_geometry::predicates::orientation;
+//! assert!(orientation([0.0, 0.0], [1.0, 0.0], [5.0, 1e-300]).is_gt());
+//! ```
 
 mod arithmetic;
 mod common_line;

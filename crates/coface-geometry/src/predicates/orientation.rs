@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 /// Eight unit roundoffs: twice what a difference of products of differences can lose of the sum of the products.
 const LOST: f64 = 8.0 * f64::EPSILON / 2.0;
 
-/// On which side of the line from `a` to `b` the point `c` lies, exactly: `Greater` for left, `Less` for right, `Equal` for
-/// on the line.
+/// On which side of the line from `a` to `b` the point `c` lies, exactly: `Greater` for left, `Less` for right, `Equal`
+/// for on the line.
 ///
 /// The sign of $(b - a) \times (c - a)$, twice the area of the triangle $a b c$. All coordinates are finite.
 ///
@@ -41,8 +41,8 @@ pub fn orientation(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Ordering {
     exact_turn([a, b], [a, c])
 }
 
-/// Which way the direction of one line turns into that of another, exactly: `Greater` for counterclockwise (by less than a
-/// half turn), `Less` for clockwise, `Equal` for the same or opposite direction.
+/// Which way the direction of one line turns into that of another, exactly: `Greater` for counterclockwise (by less
+/// than a half turn), `Less` for clockwise, `Equal` for the same or opposite direction.
 ///
 /// The sign of $(s_1 - s_0) \times (t_1 - t_0)$. All coordinates are finite.
 ///

@@ -28,6 +28,12 @@ pub struct PlanarPoint {
 
 impl PlanarPoint {
     /// The point with these coordinates, which are finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// assert_eq!(PlanarPoint::given([1., 2.]).rounded(), [1., 2.]);
+    /// ```
     pub fn given(coordinates: [f64; 2]) -> Self {
         Self { lines: None, rounded: coordinates, residues: [Some(Ordering::Equal); 2] }
     }
@@ -36,6 +42,15 @@ impl PlanarPoint {
     ///
     /// # Complexity
     /// Constant: a hundred operations in floating point unless the lines are nearly parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// let diagonal = [[0., 0.], [2., 2.]];
+    /// let crossing = PlanarPoint::crossing(diagonal, [[0., 2.], [2., 0.]]).expect("not parallel");
+    /// assert_eq!(crossing.rounded(), [1., 1.]);
+    /// assert!(PlanarPoint::crossing(diagonal, [[5., 0.], [6., 1.]]).is_none());
+    /// ```
     pub fn crossing(s: PlanarLine, t: PlanarLine) -> Option<Self> {
         // Lines along the axes know one coordinate each.
         let is_along = |line: PlanarLine, axis: usize| {
@@ -73,6 +88,13 @@ impl PlanarPoint {
     }
 
     /// The floating-point coordinates nearest to those of the point, ties to even; infinite beyond the range.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// let third = PlanarPoint::crossing([[0., 0.], [1., 1.]], [[0., 0.5], [1., 0.]]).expect("not parallel");
+    /// assert_eq!(third.rounded(), [1.0 / 3.0; 2]);
+    /// ```
     pub fn rounded(&self) -> [f64; 2] {
         self.rounded
     }
@@ -84,6 +106,13 @@ impl PlanarPoint {
     }
 
     /// Whether the coordinates are floating-point numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// let third = PlanarPoint::crossing([[0., 0.], [1., 1.]], [[0., 0.5], [1., 0.]]).expect("not parallel");
+    /// assert!(PlanarPoint::given([0.1, 0.2]).is_exactly_rounded() && !third.is_exactly_rounded());
+    /// ```
     pub fn is_exactly_rounded(&self) -> bool {
         (0..2)
             .all(|axis| self.residues[axis].unwrap_or_else(|| self.to_homogeneous().rounded(axis).1).is_eq())
@@ -93,6 +122,13 @@ impl PlanarPoint {
     ///
     /// # Panics
     /// If `axis` is neither 0 nor 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// let (a, b) = (PlanarPoint::given([1., 5.]), PlanarPoint::given([2., 4.]));
+    /// assert!(a.compare_coordinate(&b, 0).is_lt() && a.compare_coordinate(&b, 1).is_gt());
+    /// ```
     pub fn compare_coordinate(&self, other: &Self, axis: usize) -> Ordering {
         match known_order(self, other, axis) {
             Some(order) => order,
@@ -101,11 +137,26 @@ impl PlanarPoint {
     }
 
     /// The order by x, then by y. Exact; `Equal` exactly for equal points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// let (a, b) = (PlanarPoint::given([1., 5.]), PlanarPoint::given([1., 4.]));
+    /// assert!(a.compare(&b).is_gt() && a.compare(&a).is_eq());
+    /// ```
     pub fn compare(&self, other: &Self) -> Ordering {
         self.compare_coordinate(other, 0).then_with(|| self.compare_coordinate(other, 1))
     }
 
     /// On which side of a line the point lies: `Greater` for left, `Less` for right, `Equal` for on it. Exact.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlanarPoint;
+    /// let east = [[0., 0.], [1., 0.]];
+    /// assert!(PlanarPoint::given([5., 1e-300]).side_of(east).is_gt());
+    /// assert!(PlanarPoint::given([5., 0.]).side_of(east).is_eq());
+    /// ```
     pub fn side_of(&self, line: PlanarLine) -> Ordering {
         if line.as_flattened().iter().chain(&self.rounded).all(|&x| is_ordinary(x)) {
             let d = |axis: usize| Approximation::difference(line[1][axis], line[0][axis]);
@@ -176,8 +227,8 @@ impl PlanarPoint {
     }
 }
 
-/// The order of one coordinate as far as the rounded values tell: rounding is monotone, so different ones are in order, and of
-/// equal ones the sides they were rounded from may tell.
+/// The order of one coordinate as far as the rounded values tell: rounding is monotone, so different ones are in order,
+/// and of equal ones the sides they were rounded from may tell.
 pub(crate) fn known_order(a: &PlanarPoint, b: &PlanarPoint, axis: usize) -> Option<Ordering> {
     let order = a.rounded[axis].partial_cmp(&b.rounded[axis]).expect("coordinates are numbers");
     if order.is_ne() {
@@ -209,8 +260,8 @@ fn filtered_crossing(s: PlanarLine, t: PlanarLine) -> Option<PlanarPoint> {
     Some(PlanarPoint { lines: Some([s, t]), rounded, residues })
 }
 
-/// The crossing in twice the usual precision; `None` for numbers out of the ordinary, and for lines that are parallel or
-/// nearly so.
+/// The crossing in twice the usual precision; `None` for numbers out of the ordinary, and for lines that are parallel
+/// or nearly so.
 fn approximate_crossing(s: PlanarLine, t: PlanarLine) -> Option<[Approximation; 2]> {
     if !s.as_flattened().iter().chain(t.as_flattened()).all(|&x| is_ordinary(x)) {
         return None;
@@ -230,8 +281,8 @@ fn approximate_crossing(s: PlanarLine, t: PlanarLine) -> Option<[Approximation; 
     Some([coordinate(0, sx), coordinate(1, sy)])
 }
 
-/// The area within closed walks, positive where they run counterclockwise, with a bound on its error; `None` for numbers out
-/// of the ordinary.
+/// The area within closed walks, positive where they run counterclockwise, with a bound on its error; `None` for
+/// numbers out of the ordinary.
 pub fn approximate_area<W: Iterator<Item = PlanarPoint>>(walks: impl Iterator<Item = W>) -> Option<[f64; 2]> {
     // Bounds are summed apart: what an addition makes wider is its own only.
     let (mut doubled, mut error) = (Approximation::new(0.0, 0.0), 0.0);

@@ -28,6 +28,13 @@ pub struct PlaneFilter {
 
 impl PlaneFilter {
     /// The filter of a plane. Three points on one line give one that leaves all points open.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlaneFilter;
+    /// let ground = PlaneFilter::new([[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]);
+    /// assert!(ground.side_of([5., 5., 1.]).is_some());
+    /// ```
     pub fn new(plane: SpatialPlane) -> Self {
         let normal = normal::<Estimate>(plane);
         Self {
@@ -38,8 +45,16 @@ impl PlaneFilter {
         }
     }
 
-    /// The plane's [`side_of`](super::SpatialPoint::side_of) for a point with these coordinates, if a bound on the error leaves no
-    /// doubt.
+    /// The plane's [`side_of`](super::SpatialPoint::side_of) for a point with these coordinates, if a bound on the
+    /// error leaves no doubt.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PlaneFilter;
+    /// use std::cmp::Ordering;
+    /// let ground = PlaneFilter::new([[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]);
+    /// assert_eq!(ground.side_of([5., 5., -1.]), Some(Ordering::Less));
+    /// ```
     #[inline]
     pub fn side_of(&self, point: [f64; 3]) -> Option<Ordering> {
         let to = [0, 1, 2].map(|axis| point[axis] - self.point[axis]);

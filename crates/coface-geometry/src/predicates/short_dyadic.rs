@@ -1,12 +1,12 @@
 //! Binary fractions of bounded length, quicker than those of any size.
 
-use super::arithmetic::Arithmetic;
 use std::cmp::Ordering;
 
 /// 1024 bits: the product of some fifteen coordinates of one model.
 const LIMBS: usize = 16;
 
-/// The number $\pm m 2^e$, where m has up to 1024 bits; sums and products are exact. What gets longer is lost and has no sign.
+/// The number $\pm m 2^e$, where m has up to 1024 bits; sums and products are exact. What gets longer is lost and has
+/// no sign.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShortDyadic {
     /// The mantissa, lowest limb first. Limbs from `length` on are zero, the one before is not.
@@ -140,8 +140,9 @@ impl From<f64> for ShortDyadic {
     }
 }
 
-impl Arithmetic for ShortDyadic {
-    fn difference(a: f64, b: f64) -> Self {
+impl ShortDyadic {
+    /// The exact difference of two numbers.
+    pub(super) fn difference(a: f64, b: f64) -> Self {
         let ((m, e, a_negative), (n, f, b_negative)) = (parts(a), parts(b));
         if n == 0 || m == 0 || (e - f).abs() > 72 {
             return Self::from(a).minus(&Self::from(b));
@@ -155,15 +156,15 @@ impl Arithmetic for ShortDyadic {
         Self::from_magnitude(difference.unsigned_abs(), exponent, difference < 0)
     }
 
-    fn plus(&self, other: &Self) -> Self {
+    pub(super) fn plus(&self, other: &Self) -> Self {
         self.sum(other, other.negative)
     }
 
-    fn minus(&self, other: &Self) -> Self {
+    pub(super) fn minus(&self, other: &Self) -> Self {
         self.sum(other, !other.negative)
     }
 
-    fn times(&self, other: &Self) -> Self {
+    pub(super) fn times(&self, other: &Self) -> Self {
         if self.is_lost() || other.is_lost() {
             return LOST;
         }
@@ -196,7 +197,8 @@ impl Arithmetic for ShortDyadic {
         product
     }
 
-    fn certain_sign(&self) -> Option<Ordering> {
+    /// The order of this number and 0; `None` for a number that is lost.
+    pub(super) fn certain_sign(&self) -> Option<Ordering> {
         match (self.length, self.negative) {
             (usize::MAX, _) => None,
             (0, _) => Some(Ordering::Equal),
@@ -215,7 +217,8 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(1000))]
-        /// A long way through sums and products gives the same number, seen by what is left of it without the exact one.
+        /// A long way through sums and products gives the same number, seen by what is left of it without the exact
+        /// one.
         #[test]
         fn arithmetic_is_that_of_numbers_of_any_size(
             numbers in prop::collection::vec((coordinate(), coordinate(), 0usize..4, 0usize..6), 1..12)

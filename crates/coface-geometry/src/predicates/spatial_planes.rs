@@ -11,7 +11,8 @@ use std::cmp::Ordering;
 /// On which side of the plane of `a`, `b`, `c` the point `d` lies, exactly: `Greater` if the triangle `a b c` runs
 /// counterclockwise seen from `d`, `Less` for clockwise, `Equal` if the four points are in one plane.
 ///
-/// The sign of the determinant of $b - a$, $c - a$, $d - a$, six times the volume of the tetrahedron. All coordinates are finite.
+/// The sign of the determinant of $b - a$, $c - a$, $d - a$, six times the volume of the tetrahedron. All coordinates
+/// are finite.
 ///
 /// # Complexity
 /// Constant; some twenty operations in floating point unless the points are nearly in one plane.
@@ -41,8 +42,8 @@ fn volume<T: Arithmetic>(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> 
     dot(&cross(&vector(a, b), &vector(a, c)), &vector(a, d))
 }
 
-/// How the normals of three planes turn, exactly: the sign of the determinant of the normals of `f`, `g` and `h`; `Equal` if the
-/// three are parallel to one line, so that the planes do not meet in exactly one point.
+/// How the normals of three planes turn, exactly: the sign of the determinant of the normals of `f`, `g` and `h`;
+/// `Equal` if the three are parallel to one line, so that the planes do not meet in exactly one point.
 ///
 /// # Examples
 /// ```
@@ -63,8 +64,8 @@ fn normals_determinant<T: Arithmetic>(f: SpatialPlane, g: SpatialPlane, h: Spati
     dot(&cross(&normal(f), &normal(g)), &normal(h))
 }
 
-/// To which side of a plane a line is directed, exactly: the sign of $n \cdot (s_1 - s_0)$ for the normal n of the plane and the
-/// line from $s_0$ to $s_1$; `Equal` for a line parallel to the plane.
+/// To which side of a plane a line is directed, exactly: the sign of $n \cdot (s_1 - s_0)$ for the normal n of the
+/// plane and the line from $s_0$ to $s_1$; `Equal` for a line parallel to the plane.
 ///
 /// # Examples
 /// ```
@@ -82,11 +83,11 @@ fn climb<T: Arithmetic>(line: SpatialLine, plane: SpatialPlane) -> T {
     dot(&normal(plane), &vector(line[0], line[1]))
 }
 
-/// An axis along which a plane is not seen edge-on, and the sign of that coordinate of its normal: which way the plane's triangle
-/// runs seen from the far end of the axis.
+/// An axis along which a plane is not seen edge-on, and the sign of that coordinate of its normal: which way the
+/// plane's triangle runs seen from the far end of the axis.
 ///
-/// The axis is one of the largest coordinate of the normal, up to rounding. The sign is `Equal` exactly if the three points are
-/// on one line, and so do not give a plane.
+/// The axis is one of the largest coordinate of the normal, up to rounding. The sign is `Equal` exactly if the three
+/// points are on one line, and so do not give a plane.
 ///
 /// # Examples
 /// ```

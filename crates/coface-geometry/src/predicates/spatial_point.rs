@@ -11,8 +11,8 @@ use std::cmp::Ordering;
 
 /// A point of space: given by coordinates, or the place where a line and a plane, three planes or two lines meet.
 ///
-/// Decisions about it are exact, whatever its coordinates. The point remembers them to about 106 bits, which settles nearly
-/// all of them; integers of any size settle the rest.
+/// Decisions about it are exact, whatever its coordinates. The point remembers them to about 106 bits, which settles
+/// nearly all of them; integers of any size settle the rest.
 ///
 /// # Examples
 /// Three planes meet in a point that has no exact coordinates in binary; it is in all of them.
@@ -54,6 +54,12 @@ enum Definition {
 
 impl SpatialPoint {
     /// The point with these coordinates, which are finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// assert_eq!(SpatialPoint::given([1., 2., 3.]).rounded(), [1., 2., 3.]);
+    /// ```
     pub fn given(coordinates: [f64; 3]) -> Self {
         Self {
             // Zero has no sign here, that equal coordinates have equal bits.
@@ -69,6 +75,15 @@ impl SpatialPoint {
     ///
     /// # Complexity
     /// Constant: some hundred operations in floating point unless the line is nearly parallel to the plane.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let ground = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]];
+    /// let point = SpatialPoint::on_plane([[2., 3., 1.], [2., 3., 5.]], ground).expect("not parallel");
+    /// assert_eq!(point.rounded(), [2., 3., 0.]);
+    /// assert!(SpatialPoint::on_plane([[0., 0., 1.], [1., 0., 1.]], ground).is_none());
+    /// ```
     pub fn on_plane(line: SpatialLine, plane: SpatialPlane) -> Option<Self> {
         let known = [0, 1, 2].map(|axis| constant(&plane, axis).or_else(|| constant(&line, axis)));
         Self::found(Definition::LineAndPlane(line, plane), known, &line_and_plane(line, plane))
@@ -77,14 +92,31 @@ impl SpatialPoint {
     /// The only point that three planes have in common; `None` if they have none or more.
     ///
     /// # Complexity
-    /// Constant: two thousand operations in floating point unless two of the planes, or the third and the line where the others
-    /// meet, are nearly parallel.
+    /// Constant: two thousand operations in floating point unless two of the planes, or the third and the line where
+    /// the others meet, are nearly parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let x = [[7., 0., 0.], [7., 1., 0.], [7., 0., 1.]];
+    /// let y = [[0., 8., 0.], [0., 8., 1.], [1., 8., 0.]];
+    /// let z = [[0., 0., 9.], [1., 0., 9.], [0., 1., 9.]];
+    /// assert_eq!(SpatialPoint::of_planes([x, y, z]).map(|point| point.rounded()), Some([7., 8., 9.]));
+    /// assert!(SpatialPoint::of_planes([x, x, z]).is_none());
+    /// ```
     pub fn of_planes(planes: [SpatialPlane; 3]) -> Option<Self> {
         let known = [0, 1, 2].map(|axis| planes.iter().find_map(|plane| constant(plane, axis)));
         Self::found(Definition::Planes(planes), known, &three_planes(&planes))
     }
 
     /// The point where two lines of one plane cross; `None` if they are parallel, one or in no common plane.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let (s, t) = ([[0., 0., 5.], [2., 2., 5.]], [[0., 2., 5.], [2., 0., 5.]]);
+    /// assert_eq!(SpatialPoint::of_lines(s, t).map(|point| point.rounded()), Some([1., 1., 5.]));
+    /// ```
     pub fn of_lines(s: SpatialLine, t: SpatialLine) -> Option<Self> {
         if spatial_orientation(s[0], s[1], t[0], t[1]).is_ne() {
             return None;
@@ -148,8 +180,8 @@ impl SpatialPoint {
         Some(point)
     }
 
-    /// Takes over a coordinate if its rounding is certain; `residue` tells exactly how it compares with `at.high`, unless that takes
-    /// long.
+    /// Takes over a coordinate if its rounding is certain; `residue` tells exactly how it compares with `at.high`,
+    /// unless that takes long.
     fn set_if_certain(
         &mut self,
         axis: usize,
@@ -183,16 +215,33 @@ impl SpatialPoint {
     }
 
     /// The floating-point coordinates nearest to those of the point, ties to even; infinite beyond the range.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let (s, t) = ([[0., 0., 0.], [1., 1., 0.]], [[0., 0.5, 0.], [1., 0., 0.]]);
+    /// let crossing = SpatialPoint::of_lines(s, t).expect("they cross");
+    /// assert_eq!(crossing.rounded(), [1.0 / 3.0, 1.0 / 3.0, 0.0]);
+    /// ```
     pub fn rounded(&self) -> [f64; 3] {
         self.rounded
     }
 
     /// Whether the coordinates are floating-point numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let (s, t) = ([[0., 0., 0.], [1., 1., 0.]], [[0., 0.5, 0.], [1., 0., 0.]]);
+    /// assert!(SpatialPoint::given([0.1; 3]).is_exactly_rounded());
+    /// assert!(!SpatialPoint::of_lines(s, t).expect("they cross").is_exactly_rounded());
+    /// ```
     pub fn is_exactly_rounded(&self) -> bool {
         self.residues.iter().all(|residue| residue.is_eq())
     }
 
-    /// Two floating-point numbers that are equal or neighbors, between which a coordinate lies: 0 for x, 1 for y, 2 for z.
+    /// Two floating-point numbers that are equal or neighbors, between which a coordinate lies: 0 for x, 1 for y, 2 for
+    /// z.
     ///
     /// # Panics
     /// If `axis` is not below 3.
@@ -220,6 +269,13 @@ impl SpatialPoint {
     ///
     /// # Panics
     /// If `axis` is not below 3.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let (a, b) = (SpatialPoint::given([1., 5., 0.]), SpatialPoint::given([2., 4., 0.]));
+    /// assert!(a.compare_coordinate(&b, 0).is_lt() && a.compare_coordinate(&b, 1).is_gt());
+    /// ```
     pub fn compare_coordinate(&self, other: &Self, axis: usize) -> Ordering {
         self.known_order(other, axis)
             .or_else(|| exact_order(&self.quotient::<ShortDyadic>(), &other.quotient(), axis))
@@ -228,6 +284,13 @@ impl SpatialPoint {
     }
 
     /// The order by x, then by y, then by z. Exact; `Equal` exactly for equal points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let (a, b) = (SpatialPoint::given([1., 5., 0.]), SpatialPoint::given([1., 4., 9.]));
+    /// assert!(a.compare(&b).is_gt() && a.compare(&a).is_eq());
+    /// ```
     pub fn compare(&self, other: &Self) -> Ordering {
         let mut short = None;
         for axis in 0..3 {
@@ -262,7 +325,8 @@ impl SpatialPoint {
         })
     }
 
-    /// The order of one coordinate as far as its leading digits tell: rounding is monotone, so different ones are in order.
+    /// The order of one coordinate as far as its leading digits tell: rounding is monotone, so different ones are in
+    /// order.
     pub(super) fn known_order(&self, other: &Self, axis: usize) -> Option<Ordering> {
         let order = self.rounded[axis].partial_cmp(&other.rounded[axis]).expect("coordinates are numbers");
         if order.is_ne() {
@@ -277,8 +341,15 @@ impl SpatialPoint {
         (difference.abs() > widened(error)).then(|| difference.total_cmp(&0.0))
     }
 
-    /// On which side of a plane the point lies: `Greater` where the plane's triangle is seen to run counterclockwise, `Less` on
-    /// the other side, `Equal` in the plane. Exact.
+    /// On which side of a plane the point lies: `Greater` where the plane's triangle is seen to run counterclockwise,
+    /// `Less` on the other side, `Equal` in the plane. Exact.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::SpatialPoint;
+    /// let ground = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]];
+    /// assert!(SpatialPoint::given([5., 5., 1e-300]).side_of(ground).is_gt());
+    /// ```
     pub fn side_of(&self, plane: SpatialPlane) -> Ordering {
         if let Some(given) = self.as_given() {
             return spatial_orientation(plane[0], plane[1], plane[2], given);

@@ -13,8 +13,8 @@ pub(super) struct Quotient<T> {
     pub(super) weight: T,
 }
 
-/// Where a line meets a plane: $s + d (n \cdot (a - s)) / (n \cdot d)$ for the line through s along d and the plane through a
-/// with the normal n.
+/// Where a line meets a plane: $s + d (n \cdot (a - s)) / (n \cdot d)$ for the line through s along d and the plane
+/// through a with the normal n.
 pub(super) fn line_and_plane<T: Arithmetic>(line: SpatialLine, plane: SpatialPlane) -> Quotient<T> {
     let (normal, direction) = (normal::<T>(plane), vector::<T>(line[0], line[1]));
     let along = dot(&normal, &vector(line[0], plane[0]));
@@ -90,8 +90,8 @@ impl Quotient<Dyadic> {
         }
     }
 
-    /// The nearest floating-point number of a coordinate, the number nearest to what is left, and how the coordinate compares with
-    /// the first. The weight is positive.
+    /// The nearest floating-point number of a coordinate, the number nearest to what is left, and how the coordinate
+    /// compares with the first. The weight is positive.
     pub(super) fn rounded(&self, axis: usize) -> (f64, f64, Ordering) {
         let (high, residue) = self.above(0.0, axis).rounded_quotient(&self.weight);
         if residue.is_eq() || !high.is_finite() {
@@ -106,7 +106,8 @@ impl Quotient<Dyadic> {
     }
 }
 
-/// The sign of a quotient's numerator, as it is when the denominator is made positive; `None` if the precision does not tell.
+/// The sign of a quotient's numerator, as it is when the denominator is made positive; `None` if the precision does not
+/// tell.
 pub(super) fn sign_over<T: Arithmetic>(numerator: &T, denominators: &[&T]) -> Option<Ordering> {
     denominators.iter().try_fold(numerator.certain_sign()?, |sign, denominator| {
         Some(if denominator.certain_sign()?.is_lt() { sign.reverse() } else { sign })

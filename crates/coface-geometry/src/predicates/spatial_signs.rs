@@ -56,8 +56,8 @@ fn normal_coordinate<T: Coordinates>(axis: usize, [a, b, c]: [&SpatialPoint; 3])
     cross_coordinate(&to(b), &to(c), axis)
 }
 
-/// How a tetrahedron of points runs, exactly: `Greater` if the triangle of the first three runs counterclockwise seen from the
-/// fourth, `Equal` if the four are in one plane.
+/// How a tetrahedron of points runs, exactly: `Greater` if the triangle of the first three runs counterclockwise seen
+/// from the fourth, `Equal` if the four are in one plane.
 ///
 /// # Complexity
 /// Constant. Four implicit points in one plane are decided by integers of some thousand bits: where the plane is given,

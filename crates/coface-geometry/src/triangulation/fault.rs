@@ -27,6 +27,13 @@ pub enum TriangulationFault {
 
 impl TriangulationFault {
     /// The fault with its vertices numbered as a function says.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::triangulation::TriangulationFault;
+    /// let fault = TriangulationFault::SamePlace([0, 1]);
+    /// assert_eq!(fault.renumbered(|vertex| vertex + 10), TriangulationFault::SamePlace([10, 11]));
+    /// ```
     #[must_use]
     pub fn renumbered(self, number: impl Fn(u32) -> u32) -> Self {
         match self {
@@ -40,6 +47,12 @@ impl TriangulationFault {
     }
 
     /// What to do about it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::triangulation::TriangulationFault;
+    /// assert_eq!(TriangulationFault::NoLength(4).cure(), "remove the repeated vertex");
+    /// ```
     pub fn cure(self) -> &'static str {
         match self {
             Self::SamePlace(_) => "give points at one place one number",

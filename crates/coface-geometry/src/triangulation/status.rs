@@ -3,7 +3,8 @@
 /// No edge.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// A balanced tree of edges by their numbers, in an order that is given by where they are inserted; neighbors are linked.
+/// A balanced tree of edges by their numbers, in an order that is given by where they are inserted; neighbors are
+/// linked.
 ///
 /// The balance is that of a treap: priorities are scrambled numbers, so the tree is the same on every machine.
 #[derive(Debug)]
@@ -52,7 +53,8 @@ impl Status {
         lowest
     }
 
-    /// The highest edge that is below something, `NONE` if there is none. An edge of which that cannot be said is an error.
+    /// The highest edge that is below something, `NONE` if there is none. An edge of which that cannot be said is an
+    /// error.
     pub(super) fn highest_below<E>(&self, is_below: impl Fn(u32) -> Result<bool, E>) -> Result<u32, E> {
         let (mut here, mut best) = (self.root, NONE);
         while here != NONE {

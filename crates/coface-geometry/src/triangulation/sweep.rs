@@ -7,26 +7,26 @@ use std::cmp::Ordering;
 
 /// The triangles of a polygon with these walks around it, counterclockwise, on its own vertices.
 ///
-/// `compare` is the lexicographic order of vertices, `turn` the way that three of them turn: `Greater` for counterclockwise. Each side
-/// of a walk is a side of one triangle; all other sides of triangles come in pairs. So a polygon of n vertices, of which none is
-/// passed twice, in one piece and with h holes has n + 2h - 2 triangles. None is without area; vertices on straight runs are
-/// corners too.
+/// `compare` is the lexicographic order of vertices, `turn` the way that three of them turn: `Greater` for
+/// counterclockwise. Each side of a walk is a side of one triangle; all other sides of triangles come in pairs. So a
+/// polygon of n vertices, of which none is passed twice, in one piece and with h holes has n + 2h - 2 triangles. None
+/// is without area; vertices on straight runs are corners too.
 ///
 /// # Errors
-/// The [`TriangulationFault`] that is met first: sides that cross or touch outside of vertices, or have the inside to their right.
-/// Whatever is not a polygon is found.
+/// The [`TriangulationFault`] that is met first: sides that cross or touch outside of vertices, or have the inside to
+/// their right. Whatever is not a polygon is found.
 ///
 /// # Complexity
 /// $O(n \log n)$ for n sides.
 ///
 /// # Algorithm
-/// A line sweeps over the vertices in lexicographic order. Of each stretch of the inside that it crosses what lies behind is
-/// triangulated up to a chain that bulges forward; a new vertex sees a part of it. Edges that become neighbors on the line are checked
-/// against each other.
+/// A line sweeps over the vertices in lexicographic order. Of each stretch of the inside that it crosses what lies
+/// behind is triangulated up to a chain that bulges forward; a new vertex sees a part of it. Edges that become
+/// neighbors on the line are checked against each other.
 ///
 /// # References
-/// S. Hertel, K. Mehlhorn, *Fast triangulation of simple polygons* (1983); M. I. Shamos, D. Hoey, *Geometric intersection problems*
-/// (1976).
+/// S. Hertel, K. Mehlhorn, *Fast triangulation of simple polygons* (1983); M. I. Shamos, D. Hoey, *Geometric
+/// intersection problems* (1976).
 ///
 /// # Examples
 /// A square with a hole that touches it in a corner:
@@ -199,7 +199,8 @@ struct Link {
     upper: u32,
 }
 
-/// The chain behind a stretch of the inside: it runs from the lower end of the edge below to that of the edge above, and bulges forward.
+/// The chain behind a stretch of the inside: it runs from the lower end of the edge below to that of the edge above,
+/// and bulges forward.
 #[derive(Clone, Copy)]
 struct Chain {
     first: u32,
@@ -335,7 +336,8 @@ impl<T: Fn([u32; 3]) -> Ordering> Sweep<T> {
         Ok(())
     }
 
-    /// Adds the triangles that a vertex sees. Gives the chains, with the vertex on them, of the stretches below and above it, if they are inside.
+    /// Adds the triangles that a vertex sees. Gives the chains, with the vertex on them, of the stretches below and
+    /// above it, if they are inside.
     fn advance(
         &mut self,
         vertex: u32,

@@ -3,7 +3,7 @@
 use super::place::ShardPlace;
 use super::shard::{Shard, lists, part_lists, place_of, push_lists, push_part_lists};
 use coface_algebra::Error;
-use coface_algebra::chains::{Part, ReducedPart, WallHash};
+use coface_algebra::chains::{Part, ReducedPart};
 use coface_algebra::{Entry, RaggedArray};
 use coface_io::container::{Container, ContainerWriter, Kind, Role, push_wide_complex, to_wide_complex};
 use coface_topology::{Homology, homology};
@@ -283,8 +283,12 @@ fn reduced<E: Entry>(
     is_stuck: impl Fn(&ReducedPart) -> bool,
 ) -> ReducedShard {
     let matching = part.matching();
-    let own = part.wall_hashes(&matching).into_iter();
-    walls.extend(own.map(|WallHash { key, hash }| Wall { level: place.level, key, hash }));
+    let own = part.stratum_hashes(&matching);
+    walls.extend(own.iter().map(|stratum| Wall {
+        level: place.level,
+        key: stratum.key().to_vec(),
+        hash: stratum.hash(),
+    }));
     let strata = part.own_stratum_count() as u64;
     let left = part.reduced_by(matching);
     let is_root = place.width(place.level) == 1 && (!left.has_units() || is_stuck(&left));

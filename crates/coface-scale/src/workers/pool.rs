@@ -334,7 +334,7 @@ mod tests {
         let watch = Arc::new(Watch::new());
         let stopped = thread::scope(|scope| {
             scope.spawn(|| {
-                while watch.stage().is_none_or(|stage| stage.done < 3) {
+                while watch.stage().is_none_or(|stage| stage.done() < 3) {
                     thread::yield_now();
                 }
                 watch.stop();

@@ -13,7 +13,8 @@ use coface_algebra::{Field, Integer, Odd, large_primes, smith_form};
 /// rank it is a basis; for the few primes where they are fewer another prime is taken.
 pub(super) fn image_basis(morse: &MorseComplex<'_>, degree: usize) -> Vec<u32> {
     let matching = morse.matching();
-    let mut cells: Vec<u32> = matching.pairs(morse.complex(), degree).iter().map(|pair| pair.face).collect();
+    let mut cells: Vec<u32> =
+        matching.pairs(morse.complex(), degree).iter().map(|pair| pair.face().to_u32()).collect();
     let boundary = morse.boundary_matrix(degree);
     if boundary.entry_count() > 0 {
         let rank = smith_form(&boundary).rank();

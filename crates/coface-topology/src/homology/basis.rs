@@ -64,7 +64,7 @@ impl<'a> HomologyBasis<'a> {
         let generators = degrees.par_iter().enumerate().map(|(degree, basis)| {
             let positions = basis.generators();
             let reduced = basis.elements[positions.clone()].to_vec();
-            let images = reduction.inclusions_told(degree, reduced, &steps);
+            let images = reduction.inclusions_with_steps(degree, reduced, &steps);
             let generator = |(position, image): (usize, SparseVector)| Generator {
                 order: basis.order(position).cloned(),
                 chain: to_chain(complex, degree, image),

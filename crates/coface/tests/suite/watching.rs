@@ -140,9 +140,9 @@ fn stages_come_in_order() {
             let mut seen: Vec<String> = Vec::new();
             while !is_done.load(Ordering::Relaxed) {
                 if let Some(stage) = watch.stage() {
-                    assert!(stage.total == 0 || stage.done <= stage.total, "{stage:?}");
-                    if seen.last() != Some(&stage.name) {
-                        seen.push(stage.name);
+                    assert!(stage.total().is_none_or(|total| stage.done() <= total), "{stage:?}");
+                    if seen.last().is_none_or(|last| last != stage.name()) {
+                        seen.push(stage.name().to_owned());
                     }
                 }
                 std::thread::yield_now();
@@ -180,7 +180,7 @@ fn work_is_stopped_in_the_middle() {
     let watch = Arc::new(Watch::new());
     let ended = std::thread::scope(|scope| {
         scope.spawn(|| {
-            while watch.stage().is_none_or(|stage| stage.name != "matching cells" || stage.done == 0) {
+            while watch.stage().is_none_or(|stage| stage.name() != "matching cells" || stage.done() == 0) {
                 std::thread::yield_now();
             }
             watch.stop();
@@ -199,7 +199,7 @@ fn a_stopped_watch_leaves_no_file() {
     let watch = Arc::new(Watch::new());
     let ended = std::thread::scope(|scope| {
         scope.spawn(|| {
-            while watch.stage().is_none_or(|stage| stage.name != "writing torus.off" || stage.done == 0) {
+            while watch.stage().is_none_or(|stage| stage.name() != "writing torus.off" || stage.done() == 0) {
                 std::thread::yield_now();
             }
             watch.stop();

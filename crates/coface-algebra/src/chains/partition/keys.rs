@@ -17,7 +17,8 @@ impl Keys {
     /// The keys of cells whose maximal ones have owners.
     ///
     /// # Complexity
-    /// Linear in the boundary matrices, but for cells whose cofaces have different keys: each of those costs a search among the sets.
+    /// Linear in the boundary matrices, but for cells whose cofaces have different keys: each of those costs a search
+    /// among the sets.
     pub(super) fn of_owners<E: Entry>(complex: &ChainComplex<E>, owner: impl Fn(usize, u32) -> u32) -> Self {
         const NONE: u32 = u32::MAX;
         let mut sets = Sets::default();

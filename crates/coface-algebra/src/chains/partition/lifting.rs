@@ -9,30 +9,31 @@ use crate::matrices::{Entry, SparseVector};
 pub type ChainById = Vec<(u64, Integer)>;
 
 impl<E: Entry> Part<E> {
-    /// Chains on the critical cells of all parts, by ids, as far as this part is the first to have these cells: the same chains on the cells
-    /// of the part. What all parts give adds up to the chains on the cells of the whole; see [`sum_of_chains`].
+    /// Chains on the critical cells of all parts, by ids, as far as this part is the first to have these cells: the
+    /// same chains on the cells of the part. What all parts give adds up to the chains on the cells of the whole; see
+    /// [`sum_of_chains`].
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a cell that is the part's own, but not critical in it.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a cell that is the part's own, but not critical
+    /// in it.
     ///
     /// # Complexity
     /// One matching of the part, and the inclusion of the chains; only a search if no cell is the part's own.
     ///
     /// # Examples
+    /// The circle of four edges in two parts, as for [`Part`]: the cycle at the root has four edges.
     /// ```
-    /// use coface_algebra::chains::{Partition, Parts, ReducedPart, sum_of_chains};
-    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, ReducedPart, TwoSkeleton, sum_of_chains};
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [2, 3], [0, 3]])?.chain_complex()?;
+    /// let circle = TwoSkeleton::new(4, vec![0, 1, 1, 2, 2, 3, 3, 0], RaggedArray::new())?.chain_complex()?;
     /// let partition = Partition::new(&circle, 2, |_, edge| u32::from(edge >= 2))?;
     /// let parts = [partition.part(0)?, partition.part(1)?];
     /// let merged = ReducedPart::merged(0, &parts.each_ref().map(|part| part.reduced()), |_| 0)?;
-    /// let root = merged.reduced();
-    /// let cycle = vec![vec![(root.ids(1)[0], 1.into())]];
-    /// let between = sum_of_chains(merged.lifted(1, &cycle)?);
-    /// let pieces = parts.each_ref().map(|part| part.lifted(1, std::slice::from_ref(&between)).map(sum_of_chains));
-    /// let [left, right] = pieces;
-    /// assert_eq!(sum_of_chains([left?, right?]).len(), 4);
+    /// let cycle = vec![(merged.reduced().ids(1)[0], 1.into())];
+    /// let between = sum_of_chains(merged.lifted(1, &[cycle])?);
+    /// let [left, right] = parts.each_ref().map(|part| part.lifted(1, std::slice::from_ref(&between)));
+    /// assert_eq!(sum_of_chains(left?.into_iter().chain(right?)).len(), 4);
     /// # Ok(()) }
     /// ```
     pub fn lifted(&self, degree: usize, chains: &[ChainById]) -> Result<Vec<ChainById>, Error> {

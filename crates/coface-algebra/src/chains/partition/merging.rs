@@ -1,21 +1,34 @@
 //! Parts joined to larger ones.
 
 use super::keys::{Keys, Sets};
-use super::part::{Part, ReducedPart, WallHash};
+use super::part::{Part, ReducedPart, StratumHash};
 use crate::Error;
 use crate::chains::ChainComplex;
 use crate::matrices::{SparseVector, WideMatrix};
 
 impl ReducedPart {
-    /// The part of this number that these parts make together; `parent` says for each part of the whole to which it goes, and these are
-    /// all that go to `number`.
+    /// The part of this number that these parts make together; `parent` says for each part of the whole to which it
+    /// goes, and these are all that go to `number`.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming a cell that two of the parts have with different keys or boundaries: they do not belong to one
-    /// whole; and for a part that does not go to `number`.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming a cell that two of the parts have with
+    /// different keys or boundaries: they do not belong to one whole; and for a part that does not go to `number`.
     ///
     /// # Complexity
     /// $O(m \log m)$ for m entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, ReducedPart, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let partition = Partition::new(&path, 2, |_, edge| edge)?;
+    /// let parts = [partition.part(0)?.reduced(), partition.part(1)?.reduced()];
+    /// // Of both parts the shared vertex is left.
+    /// assert_eq!(ReducedPart::merged(0, &parts, |_| 0)?.complex().f_vector()[0], 1);
+    /// # Ok(()) }
+    /// ```
     pub fn merged<'p>(
         number: u32,
         parts: impl IntoIterator<Item = &'p ReducedPart>,
@@ -128,14 +141,16 @@ fn joined_keys(
     Ok(keys)
 }
 
-/// Compares what neighbors found in their common walls.
+/// Compares what parts found in their common strata.
 ///
 /// # Errors
-/// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming two parts and the wall that they do not agree on.
-pub(super) fn check_walls<'w>(hashes: impl IntoIterator<Item = (u32, &'w [WallHash])>) -> Result<(), Error> {
+/// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming two parts and the stratum on which they do not agree.
+pub(super) fn check_strata<'h>(
+    hashes: impl IntoIterator<Item = (u32, &'h [StratumHash])>,
+) -> Result<(), Error> {
     let mut all: Vec<(&[u32], u64, u32)> = hashes
         .into_iter()
-        .flat_map(|(part, walls)| walls.iter().map(move |wall| (&wall.key[..], wall.hash, part)))
+        .flat_map(|(part, strata)| strata.iter().map(move |stratum| (&stratum.key[..], stratum.hash, part)))
         .collect();
     all.sort_unstable_by(|a, b| (a.0, a.2).cmp(&(b.0, b.2)));
     match all.windows(2).find(|pair| pair[0].0 == pair[1].0 && pair[0].1 != pair[1].1) {
@@ -153,10 +168,10 @@ mod tests {
     use crate::ErrorKind;
 
     #[test]
-    fn walls_that_differ_are_named() {
-        let wall = |hash| [WallHash { key: vec![2, 5], hash }];
-        assert_eq!(check_walls([(2, &wall(7)[..]), (5, &wall(7)[..])]), Ok(()));
-        let error = check_walls([(2, &wall(7)[..]), (5, &wall(8)[..])]).unwrap_err();
+    fn strata_that_differ_are_named() {
+        let stratum = |hash| [StratumHash { key: vec![2, 5], hash }];
+        assert_eq!(check_strata([(2, &stratum(7)[..]), (5, &stratum(7)[..])]), Ok(()));
+        let error = check_strata([(2, &stratum(7)[..]), (5, &stratum(8)[..])]).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidInput);
         assert!(error.message().contains("parts 2 and 5"), "{error}");
     }

@@ -25,7 +25,16 @@ pub trait Parts: Sync {
 /// A chain complex whose maximal cells have owners. The ids of its parts are the numbers of the cells.
 ///
 /// # Examples
-/// See [`Part`].
+/// A path of two edges, one edge for each part: the vertex between them belongs to both parts.
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_algebra::chains::{Partition, TwoSkeleton};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+/// let partition = Partition::new(&path, 2, |_, edge| edge)?;
+/// assert_eq!((partition.cells(0, 0), partition.cells(0, 1)), (&[0, 1][..], &[1, 2][..]));
+/// # Ok(()) }
+/// ```
 #[derive(Clone, Debug)]
 pub struct Partition<'a> {
     complex: &'a ChainComplex,
@@ -39,11 +48,21 @@ impl<'a> Partition<'a> {
     /// The partition by these owners: `owner(k, cell)` is asked for the cells of degree k that are a face of no other.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] for 0 parts, and for an owner that is not below `part_count`; [`ErrorKind::TooLarge`] where the parts have more than
-    /// 2^32 - 1 cells of one degree together, those in walls counted once for each part.
+    /// [`ErrorKind::InvalidInput`] for 0 parts, and for an owner that is not below `part_count`;
+    /// [`ErrorKind::TooLarge`] where the parts have more than 2^32 - 1 cells of one degree together, those in shared strata
+    /// counted once for each part.
     ///
     /// # Complexity
     /// Linear in the boundary matrices and the sizes of the parts.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// assert_eq!(Partition::new(&points, 2, |_, point| point % 2)?.cells(0, 0), [0, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         complex: &'a ChainComplex,
         part_count: u32,
@@ -87,20 +106,40 @@ impl<'a> Partition<'a> {
         Ok(Self { complex, keys, part_count, cells })
     }
 
-    /// A partition into so many parts of nearly equal numbers of maximal cells, cut off a walk breadth first through cells that share
-    /// faces: parts are connected, as far as what is left is.
+    /// A partition into so many parts of nearly equal numbers of maximal cells, cut off a walk breadth first through
+    /// cells that share faces: parts are connected, as far as what is left is.
     ///
     /// # Errors
     /// As [`Self::new`].
     ///
     /// # Complexity
     /// Linear in the boundary matrices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let partition = Partition::by_walk(&path, 2)?;
+    /// assert_eq!((partition.cells(1, 0), partition.cells(1, 1)), (&[0][..], &[1][..]));
+    /// # Ok(()) }
+    /// ```
     pub fn by_walk(complex: &'a ChainComplex, part_count: u32) -> Result<Self, Error> {
         let owners = walk_owners(complex, part_count.max(1));
         Self::new(complex, part_count, |degree, cell| owners[degree][cell as usize])
     }
 
     /// The complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// assert_eq!(Partition::by_walk(&points, 2)?.complex(), &points);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &'a ChainComplex {
         self.complex
     }
@@ -109,11 +148,31 @@ impl<'a> Partition<'a> {
     ///
     /// # Panics
     /// If there is no such part.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// assert_eq!(Partition::new(&points, 2, |_, point| point % 2)?.cells(0, 1), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self, degree: usize, part: u32) -> &[u32] {
         self.cells.get(degree).map_or(&[], |cells| cells.list(part as usize))
     }
 
     /// The number of strata.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// // The insides of both parts, and the vertex between them.
+    /// assert_eq!(Partition::new(&path, 2, |_, edge| edge)?.stratum_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn stratum_count(&self) -> usize {
         self.keys.sets.len()
     }

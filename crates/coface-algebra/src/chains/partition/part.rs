@@ -16,17 +16,17 @@ use xxhash_rust::xxh3::xxh3_64_with_seed;
 /// [`ReducedPart`].
 ///
 /// # Examples
-/// A circle of four edges in two parts: each sees its two edges and their three vertices, and nothing is left of it but the ends and an edge
-/// between them. Together one vertex and one edge are left.
+/// A circle of four edges in two parts. Each part has two edges and their three vertices; its reduction leaves the
+/// two ends and an edge between them. The merged parts reduce to one vertex and one edge.
 /// ```
-/// use coface_algebra::chains::{Partition, Parts};
-/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_algebra::RaggedArray;
+/// use coface_algebra::chains::{Partition, Parts, ReducedPart, TwoSkeleton};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [2, 3], [0, 3]])?.chain_complex()?;
+/// let circle = TwoSkeleton::new(4, vec![0, 1, 1, 2, 2, 3, 3, 0], RaggedArray::new())?.chain_complex()?;
 /// let partition = Partition::new(&circle, 2, |_, edge| u32::from(edge >= 2))?;
 /// let parts = [partition.part(0)?.reduced(), partition.part(1)?.reduced()];
 /// assert_eq!(parts[0].complex().f_vector(), [2, 1]);
-/// let whole = coface_algebra::chains::ReducedPart::merged(0, &parts, |_| 0)?.reduced();
+/// let whole = ReducedPart::merged(0, &parts, |_| 0)?.reduced();
 /// assert_eq!(whole.complex().f_vector(), [1, 1]);
 /// # Ok(()) }
 /// ```
@@ -41,29 +41,58 @@ pub struct Part<E: Entry = i32> {
 /// What is left of a part, or of several: critical cells with their exact boundaries in the Morse complex of the whole.
 pub type ReducedPart = Part<Integer>;
 
-/// A stratum that other parts see too, and a hash of the pairs and critical cells that the matching has in it.
+/// A stratum that several parts share, and a hash of the pairs and critical cells that the matching has in it.
 ///
-/// Neighbors have the same hash, or one of them has been given something else than the other.
+/// Parts of one complex have the same hash. Different hashes show that the parts were made from different complexes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WallHash {
+pub struct StratumHash {
+    pub(super) key: Vec<u32>,
+    pub(super) hash: u64,
+}
+
+impl StratumHash {
     /// The parts that have the stratum, rising; two at least.
-    pub key: Vec<u32>,
+    ///
+    /// # Examples
+    /// See [`Part::stratum_hashes`].
+    pub fn key(&self) -> &[u32] {
+        &self.key
+    }
+
     /// The hash of the ids of its pairs and critical cells.
-    pub hash: u64,
+    ///
+    /// # Examples
+    /// See [`Part::stratum_hashes`].
+    pub fn hash(&self) -> u64 {
+        self.hash
+    }
 }
 
 impl<E: Entry> Part<E> {
     /// The part of this number with these cells.
     ///
-    /// `ids[k]` are the ids of the cells of degree k, rising; `key_sets` are rising lists of part numbers, and `keys[k]` says which of them
-    /// each cell of degree k has.
+    /// `ids[k]` are the ids of the cells of degree k, rising; `key_sets` are rising lists of part numbers, and
+    /// `keys[k]` says which of them each cell of degree k has.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] where lists are not as long as there are cells; [`ErrorKind::InvalidInput`] for ids that do not rise, for sets
-    /// that do not rise or lack the part, and for a face whose key lacks a number that the cell's has.
+    /// [`ErrorKind::Shape`] where lists are not as long as there are cells; [`ErrorKind::InvalidInput`] for ids that do
+    /// not rise, for sets that do not rise or lack the part, and for a face whose key lacks a number that the cell's
+    /// has.
     ///
     /// # Complexity
     /// Linear in the boundary matrices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{ChainComplex, Part};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // One point with the id 40, which part 0 shares with part 1.
+    /// let keys = RaggedArray::from_lists([[0, 1]]);
+    /// let part = Part::new(0, ChainComplex::of_points(1), vec![vec![40]], &keys, vec![vec![0]])?;
+    /// assert_eq!(part.key(0, 0), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         number: u32,
         complex: ChainComplex<E>,
@@ -159,21 +188,61 @@ impl<E: Entry> Part<E> {
     }
 
     /// The number of the part.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition, Parts};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let partition = Partition::new(&points, 2, |_, point| point)?;
+    /// assert_eq!(partition.part(1)?.number(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn number(&self) -> u32 {
         self.number
     }
 
     /// The cells and their incidences.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition, Parts};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// let partition = Partition::new(&points, 2, |_, point| u32::from(point > 0))?;
+    /// assert_eq!(partition.part(1)?.complex().f_vector(), [2]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &ChainComplex<E> {
         &self.complex
     }
 
     /// The complex alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition, Parts};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// let partition = Partition::new(&points, 1, |_, _| 0)?;
+    /// assert_eq!(partition.part(0)?.into_complex(), points);
+    /// # Ok(()) }
+    /// ```
     pub fn into_complex(self) -> ChainComplex<E> {
         self.complex
     }
 
     /// The ids of the cells of this degree, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition, Parts};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(3);
+    /// let partition = Partition::new(&points, 2, |_, point| u32::from(point > 0))?;
+    /// assert_eq!(partition.part(1)?.ids(0), [1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn ids(&self, degree: usize) -> &[u64] {
         self.ids.get(degree).map_or(&[], Vec::as_slice)
     }
@@ -182,11 +251,36 @@ impl<E: Entry> Part<E> {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// The vertex between two edges belongs to the parts of both:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let part = Partition::new(&path, 2, |_, edge| edge)?.part(0)?;
+    /// assert_eq!((part.key(0, 0), part.key(0, 1)), (&[0][..], &[0, 1][..]));
+    /// # Ok(()) }
+    /// ```
     pub fn key(&self, degree: usize, cell: usize) -> &[u32] {
         self.keys.of(degree, cell as u32)
     }
 
     /// The keys that occur, rising, and for each degree which of them each cell has.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let part = Partition::new(&path, 2, |_, edge| edge)?.part(0)?;
+    /// let (sets, of_cell) = part.keys();
+    /// assert_eq!(sets, &RaggedArray::from_lists([vec![0], vec![0, 1]]));
+    /// assert_eq!(of_cell, [vec![0, 1], vec![0]]);
+    /// # Ok(()) }
+    /// ```
     pub fn keys(&self) -> (&RaggedArray, &[Vec<u32>]) {
         (&self.keys.sets, &self.keys.of_cell)
     }
@@ -196,24 +290,71 @@ impl<E: Entry> Part<E> {
     }
 
     /// How many strata the part sees.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// // The inside of the part and the vertex that it shares.
+    /// assert_eq!(Partition::new(&path, 2, |_, edge| edge)?.part(0)?.stratum_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn stratum_count(&self) -> usize {
         self.keys.sets.len()
     }
 
-    /// How many cells of each degree are the part's own: those of which it is the first in the key. Each cell of the whole is own to one
-    /// part.
+    /// How many cells of each degree are the part's own: those of which it is the first in the key. Each cell of the
+    /// whole is own to one part.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let partition = Partition::new(&path, 2, |_, edge| edge)?;
+    /// // The shared vertex is a cell of part 0, the first part that has it.
+    /// assert_eq!(partition.part(0)?.own_counts(), [2, 1]);
+    /// assert_eq!(partition.part(1)?.own_counts(), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn own_counts(&self) -> Vec<usize> {
         let is_own: Vec<bool> = self.keys.sets.iter().map(|set| set[0] == self.number).collect();
         let own = |keys: &Vec<u32>| keys.iter().filter(|&&key| is_own[key as usize]).count();
         self.keys.of_cell.iter().map(own).collect()
     }
 
-    /// How many strata are the part's own: those of which it is the first in the key. Each stratum of the whole is own to one part.
+    /// How many strata are the part's own: those of which it is the first in the key. Each stratum of the whole is own
+    /// to one part.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let partition = Partition::new(&path, 2, |_, edge| edge)?;
+    /// assert_eq!([0, 1].map(|part| partition.part(part).map(|part| part.own_stratum_count())), [Ok(2), Ok(1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn own_stratum_count(&self) -> usize {
         self.keys.sets.iter().filter(|set| set[0] == self.number).count()
     }
 
     /// Whether an incidence is 1 or -1, so that a further pair could cancel in a larger stratum.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.chain_complex()?;
+    /// let part = Partition::new(&path, 1, |_, _| 0)?.part(0)?;
+    /// assert!(part.has_units() && !part.reduced().has_units());
+    /// # Ok(()) }
+    /// ```
     pub fn has_units(&self) -> bool {
         self.complex.boundary_matrices().iter().any(|matrix| matrix.entries().iter().any(E::is_unit))
     }
@@ -222,21 +363,55 @@ impl<E: Entry> Part<E> {
     ///
     /// # Complexity
     /// As of [`AcyclicMatching::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let part = Partition::new(&path, 2, |_, edge| edge)?.part(0)?;
+    /// // The edge cancels with its outer vertex; the shared vertex stays.
+    /// assert_eq!(part.matching().critical_cells(0), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn matching(&self) -> AcyclicMatching {
         let ranks = self.keys.sizes();
         AcyclicMatching::within(&self.complex, CellClasses { of_cell: &self.keys.of_cell, ranks: &ranks })
     }
 
-    /// What is left when all pairs inside the strata have cancelled: the critical cells of the strata that the part sees.
+    /// What is left when all pairs inside the strata have cancelled: the critical cells of the strata that the part
+    /// sees.
     ///
     /// # Complexity
     /// As of [`MorseComplex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let part = Partition::new(&path, 2, |_, edge| edge)?.part(0)?;
+    /// assert_eq!(part.reduced().ids(0), [1]);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn reduced(&self) -> ReducedPart {
         self.reduced_by(self.matching())
     }
 
     /// The same for a matching that is at hand.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, Partition, Parts};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let part = Partition::new(&points, 1, |_, _| 0)?.part(0)?;
+    /// assert_eq!(part.reduced_by(part.matching()), part.reduced());
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn reduced_by(&self, matching: AcyclicMatching) -> ReducedPart {
         let morse = MorseComplex::with_matching(Cow::Borrowed(&self.complex), matching);
@@ -253,11 +428,23 @@ impl<E: Entry> Part<E> {
         Part::from_trusted(self.number, complex, ids, keys)
     }
 
-    /// Chains on the critical cells of the matching as chains on the cells of the part; see [`MorseComplex::inclusion`]. Both go by numbers
-    /// in the part, that of a critical cell being its place among them.
+    /// Chains on the critical cells of the matching as chains on the cells of the part; see
+    /// [`MorseComplex::inclusion`]. Both go by numbers in the part, that of a critical cell being its place among them.
     ///
     /// # Panics
     /// If a number is not below the count of critical cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = TwoSkeleton::new(2, vec![0, 1, 1, 0], RaggedArray::new())?.chain_complex()?;
+    /// let part = Partition::new(&circle, 1, |_, _| 0)?.part(0)?;
+    /// let cycle = part.inclusions(&part.matching(), 1, [&[(0, 1.into())][..]]);
+    /// assert_eq!(cycle[0].len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn inclusions<'c>(
         &self,
         matching: &AcyclicMatching,
@@ -268,8 +455,21 @@ impl<E: Entry> Part<E> {
         inclusions(&self.complex, matching, degree, chains, &steps)
     }
 
-    /// What the matching has in the strata that other parts see too.
-    pub fn wall_hashes(&self, matching: &AcyclicMatching) -> Vec<WallHash> {
+    /// The hashes of the matching in the strata that other parts share.
+    ///
+    /// # Examples
+    /// The vertex between two edges is a stratum of both parts, and both find the same there:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{Partition, Parts, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = TwoSkeleton::new(3, vec![0, 1, 1, 2], RaggedArray::new())?.chain_complex()?;
+    /// let partition = Partition::new(&path, 2, |_, edge| edge)?;
+    /// let [first, second] = [partition.part(0)?, partition.part(1)?].map(|part| part.stratum_hashes(&part.matching()));
+    /// assert_eq!((first.len(), first[0].key(), first[0].hash()), (1, &[0, 1][..], second[0].hash()));
+    /// # Ok(()) }
+    /// ```
+    pub fn stratum_hashes(&self, matching: &AcyclicMatching) -> Vec<StratumHash> {
         let mut hashes = vec![0; self.keys.sets.len()];
         let mut add = |degree: usize, cell: u32, bytes: &[u8]| {
             let hash = &mut hashes[self.keys.of_cell[degree][cell as usize] as usize];
@@ -286,8 +486,8 @@ impl<E: Entry> Part<E> {
                 add(degree, pair.cell, &bytes);
             }
         }
-        let walls = self.keys.sets.iter().zip(hashes).filter(|(set, _)| set.len() > 1);
-        walls.map(|(set, hash)| WallHash { key: set.to_vec(), hash }).collect()
+        let strata = self.keys.sets.iter().zip(hashes).filter(|(set, _)| set.len() > 1);
+        strata.map(|(set, hash)| StratumHash { key: set.to_vec(), hash }).collect()
     }
 }
 
@@ -298,8 +498,8 @@ fn contains(set: &[u32], subset: &[u32]) -> bool {
 }
 
 impl Part {
-    /// The boundary matrices of the closure of some cells, from those of the whole: `cells` rise in each degree, and `place` has room for
-    /// the cells of each degree.
+    /// The boundary matrices of the closure of some cells, from those of the whole: `cells` rise in each degree, and
+    /// `place` has room for the cells of each degree.
     pub(super) fn local_matrix(
         matrix: &SparseMatrix,
         cells: &[u32],

@@ -1,9 +1,9 @@
 //! Parts merged up a tree, and cycles taken down it again.
 
 use super::lifting::{ChainById, sum_of_chains};
-use super::merging::check_walls;
+use super::merging::check_strata;
 use super::owners::Parts;
-use super::part::{Part, ReducedPart, WallHash};
+use super::part::{Part, ReducedPart, StratumHash};
 use crate::Error;
 use crate::matrices::{Entry, SparseVector};
 use crate::progress;
@@ -12,18 +12,20 @@ use rayon::prelude::*;
 /// All parts of a complex reduced, merged by groups of neighbors, reduced again, and so on until one is left.
 ///
 /// # Complexity
-/// That of reducing the parts, which is done in parallel, and beyond that of the critical cells of strata: as many as there are strata
-/// where these are balls.
+/// That of reducing the parts, which is done in parallel, and beyond that of the critical cells of strata: as many as
+/// there are strata where these are balls.
 ///
 /// # Examples
+/// A circle of six edges in three parts:
 /// ```
-/// use coface_algebra::chains::{PartTree, Partition};
-/// use coface_complexes::known_spaces::torus_grid;
+/// use coface_algebra::RaggedArray;
+/// use coface_algebra::chains::{PartTree, Partition, TwoSkeleton};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let torus = torus_grid(&[8, 8])?.chain_complex()?;
-/// let partition = Partition::by_walk(&torus, 7)?;
+/// let ends = (0..6).flat_map(|i| [i, (i + 1) % 6]).collect();
+/// let circle = TwoSkeleton::new(6, ends, RaggedArray::new())?.chain_complex()?;
+/// let partition = Partition::by_walk(&circle, 3)?;
 /// let tree = PartTree::new(&partition, 2)?;
-/// assert_eq!(tree.root().complex().f_vector(), [1, 2, 1]);
+/// assert_eq!(tree.root().complex().f_vector(), [1, 1]);
 /// # Ok(()) }
 /// ```
 #[derive(Debug)]
@@ -39,6 +41,16 @@ impl<'p, P: Parts> PartTree<'p, P> {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a fan-in below 2; what [`Parts::part`] says.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, PartTree, Partition};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(4);
+    /// let partition = Partition::by_walk(&points, 4)?;
+    /// assert!(PartTree::new(&partition, 2).is_ok() && PartTree::new(&partition, 1).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(parts: &'p P, fan_in: u32) -> Result<Self, Error> {
         if fan_in < 2 {
             return Err(Error::invalid(format!("parts cannot be merged by groups of {fan_in}"))
@@ -46,15 +58,15 @@ impl<'p, P: Parts> PartTree<'p, P> {
         }
         let steps = progress::stage("reducing parts", parts.part_count() as usize);
         let reduced = (0..parts.part_count()).into_par_iter().map(|number| {
-            let reduced = reduced_with_walls(&parts.part(number)?);
+            let reduced = reduced_with_hashes(&parts.part(number)?);
             steps.advance(1);
             Ok(reduced)
         });
-        let mut reduced = reduced.collect::<Result<Vec<(ReducedPart, Vec<WallHash>)>, Error>>()?;
+        let mut reduced = reduced.collect::<Result<Vec<(ReducedPart, Vec<StratumHash>)>, Error>>()?;
         drop(steps);
         let mut levels: Vec<Vec<ReducedPart>> = Vec::new();
         loop {
-            check_walls(reduced.iter().map(|(part, walls)| (part.number(), &walls[..])))?;
+            check_strata(reduced.iter().map(|(part, strata)| (part.number(), &strata[..])))?;
             levels.push(reduced.into_iter().map(|(part, _)| part).collect());
             if is_done(&levels) {
                 return Ok(Self { parts, levels, fan_in });
@@ -66,23 +78,54 @@ impl<'p, P: Parts> PartTree<'p, P> {
                 .enumerate()
                 .map(|(number, parts)| {
                     let merged = ReducedPart::merged(number as u32, parts, |part| part / fan_in)?;
-                    Ok(reduced_with_walls(&merged))
+                    Ok(reduced_with_hashes(&merged))
                 })
                 .collect::<Result<_, Error>>()?;
         }
     }
 
     /// The parts that were reduced.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, PartTree, Partition, Parts};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(4);
+    /// let partition = Partition::by_walk(&points, 4)?;
+    /// assert_eq!(PartTree::new(&partition, 2)?.parts().part_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn parts(&self) -> &'p P {
         self.parts
     }
 
     /// What is left of the whole.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, PartTree, Partition};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(4);
+    /// let partition = Partition::by_walk(&points, 4)?;
+    /// assert_eq!(PartTree::new(&partition, 2)?.root().ids(0), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn root(&self) -> &ReducedPart {
         self.levels.last().and_then(|level| level.first()).expect("the last level has one part")
     }
 
     /// How many critical cells there are on each level: all of its parts together, each cell counted once.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::{ChainComplex, PartTree, Partition};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(4);
+    /// let partition = Partition::by_walk(&points, 4)?;
+    /// // Four parts, then two, then one: no point ever cancels.
+    /// assert_eq!(PartTree::new(&partition, 2)?.critical_counts(), [[4], [4], [4]]);
+    /// # Ok(()) }
+    /// ```
     pub fn critical_counts(&self) -> Vec<Vec<usize>> {
         self.levels.iter().map(|level| sums(level.iter().map(Part::own_counts))).collect()
     }
@@ -97,6 +140,20 @@ impl<'p, P: Parts> PartTree<'p, P> {
     ///
     /// # Panics
     /// If a cell is not below the count of cells of the root.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::chains::{PartTree, Partition, TwoSkeleton};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let ends = (0..6).flat_map(|i| [i, (i + 1) % 6]).collect();
+    /// let circle = TwoSkeleton::new(6, ends, RaggedArray::new())?.chain_complex()?;
+    /// let partition = Partition::by_walk(&circle, 3)?;
+    /// let tree = PartTree::new(&partition, 2)?;
+    /// // The edge of the root stands for all six edges.
+    /// assert_eq!(tree.inclusions(1, &[vec![(0, 1.into())]])?[0].len(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn inclusions(&self, degree: usize, chains: &[SparseVector]) -> Result<Vec<ChainById>, Error> {
         let root_ids = self.root().ids(degree);
         let mut chains: Vec<ChainById> = chains
@@ -131,7 +188,8 @@ impl<'p, P: Parts> PartTree<'p, P> {
     }
 }
 
-/// Whether one part is left in which nothing more cancels: a part alone is merged with nothing and reduced once more until then.
+/// Whether one part is left in which nothing more cancels: a part alone is merged with nothing and reduced once more
+/// until then.
 fn is_done(levels: &[Vec<ReducedPart>]) -> bool {
     match levels {
         [.., before, last] if last.len() == 1 && before.len() == 1 => {
@@ -150,10 +208,10 @@ fn has_own_terms(part: &ReducedPart, degree: usize, chains: &[ChainById]) -> boo
     chains.iter().flatten().any(|(id, _)| is_own(id))
 }
 
-fn reduced_with_walls<E: Entry>(part: &Part<E>) -> (ReducedPart, Vec<WallHash>) {
+fn reduced_with_hashes<E: Entry>(part: &Part<E>) -> (ReducedPart, Vec<StratumHash>) {
     let matching = part.matching();
-    let walls = part.wall_hashes(&matching);
-    (part.reduced_by(matching), walls)
+    let strata = part.stratum_hashes(&matching);
+    (part.reduced_by(matching), strata)
 }
 
 fn sums(lists: impl Iterator<Item = Vec<usize>>) -> Vec<usize> {
