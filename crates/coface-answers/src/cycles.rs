@@ -6,7 +6,7 @@ use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Error, VertexId};
 use coface_algebra::{Integer, Sign};
 use coface_complexes::cell_mesh::CellShape;
-use coface_io::{Group, GroupKind, Model};
+use coface_io::{Group, GroupKind, Model, ModelParts};
 use std::collections::BTreeMap;
 
 /// A term of a chain: a coefficient and the vertices of a cell, in an order that gives it an orientation.
@@ -136,10 +136,10 @@ impl Producer {
             return Err(Error::invalid("the cells of the model have no positions to draw them at")
                 .with_cure("write the generators as .json"));
         }
-        let mut model = Model {
+        let mut model = ModelParts {
             vertex_count: self.positions.len(),
             positions: self.positions.clone(),
-            ..Model::default()
+            ..ModelParts::default()
         };
         for (name, chain) in chains {
             let (kind, first) = match chain.degree() {
@@ -167,6 +167,7 @@ impl Producer {
             }
             model.groups.push(Group::new(name, kind, members));
         }
+        let model = model.into_model();
         model.check()?;
         Ok(model)
     }
@@ -206,7 +207,13 @@ impl Producer {
         walks
     }
 
-    fn draw(&self, model: &mut Model, degree: usize, cell: CellId, vertices: &[u32]) -> Result<(), Error> {
+    fn draw(
+        &self,
+        model: &mut ModelParts,
+        degree: usize,
+        cell: CellId,
+        vertices: &[u32],
+    ) -> Result<(), Error> {
         match (degree, &self.cells) {
             (0, _) => model.points.push(VertexId::new(vertices[0] as usize)),
             (2, _) => model.polygons.push(vertices),

@@ -56,9 +56,10 @@ impl Report {
     /// assert!((report.moments()[0].volume().unwrap_or(0.0) - 0.25).abs() < 1e-15);
     /// # Ok(()) }
     /// ```
-    pub fn with_moments(mut model: Model, exponents: &[[u32; 3]]) -> Result<Self, Error> {
+    pub fn with_moments(model: Model, exponents: &[[u32; 3]]) -> Result<Self, Error> {
         check_exponents(exponents)?;
         let kind = kind_of(&model);
+        let mut model = model.into_parts();
         let mut warnings = std::mem::take(&mut model.warnings);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
         // Nothing of a volume is made whole but its voxels.
@@ -71,7 +72,7 @@ impl Report {
         };
         let mut report = match &volume {
             Some(volume) => volume::report(volume)?,
-            None => report_of(Producer::of(model)?, kind, exponents)?,
+            None => report_of(Producer::of(model.into_model())?, kind, exponents)?,
         };
         if report.moments.is_empty() {
             let nothing = |&exponents: &[u32; 3]| Moment { exponents, volume: None, surface: None };
@@ -106,22 +107,22 @@ fn report_of(producer: Producer, kind: Kind, exponents: &[[u32; 3]]) -> Result<R
 
 /// What sort of thing a model is.
 fn kind_of(model: &Model) -> Kind {
-    match &model.structure {
+    match model.structure() {
         Some(Structure::Halfedges { .. }) => Kind::Surface,
         Some(Structure::Volume(_)) => Kind::Volume,
         Some(_) => Kind::Complex,
-        None if !model.cells.is_empty() => Kind::Volume,
-        None if !model.polygons.is_empty() => Kind::Surface,
-        None if !model.lines.is_empty() && is_planar(model) => Kind::Planar,
+        None if !model.cells().is_empty() => Kind::Volume,
+        None if !model.polygons().is_empty() => Kind::Surface,
+        None if !model.lines().is_empty() && is_planar(model) => Kind::Planar,
         None => Kind::Complex,
     }
 }
 
 /// Whether all positions have two coordinates, or a third that is zero.
 fn is_planar(model: &Model) -> bool {
-    match model.positions.dimension() {
+    match model.positions().dimension() {
         2 => true,
-        3 => model.positions.as_flat().iter().skip(2).step_by(3).all(|&z| z == 0.0),
+        3 => model.positions().as_flat().iter().skip(2).step_by(3).all(|&z| z == 0.0),
         _ => false,
     }
 }
@@ -249,7 +250,7 @@ mod tests {
     fn drawings_are_planar_and_cells_know_their_inside() {
         let lines = RaggedArray::from_lists([[0, 1], [1, 2]]);
         let positions = Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1.]).unwrap();
-        let drawing = Model { vertex_count: 3, positions, lines, ..Model::default() };
+        let drawing = Model::from_lines(positions, lines).unwrap();
         assert_eq!(Report::of(drawing).unwrap().kind(), Kind::Planar);
         let positions =
             Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 6.]).unwrap();

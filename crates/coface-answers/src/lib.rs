@@ -14,6 +14,7 @@ mod cells;
 mod chains;
 mod congruence;
 mod cycles;
+mod diagram;
 mod examination;
 mod facts;
 mod gluings;
@@ -40,6 +41,7 @@ mod yin;
 
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use cycles::Term;
+pub use diagram::{DiagramFormat, write_diagram};
 pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
 pub use json::{groups_to_json, integer_to_json};
 pub use moments::Moment;

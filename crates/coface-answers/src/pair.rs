@@ -136,15 +136,15 @@ fn nothing(complex: &ChainComplex) -> Vec<Vec<bool>> {
 
 /// The cells of a model that are given by vertices.
 fn cells_of(model: &Model) -> Result<RaggedArray, Error> {
-    match &model.structure {
+    match model.structure() {
         Some(Structure::Facets(facets)) => Ok(facets.clone()),
         Some(_) => Err(Error::invalid("the subcomplex has no cells that are told by their vertices")
             .with_cure("give it as a facet list")),
         None => {
             let mut lists = RaggedArray::new();
-            model.cells.iter().chain(model.polygons.iter()).for_each(|list| lists.push(list));
-            model.lines.iter().for_each(|line| line.windows(2).for_each(|pair| lists.push(pair)));
-            model.points.iter().for_each(|vertex| lists.push(&[vertex.to_u32()]));
+            model.cells().iter().chain(model.polygons().iter()).for_each(|list| lists.push(list));
+            model.lines().iter().for_each(|line| line.windows(2).for_each(|pair| lists.push(pair)));
+            model.points().iter().for_each(|vertex| lists.push(&[vertex.to_u32()]));
             Ok(lists)
         }
     }

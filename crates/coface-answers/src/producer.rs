@@ -13,7 +13,7 @@ use coface_complexes::lar::LarModel;
 use coface_complexes::simplicial::FrozenComplex;
 use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
 use coface_geometry::Positions;
-use coface_io::{Model, Structure, segments};
+use coface_io::{Model, ModelParts, Structure, segments};
 
 /// The cells of a model with their faces identified: what its chain complex is made from.
 ///
@@ -64,7 +64,8 @@ impl Producer {
     /// Those of the structure that fits the model: [`coface_algebra::ErrorKind::InvalidInput`] naming a cell that is none,
     /// [`coface_algebra::ErrorKind::TooLarge`] for what its numbers do not hold.
     pub fn of(model: Model) -> Result<Self, Error> {
-        let Model { vertex_count, mut positions, polygons, shapes, cells, lines, structure, .. } = model;
+        let ModelParts { vertex_count, mut positions, polygons, shapes, cells, lines, structure, .. } =
+            model.into_parts();
         let (cells, labels) = match structure {
             Some(Structure::Facets(facets)) => of_facets(facets)?,
             Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),

@@ -4,7 +4,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, FaceId, VertexId};
 use coface_complexes::surface::{FacesAtEdge, MeshRepair, PolygonMesh};
 use coface_geometry::Positions;
-use coface_io::{CellData, Group, GroupKind, Model};
+use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
 
 /// What to repair in a model, and nothing else.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,15 +69,16 @@ pub fn repaired(model: &Model, request: RepairRequest) -> Result<(Model, MeshRep
         repair.orient()?;
     }
     let (lines, line_starts) = repaired_lines(model.lines(), &repair);
-    let repaired = Model {
+    let repaired = ModelParts {
         vertex_count: repair.mesh().vertex_count(),
         positions: repaired_positions(model.positions(), &repair)?,
         polygons: repaired_polygons(model.polygons(), &repair),
         lines,
         groups: model.groups().iter().map(|group| repaired_group(group, &repair, &line_starts)).collect(),
         data: model.data().iter().map(|data| repaired_data(data, &repair, &line_starts)).collect(),
-        ..model.clone()
-    };
+        ..model.clone().into_parts()
+    }
+    .into_model();
     Ok((repaired, repair))
 }
 
@@ -196,7 +197,7 @@ mod tests {
     fn bow_tie() -> Model {
         let positions = Positions::from_flat(2, (0..10).map(f64::from).collect()).unwrap();
         let polygons = RaggedArray::from_lists([[0, 1, 2], [0, 3, 4], [4, 3, 0]]);
-        Model {
+        ModelParts {
             lines: RaggedArray::from_lists([vec![1, 0, 3], vec![2, 1]]),
             points: vec![VertexId::new(0)],
             groups: vec![
@@ -208,8 +209,9 @@ mod tests {
                 CellData::integers("number", GroupKind::Vertices, 1, vec![0, 1, 2, 3, 4]).unwrap(),
                 CellData::reals("length", GroupKind::Lines, 1, vec![2.0, 1.0]).unwrap(),
             ],
-            ..Model::from_polygons(positions, polygons).unwrap()
+            ..Model::from_polygons(positions, polygons).unwrap().into_parts()
         }
+        .into_model()
     }
 
     #[test]
@@ -233,7 +235,8 @@ mod tests {
     fn a_model_without_faults_stays_as_it_is() {
         let request =
             RepairRequest { split_edges: Some(FacesAtEdge::Apart), split_vertices: true, orient: true };
-        let sound = Model { polygons: RaggedArray::from_lists([[0, 1, 2]]), groups: Vec::new(), ..bow_tie() };
+        let polygons = RaggedArray::from_lists([[0, 1, 2]]);
+        let sound = ModelParts { polygons, groups: Vec::new(), ..bow_tie().into_parts() }.into_model();
         assert_eq!(repaired(&sound, request).unwrap().0, sound);
         assert_eq!(repaired(&bow_tie(), RepairRequest::default()).unwrap().0, bow_tie());
         assert_eq!(repaired(&Model::default(), request).unwrap().0, Model::default());

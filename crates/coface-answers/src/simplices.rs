@@ -5,7 +5,7 @@ use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
 use coface_geometry::Positions;
-use coface_io::{Model, Structure};
+use coface_io::{Model, ModelParts, Structure};
 
 /// The simplicial complex of a model: its facets, triangles, tetrahedra, segments and vertices with all their faces.
 ///
@@ -25,7 +25,7 @@ use coface_io::{Model, Structure};
 /// # Ok(()) }
 /// ```
 pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
-    match &model.structure {
+    match model.structure() {
         Some(Structure::Facets(facets)) => return SimplicialComplex::from_facets(facets.iter()),
         Some(Structure::Halfedges { .. }) => {
             return Err(Error::invalid("the faces of halfedge permutations need not be simplices")
@@ -46,13 +46,13 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
         }
         None => {}
     }
-    require_triangles(model.polygons.iter().map(<[u32]>::len))?;
-    require_tetrahedra(&model.shapes)?;
+    require_triangles(model.polygons().iter().map(<[u32]>::len))?;
+    require_tetrahedra(model.shapes())?;
     let mut facets = Vec::new();
-    facets.extend(model.cells.iter());
-    facets.extend(model.polygons.iter());
-    facets.extend(model.lines.iter().flat_map(|line| line.windows(2)));
-    let vertices: Vec<[u32; 1]> = (0..model.vertex_count as u32).map(|vertex| [vertex]).collect();
+    facets.extend(model.cells().iter());
+    facets.extend(model.polygons().iter());
+    facets.extend(model.lines().iter().flat_map(|line| line.windows(2)));
+    let vertices: Vec<[u32; 1]> = (0..model.vertex_count() as u32).map(|vertex| [vertex]).collect();
     facets.extend(vertices.iter().map(|vertex| &vertex[..]));
     SimplicialComplex::from_facets(facets)
 }
@@ -102,16 +102,16 @@ pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> 
     }
     let maximal = set.maximal_simplices();
     let dimension = maximal.dimension();
-    if as_facets || source.positions.dimension() == 0 || dimension > Some(3) {
+    if as_facets || source.positions().dimension() == 0 || dimension > Some(3) {
         let facets = RaggedArray::from_lists(maximal.iter().map(Simplex::numbers));
         return Ok(Model::from_structure(Structure::Facets(facets)));
     }
     let used: Vec<u32> = set.simplices(0).iter().map(|vertex| vertex.numbers()[0]).collect();
     let renumbered = |vertex: &u32| used.binary_search(vertex).expect("a complex holds its vertices") as u32;
     let lists = |degree: usize| maximal.simplices(degree).iter().map(Simplex::numbers);
-    let width = source.positions.dimension();
+    let width = source.positions().dimension();
     let coordinates =
-        used.iter().flat_map(|&v| source.positions.point(VertexId::from_u32(v)).to_vec()).collect();
+        used.iter().flat_map(|&v| source.positions().point(VertexId::from_u32(v)).to_vec()).collect();
     let orientations = Orientations::of(source, dimension);
     let oriented = |simplex: &[u32]| {
         let mut vertices: Vec<u32> = simplex.iter().map(renumbered).collect();
@@ -125,7 +125,7 @@ pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> 
         if empty_if_none(degree) { lists(degree).map(oriented).collect() } else { Vec::new() }
     };
     let cells = all(3);
-    Ok(Model {
+    Ok(ModelParts {
         vertex_count: used.len(),
         positions: Positions::from_flat(width, coordinates)?,
         points: all(0).iter().map(|vertex| VertexId::from_u32(vertex[0])).collect(),
@@ -133,8 +133,9 @@ pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> 
         polygons: RaggedArray::from_lists(all(2)),
         shapes: vec![CellShape::Tetrahedron; cells.len()],
         cells: RaggedArray::from_lists(cells),
-        ..Model::default()
-    })
+        ..ModelParts::default()
+    }
+    .into_model())
 }
 
 /// Which triangles and tetrahedra a model lists in an odd order of their vertices.
@@ -148,8 +149,8 @@ impl Orientations {
     fn of(model: &Model, dimension: Option<usize>) -> Self {
         let (mut triangles, mut tetrahedra) = (Vec::new(), Vec::new());
         if dimension >= Some(2) {
-            triangles.extend(model.polygons.iter().filter_map(sorted::<3>));
-            for cell in model.cells.iter() {
+            triangles.extend(model.polygons().iter().filter_map(sorted::<3>));
+            for cell in model.cells().iter() {
                 let faces = CellShape::Tetrahedron.faces().iter();
                 triangles.extend(
                     faces.filter_map(|face| sorted::<3>(&face.iter().map(|&i| cell[i]).collect::<Vec<_>>())),
@@ -157,7 +158,7 @@ impl Orientations {
             }
         }
         if dimension == Some(3) {
-            tetrahedra.extend(model.cells.iter().filter_map(sorted::<4>));
+            tetrahedra.extend(model.cells().iter().filter_map(sorted::<4>));
         }
         // Stable: what the model lists itself comes before faces of cells.
         triangles.sort_by_key(|entry| entry.0);

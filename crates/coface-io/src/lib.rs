@@ -11,7 +11,6 @@ mod blocks;
 pub mod container;
 mod data;
 mod decimal;
-mod diagram;
 mod doors;
 mod drawing;
 mod format;
@@ -47,7 +46,6 @@ pub mod wkt;
 pub mod yin;
 
 pub use data::CellData;
-pub use diagram::{DiagramFormat, write_diagram};
 #[doc(hidden)]
 pub use doors::stream_mesh;
 pub use doors::{
@@ -59,8 +57,8 @@ pub use drawing::Features;
 pub use drawing::{Shape, shapes};
 pub use format::Format;
 pub use model::repeated_vertex;
-#[doc(hidden)]
-pub use model::segments;
 pub use model::{Group, GroupKind, Model, Structure};
+#[doc(hidden)]
+pub use model::{ModelParts, segments};
 pub use output::{abandon_files, replace_file};
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};

@@ -20,30 +20,70 @@ use std::fmt;
 /// Two models are equal when they hold the same; the format they came from and the warnings do not matter.
 #[derive(Clone, Debug, Default)]
 pub struct Model {
-    #[doc(hidden)]
+    pub(crate) format: Option<Format>,
+    pub(crate) vertex_count: usize,
+    pub(crate) positions: Positions,
+    pub(crate) polygons: RaggedArray,
+    pub(crate) shapes: Vec<CellShape>,
+    pub(crate) cells: RaggedArray,
+    pub(crate) lines: RaggedArray,
+    pub(crate) points: Vec<VertexId>,
+    pub(crate) groups: Vec<Group>,
+    pub(crate) data: Vec<CellData>,
+    pub(crate) structure: Option<Structure>,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Everything that a [`Model`] is made of, for the crates that build one piece by piece.
+#[doc(hidden)]
+#[derive(Clone, Debug, Default)]
+pub struct ModelParts {
     pub format: Option<Format>,
-    #[doc(hidden)]
     pub vertex_count: usize,
-    #[doc(hidden)]
     pub positions: Positions,
-    #[doc(hidden)]
     pub polygons: RaggedArray,
-    #[doc(hidden)]
     pub shapes: Vec<CellShape>,
-    #[doc(hidden)]
     pub cells: RaggedArray,
-    #[doc(hidden)]
     pub lines: RaggedArray,
-    #[doc(hidden)]
     pub points: Vec<VertexId>,
-    #[doc(hidden)]
     pub groups: Vec<Group>,
-    #[doc(hidden)]
     pub data: Vec<CellData>,
-    #[doc(hidden)]
     pub structure: Option<Structure>,
-    #[doc(hidden)]
     pub warnings: Vec<String>,
+}
+
+impl ModelParts {
+    /// The model of these parts, which are known to be those that [`Model::check`] accepts.
+    pub fn into_model(self) -> Model {
+        let Self {
+            format,
+            vertex_count,
+            positions,
+            polygons,
+            shapes,
+            cells,
+            lines,
+            points,
+            groups,
+            data,
+            structure,
+            warnings,
+        } = self;
+        Model {
+            format,
+            vertex_count,
+            positions,
+            polygons,
+            shapes,
+            cells,
+            lines,
+            points,
+            groups,
+            data,
+            structure,
+            warnings,
+        }
+    }
 }
 
 /// An abstract structure that a file can hold instead of vertices, polygons and cells.
@@ -408,6 +448,39 @@ impl Model {
             "{what} {i} names vertex {vertex}, but there are {} vertices, numbered from 0",
             self.vertex_count
         )))
+    }
+
+    /// The parts of the model, to be changed and put together again.
+    #[doc(hidden)]
+    pub fn into_parts(self) -> ModelParts {
+        let Self {
+            format,
+            vertex_count,
+            positions,
+            polygons,
+            shapes,
+            cells,
+            lines,
+            points,
+            groups,
+            data,
+            structure,
+            warnings,
+        } = self;
+        ModelParts {
+            format,
+            vertex_count,
+            positions,
+            polygons,
+            shapes,
+            cells,
+            lines,
+            points,
+            groups,
+            data,
+            structure,
+            warnings,
+        }
     }
 
     /// The format that [`read_path`](super::read_path) and its neighbors read the model from; `None` for a model made

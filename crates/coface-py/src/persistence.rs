@@ -7,7 +7,7 @@ use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
-use coface::io::{DiagramFormat, write_diagram};
+use coface::answers::{DiagramFormat, write_diagram};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
 use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair};

@@ -6,7 +6,7 @@ use crate::producer::Cells;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_complexes::cell_mesh::CellShape;
-use coface_io::{Model, repeated_vertex, segments};
+use coface_io::{Model, ModelParts, repeated_vertex, segments};
 
 /// What a model lists by itself, though it may be a face of something else.
 #[derive(Debug, Default)]
@@ -58,7 +58,7 @@ impl ModelCongruence {
             shapes.push(shape);
             cells.push(&vertices);
         }
-        let model = Model {
+        let model = ModelParts {
             vertex_count: positions.len(),
             positions,
             polygons,
@@ -66,8 +66,9 @@ impl ModelCongruence {
             cells,
             lines,
             points: self.points(),
-            ..Model::default()
-        };
+            ..ModelParts::default()
+        }
+        .into_model();
         model.check()?;
         Ok(model)
     }
@@ -315,10 +316,11 @@ mod tests {
     #[test]
     fn what_models_list_is_kept() {
         let own = [0, 1, 2, 3, 4, 5, 6, 7];
-        let mut model = hexahedra(&[0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 7], &[own]);
+        let mut model = hexahedra(&[0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 7], &[own]).into_parts();
         model.polygons = RaggedArray::from_lists([[8, 9, 10]]);
         model.lines = RaggedArray::from_lists([[0, 1], [2, 11]]);
         model.points = vec![VertexId::new(8), VertexId::new(0)];
+        let model = model.into_model();
         model.check().unwrap();
         let mesh = merged(model).to_mesh().unwrap();
         assert_eq!((mesh.vertex_count(), mesh.points()), (8, &[VertexId::new(0)][..]));

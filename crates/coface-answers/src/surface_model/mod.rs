@@ -13,7 +13,7 @@ use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::surface::{GeneralizedMap, PolygonMesh};
 use coface_geometry::Positions;
-use coface_io::{CellData, Group, GroupKind, Model};
+use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
 
 /// A model that is a surface: its cells as a [`GeneralizedMap`], with their numbers in the file and everything that the file
 /// says of them.
@@ -49,7 +49,7 @@ impl SurfaceModel {
     /// # Errors
     /// Those of [`Producer::of`] and [`Producer::two_skeleton`]; [`ErrorKind::NonManifold`] naming the cells where the model is no
     /// surface; [`ErrorKind::UnsupportedFormat`] for a model with 3-cells, whose boundary is one.
-    pub fn of(mut model: Model) -> Result<Self, Error> {
+    pub fn of(model: Model) -> Result<Self, Error> {
         if !model.cells().is_empty() {
             return Err(Error::new(
                 ErrorKind::UnsupportedFormat,
@@ -57,8 +57,9 @@ impl SurfaceModel {
             )
             .with_cure("take its boundary"));
         }
+        let mut model = model.into_parts();
         let (groups, data) = (std::mem::take(&mut model.groups), std::mem::take(&mut model.data));
-        let producer = Producer::of(model)?;
+        let producer = Producer::of(model.into_model())?;
         let skeleton = producer.two_skeleton()?;
         let (labels, positions) = (&producer.labels, producer.positions);
         let (numbers, polygons) = match &producer.cells {
@@ -98,7 +99,8 @@ impl SurfaceModel {
     /// # Ok(()) }
     /// ```
     pub fn boundary_of(model: Model) -> Result<Self, Error> {
-        let Model { vertex_count, positions, polygons, shapes, cells, mut groups, mut data, .. } = model;
+        let ModelParts { vertex_count, positions, polygons, shapes, cells, mut groups, mut data, .. } =
+            model.into_parts();
         if cells.is_empty() {
             return Err(Error::new(ErrorKind::UnsupportedFormat, "the model has no 3-cells")
                 .with_cure("its boundary is a curve, if there is one"));
@@ -257,7 +259,9 @@ impl SurfaceModel {
                 Positions::from_flat(self.positions.dimension(), points.copied().collect())?
             }
         };
-        let mut model = Model { vertex_count: vertex_sources.len(), positions, polygons, ..Model::default() };
+        let mut model =
+            ModelParts { vertex_count: vertex_sources.len(), positions, polygons, ..ModelParts::default() }
+                .into_model();
         let row = |kind: GroupKind| -> Option<Box<dyn Fn(usize) -> usize + '_>> {
             match kind {
                 GroupKind::Vertices => Some(Box::new(|i| self.number(vertex_sources[i]) as usize)),
@@ -275,17 +279,18 @@ impl SurfaceModel {
             let count = model.count_of(group.kind());
             let members = (0..count).filter(|&i| is_member.get(row(i)) == Some(&true)).map(|i| i as u32);
             let group = Group::new(group.name(), group.kind(), members.collect());
-            model.groups.push(group);
+            model = model.with_group(group)?;
         }
         let numbers = |values: Vec<i64>, name: &str, kind| CellData::integers(name, kind, 1, values);
         let sources = vertex_sources.iter().map(|&source| i64::from(self.number(source))).collect();
-        model.data.push(numbers(sources, "source", GroupKind::Vertices)?);
+        model = model.with_data(numbers(sources, "source", GroupKind::Vertices)?)?;
         let faces = face_sources.iter().map(|&face| i64::from(self.polygon(face))).collect();
-        model.data.push(numbers(faces, "face", GroupKind::Polygons)?);
+        model = model.with_data(numbers(faces, "face", GroupKind::Polygons)?)?;
         for data in &self.data {
             let is_taken = model.data_named(data.name(), data.kind()).is_some();
             if let Some(row) = row(data.kind()).filter(|_| !is_taken) {
-                model.data.push(data.taken_from((0..model.count_of(data.kind())).map(row)));
+                let taken = data.taken_from((0..model.count_of(data.kind())).map(row));
+                model = model.with_data(taken)?;
             }
         }
         model.check()?;

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use clap::Args;
 use coface::answers::Producer;
 use coface::answers::text;
-use coface::io::{DiagramFormat, write_diagram};
+use coface::answers::{DiagramFormat, write_diagram};
 use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
 use serde_json::{Value, json};
 use std::fmt::Write;

@@ -40,7 +40,7 @@ impl DiagramFormat {
 /// ```
 /// use coface_algebra::SparseMatrix;
 /// use coface_algebra::chains::ChainComplex;
-/// use coface_io::{DiagramFormat, write_diagram};
+/// use coface_answers::{DiagramFormat, write_diagram};
 /// use coface_topology::{Coefficients, Filtration, persistence};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let edge = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
