@@ -50,7 +50,7 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3
     drop(around);
     let mut report = Report {
         kind: Kind::Volume,
-        f_vector: mesh.f_vector().to_vec(),
+        f_vector: mesh.f_vector(),
         shapes: shapes(&mesh),
         pure: Some(pure),
         components: mesh.components().count(),
@@ -68,7 +68,8 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3
         warnings,
         ..Report::of_nothing()
     };
-    report.homology = homology(&mesh.into_chain_complex()).groups().to_vec();
+    report.homology =
+        homology(&mesh.into_chain_complex().expect("a mesh has a chain complex")).groups().to_vec();
     report
 }
 

@@ -45,7 +45,7 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         false => Vec::new(),
     };
     Ok(Report {
-        f_vector: faces.f_vector(),
+        f_vector: faces.class_counts(),
         shapes: shapes(table),
         components,
         euler_characteristic: chains.euler_characteristic(),

@@ -6,8 +6,8 @@ use coface_topology::homology;
 
 /// The report on a mesh: any pair of permutations is a closed oriented surface, so only its numbers are open.
 pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
-    let complex = mesh.chain_complex();
-    let map = GeneralizedMap::new(mesh.two_skeleton()).expect("permutations are a surface");
+    let complex = mesh.chain_complex().expect("a halfedge mesh has a chain complex");
+    let map = mesh.two_skeleton().and_then(GeneralizedMap::new).expect("permutations are a surface");
     let surfaces = map.components();
     let surface = match &surfaces[..] {
         [only] => only.surface(),
@@ -16,8 +16,8 @@ pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
     let is_empty = mesh.halfedge_count() == 0;
     Report {
         kind: Kind::Surface,
-        f_vector: if is_empty { Vec::new() } else { mesh.f_vector().to_vec() },
-        shapes: if is_empty { Vec::new() } else { vec![("polygon", mesh.f_vector()[2])] },
+        f_vector: if is_empty { Vec::new() } else { mesh.f_vector() },
+        shapes: if is_empty { Vec::new() } else { vec![("polygon", mesh.face_count())] },
         components: mesh.component_count(),
         euler_characteristic: mesh.euler_characteristic(),
         manifold: Answer::Yes,

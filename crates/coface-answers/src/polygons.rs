@@ -35,7 +35,7 @@ pub(super) fn report(
         _ => true,
     });
     drop(degrees);
-    let complex = mesh.into_chain_complex();
+    let complex = mesh.into_chain_complex().expect("a mesh has a chain complex");
     report.euler_characteristic = complex.euler_characteristic();
     report.homology = homology(&complex).groups().to_vec();
     report
@@ -122,7 +122,7 @@ fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels, exponent
         is_simple: part.is_simple(),
     });
     Report {
-        f_vector: mesh.f_vector().to_vec(),
+        f_vector: mesh.f_vector(),
         shapes: polygon_shapes(mesh.polygons()),
         components: survey.components().count(),
         manifold: if verdict.is_manifold() { Answer::Yes } else { Answer::No },

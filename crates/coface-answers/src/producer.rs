@@ -112,10 +112,10 @@ impl Producer {
     /// [`coface_algebra::ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(match &self.cells {
-            Cells::Polygons(mesh) => mesh.chain_complex(),
-            Cells::Solids(mesh) => mesh.chain_complex(),
+            Cells::Polygons(mesh) => mesh.chain_complex()?,
+            Cells::Solids(mesh) => mesh.chain_complex()?,
             Cells::Simplices(complex) => complex.chain_complex()?,
-            Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Halfedges(mesh) => mesh.chain_complex()?,
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex.clone(),
             Cells::Voxels(cells) => cells.chain_complex()?,
@@ -128,10 +128,10 @@ impl Producer {
     /// Those of [`Self::chain_complex`].
     pub fn into_chain_complex(self) -> Result<ChainComplex, Error> {
         Ok(match self.cells {
-            Cells::Polygons(mesh) => mesh.into_chain_complex(),
-            Cells::Solids(mesh) => mesh.into_chain_complex(),
+            Cells::Polygons(mesh) => mesh.into_chain_complex()?,
+            Cells::Solids(mesh) => mesh.into_chain_complex()?,
             Cells::Simplices(complex) => complex.chain_complex()?,
-            Cells::Halfedges(mesh) => mesh.chain_complex(),
+            Cells::Halfedges(mesh) => mesh.chain_complex()?,
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex,
             Cells::Voxels(cells) => cells.chain_complex()?,
@@ -145,10 +145,10 @@ impl Producer {
     /// [`coface_algebra::ErrorKind::TooLarge`] beyond 32 bits.
     pub fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
         Ok(match &self.cells {
-            Cells::Polygons(mesh) => mesh.two_skeleton(),
-            Cells::Solids(mesh) => mesh.two_skeleton(),
+            Cells::Polygons(mesh) => mesh.two_skeleton()?,
+            Cells::Solids(mesh) => mesh.two_skeleton()?,
             Cells::Simplices(complex) => complex.two_skeleton()?,
-            Cells::Halfedges(mesh) => mesh.two_skeleton(),
+            Cells::Halfedges(mesh) => mesh.two_skeleton()?,
             Cells::Gluings(gluings) => gluings.1.two_skeleton()?,
             Cells::Voxels(_) => {
                 return Err(Error::invalid("loops in a volume of voxels have no words")

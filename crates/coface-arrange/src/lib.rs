@@ -13,6 +13,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod boolean;
+mod cells;
 pub mod congruence;
 pub mod planar;
 pub mod spatial;

@@ -1,5 +1,7 @@
 //! Producers: cell complexes of every kind, and the chain complexes that they give.
 //!
+//! Every producer is a [`Cells`]: it has a chain complex, a 2-skeleton, the vertices of its cells and their counts.
+//!
 //! * [`simplicial`]: simplicial complexes of any dimension with star, closure, link and boundary; complexes with ordered simplices.
 //! * [`gluing`]: simplices with facets glued in pairs, and isomorphism signatures.
 //! * [`known_spaces`]: named triangulations with published answers.
@@ -11,6 +13,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod cell_mesh;
+mod cells;
 pub mod cubical;
 pub mod gluing;
 pub mod grids;
@@ -19,3 +22,5 @@ pub mod lar;
 pub mod shapes;
 pub mod simplicial;
 pub mod surface;
+
+pub use cells::Cells;

@@ -224,8 +224,9 @@ impl LarModel {
         let complex = match &self.chains {
             Some(chains) => chains,
             None => {
-                found =
-                    Arc::new(self.lar.chain_complex(TopOrientation::LowestFacet, self.positions.as_ref())?);
+                found = Arc::new(
+                    self.lar.oriented_chain_complex(TopOrientation::LowestFacet, self.positions.as_ref())?,
+                );
                 &found
             }
         };

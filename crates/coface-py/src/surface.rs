@@ -135,13 +135,14 @@ impl Surface {
     /// The numbers of vertices, edges and faces.
     #[getter]
     fn f_vector(&self) -> (usize, usize, usize) {
-        self.map().f_vector().into()
+        let map = self.map();
+        (map.vertex_count(), map.edge_count(), map.face_count())
     }
 
     /// Vertices - edges + faces.
     #[getter]
     fn euler_characteristic(&self) -> i64 {
-        let [v, e, f] = self.map().f_vector();
+        let (v, e, f) = self.f_vector();
         v as i64 - e as i64 + f as i64
     }
 
@@ -689,7 +690,7 @@ impl Surface {
 
     fn __repr__(&self) -> String {
         let names: Vec<String> = self.map().surfaces().iter().take(4).map(ToString::to_string).collect();
-        let [v, e, f] = self.map().f_vector();
+        let (v, e, f) = self.f_vector();
         let more = if self.map().component_count() > 4 { ", .." } else { "" };
         let names = if names.is_empty() { "no faces".to_owned() } else { names.join(" + ") };
         format!("Surface({names}{more}, f-vector ({v}, {e}, {f}))")

@@ -14,7 +14,7 @@ use coface::topology::{
 fn main() -> Result<(), coface::Error> {
     // A permutation of an even number of halfedges is a surface: one face, one vertex, a torus.
     let square = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
-    assert_eq!((square.f_vector(), square.genus()), ([1, 2, 1], 1));
+    assert_eq!((square.f_vector(), square.genus()), (vec![1, 2, 1], 1));
 
     // A Klein bottle is no halfedge mesh, but polygons glued in pairs; above it lies a torus, two to one.
     let bottle = GeneralizedMap::new(klein_grid(5, 5)?.freeze().two_skeleton()?)?;

@@ -51,12 +51,12 @@ fn main() -> Result<(), coface::Error> {
         .map(|&vertex| surface.positions().point(VertexId::from_u32(vertex)));
     let soup = coface::geometry::Positions::from_flat(3, sphere.flatten().copied().collect())?;
     let corners = RaggedArray::uniform(3, (0..soup.len() as u32).collect())?;
-    let separate = PolygonMesh::new(soup.len(), corners, &[])?.chain_complex();
+    let separate = PolygonMesh::new(soup.len(), corners, &[])?.chain_complex()?;
     let near = vertex_congruence(&soup, 1e-9, ClassRule::Transitive, Representative::Lowest)?;
     let classes = CellClasses::unsigned(near.class_of().to_vec())?;
     let merged = chain_congruence(&separate, classes, Some(near.positions()), CongruenceOptions::default())?;
     assert_eq!(merged.complex().euler_characteristic(), 2);
-    let whole = PolygonMesh::new(surface.vertex_count(), surface.polygons().clone(), &[])?.chain_complex();
+    let whole = PolygonMesh::new(surface.vertex_count(), surface.polygons().clone(), &[])?.chain_complex()?;
     assert_eq!(merged.complex().f_vector(), whole.f_vector());
     assert_eq!(homology(merged.complex()).groups(), homology(&whole).groups());
     assert_eq!(merged.complex().f_vector(), [386, 1152, 768]);

@@ -24,6 +24,7 @@
 //! # Ok(()) }
 //! ```
 
+mod cells;
 mod chain;
 mod chain_map;
 mod cochain;
@@ -40,6 +41,7 @@ mod selection;
 mod subcomplex;
 mod two_skeleton;
 
+pub use cells::Cells;
 pub use chain::Chain;
 pub use chain_map::ChainMap;
 pub use cochain::Cochain;

@@ -220,8 +220,8 @@ impl TwoSkeleton {
     /// assert_eq!(TwoSkeleton::new(2, vec![0, 1], RaggedArray::new())?.f_vector(), [2, 1, 0]);
     /// # Ok(()) }
     /// ```
-    pub fn f_vector(&self) -> [usize; 3] {
-        [self.vertex_count(), self.edge_count(), self.face_count()]
+    pub fn f_vector(&self) -> Vec<usize> {
+        vec![self.vertex_count(), self.edge_count(), self.face_count()]
     }
 
     /// The source and the target of an edge.
@@ -349,7 +349,8 @@ impl TwoSkeleton {
     /// # Ok(()) }
     /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        let [vertex_count, edge_count, face_count] = self.f_vector();
+        let (vertex_count, edge_count, face_count) =
+            (self.vertex_count(), self.edge_count(), self.face_count());
         if edge_count == 0 && face_count == 0 {
             return Ok(ChainComplex::of_points(vertex_count));
         }

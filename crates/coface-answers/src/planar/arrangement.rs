@@ -188,7 +188,8 @@ impl DrawingArrangement {
     /// Those of [`Self::products_are_zero`] and [`PlanarArrangement::rounding_certificate`].
     pub fn to_json(&self) -> Result<Value, Error> {
         let arrangement = &self.arrangement;
-        let [vertices, edges, faces] = arrangement.f_vector();
+        let (vertices, edges, faces) =
+            (arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count());
         let bridges = (0..edges).filter(|&edge| arrangement.is_bridge(EdgeId::new(edge))).count();
         let inside: Value = self.containment.regions.iter().map(|regions| json!(regions)).collect();
         Ok(json!({

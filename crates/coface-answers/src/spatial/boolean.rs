@@ -293,7 +293,8 @@ impl<'a> SolidBoolean<'a> {
     /// The numbers of vertices, edges and faces of the surface, faces with holes once; of triangles if faces are cut.
     pub fn f_vector(&self) -> [usize; 3] {
         if self.request.triangles {
-            return self.mesh().f_vector();
+            let mesh = self.mesh();
+            return [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()];
         }
         let [vertices, edges, faces] = self.closure().map(|cells| cells.len());
         [vertices + self.copies[0], edges + self.copies[1], faces]

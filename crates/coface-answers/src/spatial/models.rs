@@ -162,7 +162,7 @@ impl SolidBoolean<'_> {
         let mesh = self.mesh_with_walls()?;
         let polygons = PolygonMesh::new(mesh.vertex_sources().len(), mesh.polygons().clone(), &[])?;
         let mut boundaries: Vec<SparseMatrix> =
-            polygons.chain_complex().boundary_matrices().iter().take(2).cloned().collect();
+            polygons.chain_complex()?.boundary_matrices().iter().take(2).cloned().collect();
         boundaries.push(self.cells_on(mesh.facets())?);
         Model::from_chains(
             ChainComplex::new(boundaries)?,

@@ -95,7 +95,7 @@ impl SurfaceModel {
         let _covering = stage("covering", 0);
         let cover = self.map().orientation_double_cover();
         let map = cover.map();
-        let [v, _, f] = map.f_vector();
+        let (v, f) = (map.vertex_count(), map.face_count());
         let vertices: Vec<VertexId> =
             (0..v).map(|vertex| cover.vertex_below(VertexId::new(vertex))).collect();
         let below: Vec<FaceId> = (0..f).map(|face| cover.face_below(FaceId::new(face)).0).collect();
@@ -145,7 +145,8 @@ impl SurfaceCover<'_> {
     /// Those of [`SurfaceModel::model_over`].
     pub fn model(&self, placed: Option<&PlacedCover>) -> Result<Model, Error> {
         let cover = &self.cover;
-        let [vertex_count, _, face_count] = cover.f_vector();
+        let skeleton = cover.skeleton();
+        let (vertex_count, face_count) = (skeleton.vertex_count(), skeleton.face_count());
         let vertices = || (0..vertex_count).map(VertexId::new);
         let faces = || (0..face_count).map(FaceId::new);
         let vertex_sources: Vec<VertexId> = vertices().map(|vertex| cover.vertex_below(vertex)).collect();

@@ -112,7 +112,10 @@ impl SurfaceModel {
         groups.retain(|group| group.kind() == GroupKind::Vertices);
         data.retain(|data| data.kind() == GroupKind::Vertices);
         Ok(Self {
-            map: GeneralizedMap::new(boundary.mesh().two_skeleton())
+            map: boundary
+                .mesh()
+                .two_skeleton()
+                .and_then(GeneralizedMap::new)
                 .map_err(|error| renumbered(error, Some(&vertices)))?,
             positions: Positions::from_flat(positions.dimension(), coordinates)?,
             numbers: Some(vertices),
@@ -210,7 +213,7 @@ impl SurfaceModel {
     /// # Errors
     /// Those of [`Self::model_over`].
     pub fn to_model(&self) -> Result<Model, Error> {
-        let [v, _, f] = self.map.f_vector();
+        let (v, f) = (self.map.vertex_count(), self.map.face_count());
         let vertices: Vec<VertexId> = (0..v).map(VertexId::new).collect();
         let faces: Vec<FaceId> = (0..f).map(FaceId::new).collect();
         self.model_over(cutting::polygons_of_map(&self.map), &vertices, &faces, None)

@@ -119,7 +119,7 @@ fn surfaces_of_halfedges_have_their_groups() {
         [(&[2, 3, 4, 5, 0, 1], "Z^2"), (&[2, 3, 1, 0], "Z^2"), (&[0, 1], "trivial"), (&[1, 0], "trivial")];
     for (next, expected) in table {
         let mesh = HalfedgeMesh::from_next(next.to_vec()).unwrap();
-        let groups = EdgePathGroups::new(&mesh.two_skeleton());
+        let groups = EdgePathGroups::new(&mesh.two_skeleton().unwrap());
         let name = groups.presentation(0).recognized(Effort::default()).unwrap();
         assert_eq!(name.to_string(), expected, "{next:?}");
     }

@@ -42,7 +42,7 @@ fn a_surface_has_the_complex_of_its_mesh() {
         assert_eq!(homology(&complex).betti_numbers(), [1, 0, 1]);
     }
     // A coherent orientation of a closed surface sums to a cycle: each edge is run through once each way.
-    let complex = model.chain_complex(TopOrientation::Coherent, None).unwrap();
+    let complex = model.oriented_chain_complex(TopOrientation::Coherent, None).unwrap();
     let mut sums = vec![0; complex.cell_count(1)];
     for face in complex.boundary_matrix(2).unwrap().columns() {
         face.iter().for_each(|(edge, entry)| sums[edge] += entry);
@@ -70,7 +70,8 @@ fn tetrahedra_of_real_files_have_positive_volumes() {
         let file = record["file"].as_str().unwrap();
         let producer = Producer::of(read_path(data.join(file), None).unwrap()).unwrap();
         let model = bare(&producer.lar_model().unwrap());
-        let complex = model.chain_complex(TopOrientation::Positive, Some(producer.positions())).unwrap();
+        let complex =
+            model.oriented_chain_complex(TopOrientation::Positive, Some(producer.positions())).unwrap();
         assert!(same_up_to_signs(&producer.chain_complex().unwrap(), &complex), "{file}");
         let volumes = signed_measures(&complex, producer.positions()).unwrap();
         assert!(volumes.iter().all(|&volume| volume > 0.0), "{file}");

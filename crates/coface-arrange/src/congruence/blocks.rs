@@ -48,7 +48,7 @@ pub struct BlockMerge {
 /// use coface_arrange::congruence::blocks_of;
 /// use coface_complexes::surface::PolygonMesh;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let triangles = PolygonMesh::new(7, RaggedArray::from_lists([[0, 2, 4], [1, 3, 5]]), &[])?.chain_complex();
+/// let triangles = PolygonMesh::new(7, RaggedArray::from_lists([[0, 2, 4], [1, 3, 5]]), &[])?.chain_complex()?;
 /// assert_eq!(blocks_of(&triangles), [0, 1, 0, 1, 0, 1, 2]);
 /// # Ok(()) }
 /// ```

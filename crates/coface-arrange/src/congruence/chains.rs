@@ -78,7 +78,7 @@ impl ChainCongruence {
 /// use coface_arrange::congruence::{CellClasses, CongruenceOptions, chain_congruence};
 /// use coface_complexes::surface::PolygonMesh;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let triangles = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]), &[])?.chain_complex();
+/// let triangles = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]), &[])?.chain_complex()?;
 /// let vertices = CellClasses::unsigned(vec![0, 1, 2, 1, 0, 3])?;
 /// let merged = chain_congruence(&triangles, vertices, None, CongruenceOptions::default())?;
 /// assert_eq!(merged.complex().f_vector(), [4, 5, 2]);

@@ -20,7 +20,7 @@ pub enum CongruenceMethod {
 /// use coface_algebra::RaggedArray;
 /// use coface_complexes::surface::PolygonMesh;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let hexagon = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]), &[])?.chain_complex();
+/// let hexagon = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]), &[])?.chain_complex()?;
 /// let quotient = |collisions| {
 ///     let vertices = CellClasses::unsigned(vec![0, 1, 2, 0, 3, 4])?;
 ///     chain_congruence(&hexagon, vertices, None, CongruenceOptions::new().collisions(collisions))

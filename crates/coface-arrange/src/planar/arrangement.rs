@@ -225,8 +225,8 @@ impl PlanarArrangement {
     }
 
     /// The numbers of vertices, edges and bounded faces.
-    pub fn f_vector(&self) -> [usize; 3] {
-        [self.vertex_count(), self.edge_count(), self.face_count()]
+    pub fn f_vector(&self) -> Vec<usize> {
+        vec![self.vertex_count(), self.edge_count(), self.face_count()]
     }
 
     /// The number of connected components of vertices and edges; a vertex on its own is one.

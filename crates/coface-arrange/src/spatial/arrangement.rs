@@ -146,9 +146,10 @@ impl SpatialArrangement {
     }
 
     /// The numbers of vertices, edges, faces and bounded cells.
-    pub fn f_vector(&self) -> [usize; 4] {
-        let [vertices, edges, faces] = self.complex().f_vector();
-        [vertices, edges, faces, self.cells.cell_count()]
+    pub fn f_vector(&self) -> Vec<usize> {
+        let mut counts = self.complex().f_vector();
+        counts.push(self.cells.cell_count());
+        counts
     }
 
     /// The vertices, edges and faces.
@@ -226,12 +227,14 @@ impl SpatialArrangement {
     /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 0., 0., 1., 0.])?;
     /// let square = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
     /// let arrangement = SpatialArrangement::new(&square, &SpatialOptions::default())?;
-    /// assert_eq!((arrangement.f_vector(), arrangement.fine().complex().f_vector()), ([4, 4, 1, 0], [4, 5, 2]));
+    /// assert_eq!((arrangement.f_vector(), arrangement.fine().complex().f_vector()), (vec![4, 4, 1, 0], vec![4, 5, 2]));
     /// assert_eq!(arrangement.chain_map_to_fine()?.matrix(2).map(|m| m.entries().to_vec()), Some(vec![1, 1]));
     /// # Ok(()) }
     /// ```
     pub fn chain_map_to_fine(&self) -> Result<ChainMap, Error> {
-        let [vertices, edges, faces, cells] = self.f_vector();
+        let complex = self.complex();
+        let (vertices, edges, faces) = (complex.vertex_count(), complex.edge_count(), complex.face_count());
+        let cells = self.cells.cell_count();
         let fine = self.cells.chain_complex()?;
         let unit = |row: usize, column: usize, sign: Sign| (row, column, i64::from(sign.to_i32()));
         let vertex = |i: usize| unit(self.fine_vertex(VertexId::new(i)).index(), i, Sign::Plus);

@@ -280,8 +280,8 @@ impl PolygonalComplex {
     }
 
     /// The numbers of vertices, edges and faces.
-    pub fn f_vector(&self) -> [usize; 3] {
-        [self.vertex_count, self.edge_count(), self.face_count()]
+    pub fn f_vector(&self) -> Vec<usize> {
+        vec![self.vertex_count, self.edge_count(), self.face_count()]
     }
 
     /// The ends of each edge: where it begins and where it ends.

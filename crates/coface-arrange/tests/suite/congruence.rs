@@ -50,7 +50,7 @@ fn separate_squares(k: u32) -> (Positions, ChainComplex) {
     }
     let count = flat.len() / 3;
     let mesh = PolygonMesh::new(count, RaggedArray::from_lists(&polygons), &[]).unwrap();
-    (Positions::from_flat(3, flat).unwrap(), mesh.chain_complex())
+    (Positions::from_flat(3, flat).unwrap(), mesh.chain_complex().unwrap())
 }
 
 fn quotient(positions: &Positions, complex: &ChainComplex, tolerance: f64) -> ChainCongruence {
@@ -87,7 +87,7 @@ fn short_edges_and_small_faces_collapse() {
     let positions =
         Positions::from_flat(2, vec![0., 0., 4., 0., 4., 0.1, 0., 4., 9., 9., 9.1, 9., 9., 9.1]).unwrap();
     let faces = RaggedArray::from_lists([vec![0, 1, 2, 3], vec![4, 5, 6]]);
-    let complex = PolygonMesh::new(7, faces, &[]).unwrap().chain_complex();
+    let complex = PolygonMesh::new(7, faces, &[]).unwrap().chain_complex().unwrap();
     let found = quotient(&positions, &complex, 0.5);
     assert_eq!(found.complex().f_vector(), [4, 3, 1]);
     assert_eq!(found.collapsed_counts(), [0, 4, 1]);

@@ -64,7 +64,7 @@ fn polygon(points: &[[f64; 2]], more: &[&[u32]]) -> (ChainComplex, Vec<u32>, Pos
     let positions = Positions::from_flat(2, points.concat()).unwrap();
     let mut faces = RaggedArray::from_lists([(0..points.len() as u32).collect::<Vec<_>>()]);
     more.iter().for_each(|face| faces.push(face));
-    let complex = PolygonMesh::new(points.len(), faces, &[]).unwrap().chain_complex();
+    let complex = PolygonMesh::new(points.len(), faces, &[]).unwrap().chain_complex().unwrap();
     let found = vertex_congruence(&positions, 0.0, ClassRule::Transitive, Representative::Lowest).unwrap();
     (complex, found.class_of().to_vec(), found.positions().clone())
 }
@@ -135,8 +135,10 @@ fn faces_lie_in_any_plane_and_at_any_scale() {
     for scale in [1e-150, 1.0, 1e150] {
         let points = flat.map(|[x, y]: [f64; 2]| [x, x - y, 3.0 + y, 7.0 * x].map(|c| c * scale)).concat();
         let positions = Positions::from_flat(4, points).unwrap();
-        let complex =
-            PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]), &[]).unwrap().chain_complex();
+        let complex = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]), &[])
+            .unwrap()
+            .chain_complex()
+            .unwrap();
         let vertices =
             vertex_congruence(&positions, 0.0, ClassRule::Transitive, Representative::Lowest).unwrap();
         let found = rewrapped(&complex, vertices.class_of(), Some(vertices.positions()));

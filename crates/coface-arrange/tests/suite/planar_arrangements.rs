@@ -33,7 +33,7 @@ fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Vec<Segment> {
 
 /// Everything that holds for every arrangement.
 fn check(arrangement: &PlanarArrangement) {
-    let [v, e, f] = arrangement.f_vector();
+    let (v, e, f) = (arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count());
     assert_eq!(v + f, e + arrangement.component_count(), "Euler's relation");
     let complex = arrangement.chain_complex().unwrap();
     assert_eq!(complex.f_vector(), [v, e, f]);
@@ -221,7 +221,7 @@ fn small_drawings_have_their_known_counts() {
     assert_eq!(bridged.chain_complex().unwrap().boundary_matrix(2).unwrap().column(0).rows().len(), 8);
     let pruned = bridged.pruned().unwrap();
     check(&pruned);
-    assert_eq!((pruned.f_vector(), pruned.hole_count()), ([8, 8, 2], 1));
+    assert_eq!((pruned.f_vector(), pruned.hole_count()), (vec![8, 8, 2], 1));
     assert_eq!(bridged.walks(Some(FaceId::new(0))).map(<[u32]>::len).collect::<Vec<_>>(), [10]);
     assert_eq!(counts(&[rectangle(0., 0., 2., 1.), rectangle(1., 0., 2., 1.)].concat()), [8, 10, 3]);
     assert_eq!(counts(&[rectangle(0., 0., 1e6, 1e6), rectangle(5e5, 5e5, 1e6, 1e6)].concat()), [10, 12, 3]);
@@ -383,7 +383,7 @@ fn sizes_far_apart_are_ordinary() {
     let positions = |soup: &[Segment]| Positions::from_flat(2, soup.as_flattened().to_vec()).unwrap();
     let ends: Vec<[u32; 2]> = (0..8).map(|s| [2 * s, 2 * s + 1]).collect();
     let arrangement = PlanarArrangement::new(&positions(&huge), &ends).unwrap();
-    assert_eq!((arrangement.f_vector(), arrangement.hole_count()), ([8, 8, 2], 1));
+    assert_eq!((arrangement.f_vector(), arrangement.hole_count()), (vec![8, 8, 2], 1));
     let arrangement = PlanarArrangement::new(&positions(&[big, small].concat()), &ends).unwrap();
     assert_eq!(arrangement.f_vector(), [10, 12, 3]);
 }

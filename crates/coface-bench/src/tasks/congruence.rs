@@ -44,7 +44,7 @@ fn soup(path: &Path) -> Result<(Positions, Mesh), Error> {
 fn quotient(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let (positions, mesh) = soup(path)?;
     let size = mesh.lists.len();
-    let complex = PolygonMesh::new(mesh.vertex_count, mesh.lists, &[])?.into_chain_complex();
+    let complex = PolygonMesh::new(mesh.vertex_count, mesh.lists, &[])?.into_chain_complex()?;
     let found = clock.time(size, || {
         let (rule, representative) = (ClassRule::Transitive, Representative::Lowest);
         let vertices = vertex_congruence(&positions, TOLERANCE, rule, representative)?;

@@ -13,7 +13,7 @@ pub(super) const TASK: Task = Task {
         let mesh = Mesh::read_raw(path)?;
         let size = mesh.lists.len();
         let halfedges = clock.time(size, || HalfedgeMesh::from_polygons(mesh.vertex_count, &mesh.lists))?;
-        let [v, e, f] = halfedges.f_vector();
+        let (v, e, f) = (halfedges.vertex_count(), halfedges.edge_count(), halfedges.face_count());
         Ok(format!("V {v} E {e} F {f} outer faces {}", halfedges.outer_face_count()))
     }),
 };

@@ -40,7 +40,7 @@ fn mesh_of(path: &Path) -> Result<(PolygonMesh, usize), Error> {
 fn loops(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let (mesh, count) = mesh_of(path)?;
     clock.time(count, || {
-        let map = GeneralizedMap::new(mesh.two_skeleton())?;
+        let map = GeneralizedMap::new(mesh.two_skeleton()?)?;
         let trees = TreeCotree::new(&map);
         let cut = CutSurface::new(&map, &trees);
         let generators = trees.components()[0].generators();
@@ -53,7 +53,7 @@ fn loops(path: &Path, clock: &mut Clock) -> Result<String, Error> {
 fn cocycles(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let (mesh, count) = mesh_of(path)?;
     clock.time(count, || {
-        let map = GeneralizedMap::new(mesh.two_skeleton())?;
+        let map = GeneralizedMap::new(mesh.two_skeleton()?)?;
         let trees = TreeCotree::new(&map);
         let sliced = CocycleBasis::by_slicing(&map, SurfaceHomology::new(&map, &trees).loops())?;
         let dual = sliced.dual()?;

@@ -106,7 +106,7 @@ impl Cover {
         progress: Progress,
     ) -> Result<(), Failure> {
         let (map, model) = surface.orientation_double_cover()?;
-        let [v, e, f] = map.f_vector();
+        let (v, e, f) = (map.vertex_count(), map.edge_count(), map.face_count());
         let surfaces = |map: &coface::complexes::surface::GeneralizedMap| -> Vec<String> {
             map.surfaces().iter().map(ToString::to_string).collect()
         };

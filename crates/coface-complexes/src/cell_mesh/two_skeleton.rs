@@ -1,6 +1,7 @@
 //! The 2-skeleton of a cell mesh, with the faces around each cell.
 
 use crate::cell_mesh::mesh::CellMesh;
+use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::TwoSkeleton;
 
@@ -17,12 +18,12 @@ impl CellMesh {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let cells = RaggedArray::from_lists([[0, 1, 2, 3, 4]]);
     /// let mesh = CellMesh::new(5, vec![CellShape::Pyramid], cells, &RaggedArray::new(), &[])?;
-    /// let skeleton = mesh.two_skeleton();
+    /// let skeleton = mesh.two_skeleton()?;
     /// assert_eq!(skeleton.f_vector(), [5, 8, 5]);
     /// assert_eq!(skeleton.solids().list(0).len(), 5);
     /// # Ok(()) }
     /// ```
-    pub fn two_skeleton(&self) -> TwoSkeleton {
+    pub fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
         let mut solids = RaggedArray::new();
         let mut faces = Vec::new();
         for cell in 0..self.cell_count() {
@@ -30,7 +31,7 @@ impl CellMesh {
             faces.extend(self.packed_faces(cell).iter().map(|packed| packed >> 1));
             solids.push(&faces);
         }
-        self.skeleton().two_skeleton().with_solids(solids).expect("the sides of a cell are faces of the mesh")
+        self.skeleton().two_skeleton()?.with_solids(solids)
     }
 }
 
@@ -46,7 +47,7 @@ mod tests {
         let mesh =
             CellMesh::new(10, vec![CellShape::Hexahedron, CellShape::Pyramid], cells, &polygons, &[[8, 9]])
                 .unwrap();
-        let (skeleton, chains) = (mesh.two_skeleton(), mesh.chain_complex());
+        let (skeleton, chains) = (mesh.two_skeleton().unwrap(), mesh.chain_complex().unwrap());
         assert_eq!(skeleton.chain_complex().unwrap().boundary_matrices(), &chains.boundary_matrices()[..2]);
         for cell in 0..2 {
             let mut faces = skeleton.solids().list(cell).to_vec();

@@ -130,7 +130,7 @@ mod tests {
         let (positions, squares) = ball.boundary_squares().unwrap();
         assert_eq!(squares.len(), 54 + 6);
         let mesh = PolygonMesh::new(positions.len(), squares, &[]).unwrap();
-        assert_eq!(mesh.chain_complex().euler_characteristic(), 2 + 2);
+        assert_eq!(mesh.chain_complex().unwrap().euler_characteristic(), 2 + 2);
         // The inner one, a cube, is apart from the outer one.
         let [inner, outer] = [0, 1].map(|is_outer| {
             let is_on = |point: &[f64]| point.iter().any(|x| [0.0, 3.0].contains(x)) == (is_outer == 1);

@@ -7,7 +7,7 @@ use super::simplices::SimplicialBlocks;
 use super::voxels::{Voxels, check_shape};
 use super::window::VoxelWindow;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::{Error, ErrorKind, RaggedArray};
 
 /// Voxels that are set or not, all in memory: a bit each.
 ///
@@ -207,6 +207,57 @@ impl CubicalVolume {
     /// ```
     pub fn cell_ids(&self) -> Result<Vec<Vec<u64>>, Error> {
         CubicalBlocks::new(self, &vec![1; self.shape.len()])?.cell_ids(0)
+    }
+
+    /// The corners of each cell of this degree as numbers of cells of degree 0: of an edge from its start to its end, of a
+    /// square around, of other cells with the last axis fastest. A corner stands twice where a periodic axis is short.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] beyond 2^32 places of cells or corners.
+    ///
+    /// # Complexity
+    /// Linear in the places of cells, and $O(c \log n)$ for c corners of cells among n vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// let pixel = CubicalVolume::full(&[1, 1], &[false, false])?;
+    /// assert_eq!(pixel.cell_vertices(2)?.list(0), [0, 1, 3, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
+        let ids = self.cell_ids()?;
+        let (Some(cells), Some(vertices)) = (ids.get(degree), ids.first()) else {
+            return Ok(RaggedArray::new());
+        };
+        let axes = self.shape.iter().zip(&self.is_periodic);
+        let lengths: Vec<u64> =
+            axes.map(|(&length, periodic)| 2 * u64::from(length) + u64::from(!periodic)).collect();
+        let mut items = Vec::with_capacity(cells.len() << degree);
+        let mut place = vec![0; lengths.len()];
+        for &id in cells {
+            let mut rest = id;
+            for (place, &length) in place.iter_mut().zip(&lengths).rev() {
+                *place = rest % length;
+                rest /= length;
+            }
+            for corner in 0..1usize << degree {
+                // Around a square the corners run 00, 01, 11, 10.
+                let corner = if degree == 2 { corner ^ corner >> 1 } else { corner };
+                let mut shift = degree;
+                let at = place.iter().zip(&lengths).fold(0, |at, (&x, &length)| {
+                    shift -= (x % 2) as usize;
+                    let x = match (x % 2, corner >> shift & 1) {
+                        (0, _) => x,
+                        (_, 0) => x - 1,
+                        _ => (x + 1) % length,
+                    };
+                    at * length + x
+                });
+                items.push(vertices.binary_search(&at).expect("the corners of a cell are cells") as u32);
+            }
+        }
+        RaggedArray::uniform(1 << degree, items)
     }
 
     /// The chain complex of all simplices that the voxels are cut into, in order of their ids; see [`SimplicialBlocks`].

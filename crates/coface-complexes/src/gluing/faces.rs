@@ -31,7 +31,7 @@ const NONE: u32 = u32::MAX;
 /// let mut band = GluingTable::unglued(2, 1)?;
 /// band.glue(0, 2, 0, &[1, 2, 0])?;
 /// let faces = band.faces()?;
-/// assert_eq!(faces.f_vector(), [1, 2, 1]);
+/// assert_eq!(faces.class_counts(), [1, 2, 1]);
 /// assert_eq!(faces.class(0, &[1, 2])?, (0, vec![0, 1]));
 /// assert!(faces.is_boundary(1, 1) && !faces.is_boundary(1, 0));
 /// # Ok(()) }
@@ -98,10 +98,10 @@ impl FaceClasses {
     /// # Examples
     /// ```
     /// use coface_complexes::gluing::GluingTable;
-    /// assert_eq!(GluingTable::unglued(2, 1)?.faces()?.f_vector(), [3, 3, 1]);
+    /// assert_eq!(GluingTable::unglued(2, 1)?.faces()?.class_counts(), [3, 3, 1]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn f_vector(&self) -> Vec<usize> {
+    pub fn class_counts(&self) -> Vec<usize> {
         let counts: Vec<usize> = self.degrees.iter().map(|degree| degree.first.len()).collect();
         if counts[0] == 0 { Vec::new() } else { counts }
     }
@@ -117,7 +117,7 @@ impl FaceClasses {
     /// ```
     pub fn alternating_count(&self) -> i64 {
         let signed = |(k, n): (usize, usize)| if k % 2 == 0 { n as i64 } else { -(n as i64) };
-        self.f_vector().into_iter().enumerate().map(signed).sum()
+        self.class_counts().into_iter().enumerate().map(signed).sum()
     }
 
     /// The class of the face of a simplex with these vertices, in any order, and for each of them, as given, its place in
@@ -338,12 +338,12 @@ impl FaceClasses {
     /// table.glue(0, 3, 0, &[1, 0, 3, 2])?;
     /// let folded = table.faces()?;
     /// // The edge that is folded has one half: a vertex in its middle and its end.
-    /// let vertices: usize = folded.f_vector().iter().sum();
+    /// let vertices: usize = folded.class_counts().iter().sum();
     /// assert_eq!(folded.barycentric_subdivision()?.complex().simplex_count(0), vertices);
     /// # Ok(()) }
     /// ```
     pub fn barycentric_subdivision(&self) -> Result<Subdivision, Error> {
-        let counts = self.f_vector();
+        let counts = self.class_counts();
         check_size(counts.iter().copied().enumerate())?;
         if counts.is_empty() {
             return Ok(Subdivision::new(DeltaComplex::default(), Vec::new()));

@@ -77,7 +77,7 @@ impl GluingTable {
         self.check_faces(faces)?;
         self.check_codimension_one()?;
         let mut corners: Vec<Vec<(u32, u32)>> =
-            vec![Vec::new(); faces.f_vector().first().copied().unwrap_or(0)];
+            vec![Vec::new(); faces.class_counts().first().copied().unwrap_or(0)];
         let mut places = vec![0_u32; self.simplex_count() * width];
         for i in 0..self.simplex_count() {
             for v in 0..width {
@@ -91,7 +91,7 @@ impl GluingTable {
 
     /// Refuses face classes that cannot be those of this table.
     pub(super) fn check_faces(&self, faces: &FaceClasses) -> Result<(), Error> {
-        let counts = faces.f_vector();
+        let counts = faces.class_counts();
         let is_own = match counts.last() {
             Some(&count) => counts.len() == self.dimension() + 1 && count == self.simplex_count(),
             None => self.simplex_count() == 0,
@@ -211,9 +211,9 @@ impl FaceClasses {
     /// # Ok(()) }
     /// ```
     pub fn boundary_cells(&self) -> Result<Vec<Vec<CellId>>, Error> {
-        let degrees = 0..self.f_vector().len();
+        let degrees = 0..self.class_counts().len();
         if !self.has_folds() {
-            let counts = self.f_vector();
+            let counts = self.class_counts();
             let of_degree =
                 |k| (0..counts[k]).filter(|&class| self.is_boundary(k, class)).map(CellId::new).collect();
             return Ok(degrees.map(of_degree).collect());

@@ -147,8 +147,8 @@ impl CuboidGrid {
     }
 
     /// The numbers of cells of dimension 0, 1, ...; empty for an empty grid.
-    pub fn f_vector(&self) -> &[usize] {
-        &self.cell_counts
+    pub fn f_vector(&self) -> Vec<usize> {
+        self.cell_counts.clone()
     }
 
     /// The place of a cell.

@@ -47,6 +47,27 @@ impl LarModel {
         SparseMatrix::from_trusted_parts(self.vertex_count(), starts, rows, entries)
     }
 
+    /// The chain complex of the model with lowest facets positive: [`Self::oriented_chain_complex`] without positions.
+    ///
+    /// # Errors
+    /// Those of [`Self::oriented_chain_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = RaggedArray::from_lists([[0, 1], [2, 3], [0, 2], [1, 3]]);
+    /// let square = LarModel::new(4, vec![edges, RaggedArray::from_lists([[0, 1, 2, 3]])])?;
+    /// let complex = square.chain_complex()?;
+    /// let face = complex.boundary_matrix(2).expect("there is a face").column(0);
+    /// assert_eq!(face.entries(), [1, -1, -1, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        self.oriented_chain_complex(TopOrientation::LowestFacet, None)
+    }
+
     /// The chain complex of the model: facets as [`Self::facets`] says, signs by
     /// [`oriented_boundary`](crate::lar::orientation::oriented_boundary).
     ///
@@ -69,12 +90,12 @@ impl LarModel {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let edges = RaggedArray::from_lists([[0, 1], [2, 3], [0, 2], [1, 3]]);
     /// let square = LarModel::new(4, vec![edges, RaggedArray::from_lists([[0, 1, 2, 3]])])?;
-    /// let complex = square.chain_complex(TopOrientation::LowestFacet, None)?;
+    /// let complex = square.oriented_chain_complex(TopOrientation::Coherent, None)?;
     /// let face = complex.boundary_matrix(2).expect("there is a face").column(0);
     /// assert_eq!(face.entries(), [1, -1, -1, 1]);
     /// # Ok(()) }
     /// ```
-    pub fn chain_complex(
+    pub fn oriented_chain_complex(
         &self,
         top: TopOrientation,
         positions: Option<&Positions>,

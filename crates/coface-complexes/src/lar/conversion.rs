@@ -181,7 +181,7 @@ mod tests {
         let mesh =
             CellMesh::new(9, vec![CellShape::Hexahedron], cells, &RaggedArray::new(), &[[7, 8]]).unwrap();
         let (own, told) =
-            (LarModel::try_from(&mesh).unwrap(), LarModel::try_from(&mesh.chain_complex()).unwrap());
+            (LarModel::try_from(&mesh).unwrap(), LarModel::try_from(&mesh.chain_complex().unwrap()).unwrap());
         assert_eq!(own.f_vector(), told.f_vector());
         for operator in ["VV", "EE", "FE", "FF", "CF", "CV"].map(|name| name.parse().unwrap()) {
             assert_eq!(own.shared_vertices(operator).unwrap(), told.shared_vertices(operator).unwrap());

@@ -62,7 +62,7 @@ impl FaceClasses {
         if self.has_folds() {
             return self.barycentric_subdivision()?.complex().two_skeleton();
         }
-        let counts = self.f_vector();
+        let counts = self.class_counts();
         let count = |degree: usize| counts.get(degree).copied().unwrap_or(0);
         let mut ends = Vec::with_capacity(2 * count(1));
         (0..count(1)).for_each(|edge| ends.extend(self.vertices(1, edge)));

@@ -1,7 +1,7 @@
 //! Extrusion: simplices swept through layers, some of them empty.
 
-use super::SignedSimplices;
 use super::prism::{fill_windows, window_sign};
+use super::{FrozenComplex, SignedSimplices};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign};
 use coface_geometry::Positions;
@@ -158,6 +158,26 @@ fn levels(heights: &[f64]) -> Result<(Vec<f64>, Vec<u32>), Error> {
 }
 
 impl Extrusion {
+    /// The simplices with all their faces and all vertices.
+    ///
+    /// # Errors
+    /// Those of [`FrozenComplex::from_facets`].
+    ///
+    /// # Examples
+    /// A segment becomes a square of two triangles:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.to_frozen()?.f_vector(), [4, 5, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn to_frozen(&self) -> Result<FrozenComplex, Error> {
+        let mut lists = self.simplices.lists().clone();
+        (0..self.vertex_count() as u32).for_each(|vertex| lists.push(&[vertex]));
+        FrozenComplex::from_facets(&lists)
+    }
+
     /// The number of vertices of all levels.
     pub fn vertex_count(&self) -> usize {
         self.base_vertex_count as usize * self.heights.len()

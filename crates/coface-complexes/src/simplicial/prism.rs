@@ -91,7 +91,7 @@ pub(super) fn fill_windows(simplex: &[u32], lower: u32, upper: u32, items: &mut 
 /// let terms = [(0, 1), (1, -1), (2, 1)].map(|(edge, x)| (CellId::new(edge), Integer::from(x)));
 /// let cycle = Chain::new(&circle.chain_complex()?, 1, terms)?;
 /// let ends = annulus.bottom().image(&cycle)?.minus(&annulus.top().image(&cycle)?)?;
-/// assert_eq!(annulus.chain_complex().boundary(&annulus.over(&cycle)?)?, ends);
+/// assert_eq!(annulus.chain_complex()?.boundary(&annulus.over(&cycle)?)?, ends);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
@@ -176,8 +176,11 @@ impl Prism {
     }
 
     /// The chain complex of the product.
-    pub fn chain_complex(&self) -> &ChainComplex {
-        &self.chain_complex
+    ///
+    /// # Errors
+    /// None: it is copied.
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        Ok(self.chain_complex.clone())
     }
 
     /// What is added to the number of a vertex for its copy at the upper end: one more than the greatest number.
@@ -323,11 +326,11 @@ mod tests {
             let own = base.chain_complex().unwrap();
             let prism = Prism::new(&base).unwrap();
             prism.complex().check().unwrap();
-            prop_assert_eq!(prism.chain_complex().euler_characteristic(), own.euler_characteristic());
+            prop_assert_eq!(prism.chain_complex().unwrap().euler_characteristic(), own.euler_characteristic());
             for degree in 0..own.degree_count() {
                 for cell in (0..own.cell_count(degree)).map(CellId::new) {
                     let chain = Chain::new(&own, degree, [(cell, Integer::ONE)]).unwrap();
-                    let around = prism.chain_complex().boundary(&prism.over(&chain).unwrap()).unwrap();
+                    let around = prism.chain_complex().unwrap().boundary(&prism.over(&chain).unwrap()).unwrap();
                     let mut ends = prism.top().image(&chain).unwrap().minus(&prism.bottom().image(&chain).unwrap()).unwrap();
                     if degree % 2 == 1 {
                         ends = ends.negated();

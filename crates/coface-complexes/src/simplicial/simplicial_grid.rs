@@ -1,7 +1,7 @@
 //! Simplicial grids: cubes cut into simplices by repeated extrusion of a point, in closed form.
 
-use super::SignedSimplices;
 use super::prism::{fill_windows, window_sign};
+use super::{FrozenComplex, SignedSimplices};
 use coface_algebra::{Error, ErrorKind};
 use coface_algebra::{RaggedArray, Sign};
 use coface_geometry::Positions;
@@ -108,6 +108,24 @@ impl SimplicialGrid {
             });
         let lists = RaggedArray::uniform(width, items)?;
         Ok(SignedSimplices::from_trusted(lists, signs.repeat(self.cube_count as usize)))
+    }
+
+    /// The simplices with all their faces; without simplices, the vertices.
+    ///
+    /// # Errors
+    /// Those of [`Self::simplices`] and [`FrozenComplex::from_facets`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// assert_eq!(SimplicialGrid::new(&[2, 1])?.to_frozen()?.f_vector(), [6, 9, 4]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn to_frozen(&self) -> Result<FrozenComplex, Error> {
+        if self.simplex_count == 0 {
+            return FrozenComplex::from_facets(&RaggedArray::uniform(1, (0..self.vertex_count).collect())?);
+        }
+        FrozenComplex::from_facets(self.simplices()?.lists())
     }
 
     /// The facets of only one simplex, with the signs that they have in its boundary: together they are the boundary of the

@@ -123,7 +123,7 @@ impl SurfaceComponent {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // Three loops, each between two monogons.
     /// let mesh = HalfedgeMesh::from_next((0..6).collect())?;
-    /// let components = GeneralizedMap::new(mesh.two_skeleton())?.components();
+    /// let components = GeneralizedMap::new(mesh.two_skeleton()?)?.components();
     /// assert_eq!(SurfaceComponent::names(&components).as_deref(), Some("3 spheres"));
     /// # Ok(()) }
     /// ```
@@ -292,7 +292,7 @@ impl PolygonMesh {
         let empty = SurfaceComponent { f_vector: [0; 3], boundary_count: 0, surface: None };
         let mut parts = vec![empty; components.count()];
         if let [only] = &mut parts[..] {
-            only.f_vector = self.f_vector();
+            only.f_vector = [self.vertex_count(), self.edge_count(), self.face_count()];
         } else {
             for vertex in 0..self.vertex_count() as u32 {
                 parts[part_of(vertex)].f_vector[0] += 1;

@@ -434,7 +434,7 @@ mod tests {
         repair.split_edges(FacesAtEdge::CoherentPairs).unwrap();
         let verdict = repair.mesh().manifold_verdict();
         assert!(verdict.is_manifold() && verdict.is_closed());
-        assert_eq!((repair.mesh().f_vector(), repair.mesh().components().count()), ([8, 12, 8], 2));
+        assert_eq!((repair.mesh().f_vector(), repair.mesh().components().count()), (vec![8, 12, 8], 2));
     }
 
     #[test]

@@ -80,7 +80,7 @@ fn complex_of(model: &Model, structure: Option<&Structure>) -> Result<ChainCompl
     Ok(match structure {
         Some(Structure::Facets(facets)) => FrozenComplex::from_facets(facets)?.chain_complex()?,
         Some(Structure::Halfedges { next, twin }) => {
-            HalfedgeMesh::from_permutations(next, twin)?.chain_complex()
+            HalfedgeMesh::from_permutations(next, twin)?.chain_complex()?
         }
         Some(Structure::Chains(complex)) => complex.clone(),
         Some(Structure::Gluings(table)) => table.faces()?.chain_complex()?,
@@ -88,10 +88,10 @@ fn complex_of(model: &Model, structure: Option<&Structure>) -> Result<ChainCompl
         None => {
             let (count, segments) = (model.vertex_count(), segments(model.lines()));
             if model.cells().is_empty() {
-                PolygonMesh::new(count, model.polygons().clone(), &segments)?.into_chain_complex()
+                PolygonMesh::new(count, model.polygons().clone(), &segments)?.into_chain_complex()?
             } else {
                 let (shapes, cells) = (model.shapes().to_vec(), model.cells().clone());
-                CellMesh::new(count, shapes, cells, model.polygons(), &segments)?.into_chain_complex()
+                CellMesh::new(count, shapes, cells, model.polygons(), &segments)?.into_chain_complex()?
             }
         }
     })

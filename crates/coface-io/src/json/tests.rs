@@ -128,7 +128,7 @@ proptest! {
     ) {
         let mesh = PolygonMesh::new(8, RaggedArray::from_lists(triangles), &[]).unwrap();
         let positions = Positions::from_flat(3, coordinates).unwrap();
-        let model = Model::from_chains(mesh.chain_complex(), positions).unwrap();
+        let model = Model::from_chains(mesh.chain_complex().unwrap(), positions).unwrap();
         let mut bytes = Vec::new();
         write(&model, &mut bytes).unwrap();
         let again = read(&bytes[..]).unwrap();

@@ -57,10 +57,10 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
 fn mesh_complex(model: &Model) -> Result<ChainComplex, Error> {
     let (count, segments) = (model.vertex_count(), segments(model.lines()));
     if model.cells().is_empty() {
-        return Ok(PolygonMesh::new(count, model.polygons().clone(), &segments)?.into_chain_complex());
+        return PolygonMesh::new(count, model.polygons().clone(), &segments)?.into_chain_complex();
     }
     let (shapes, cells) = (model.shapes().to_vec(), model.cells().clone());
-    Ok(CellMesh::new(count, shapes, cells, model.polygons(), &segments)?.into_chain_complex())
+    CellMesh::new(count, shapes, cells, model.polygons(), &segments)?.into_chain_complex()
 }
 
 /// A mesh of simplices: its cells, then the vertices that none of them has. Any other: its chain complex.

@@ -278,7 +278,7 @@ fn covers_of_meshes_are_quick() {
 
 /// Each triangle in four.
 pub(super) fn split_edges(map: &GeneralizedMap) -> GeneralizedMap {
-    let [v, ..] = map.f_vector();
+    let v = map.vertex_count();
     let middle = |side| (v + map.edge(side).index()) as u32;
     let triangles = (0..map.f_vector()[2]).map(FaceId::new).flat_map(|face| {
         let sides: Vec<_> = map.sides_of(face).collect();

@@ -116,14 +116,14 @@ impl UniversalCover {
     }
 
     /// The numbers of vertices, edges and faces.
-    pub fn f_vector(&self) -> [usize; 3] {
+    pub fn f_vector(&self) -> Vec<usize> {
         self.skeleton.f_vector()
     }
 
     /// Vertices minus edges plus faces: 2 for the whole cover of a sphere or projective plane, else 1, a disk.
     pub fn euler_characteristic(&self) -> i64 {
-        let [v, e, f] = self.f_vector();
-        v as i64 - e as i64 + f as i64
+        let skeleton = &self.skeleton;
+        skeleton.vertex_count() as i64 - skeleton.edge_count() as i64 + skeleton.face_count() as i64
     }
 
     /// The fundamental group of the component. Its generators are the loops of the fundamental domain.

@@ -106,7 +106,8 @@ fn decide<C: Coefficient>(
     zero: &C,
     is_zero: impl Fn(&C) -> bool,
 ) -> Result<Exactness<C>, Error> {
-    let [vertex_count, edge_count, face_count] = skeleton.f_vector();
+    let (vertex_count, edge_count, face_count) =
+        (skeleton.vertex_count(), skeleton.edge_count(), skeleton.face_count());
     if cochain.degree() != 1 {
         return Err(Error::new(
             ErrorKind::Shape,

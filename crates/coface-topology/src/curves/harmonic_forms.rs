@@ -68,7 +68,7 @@ impl HarmonicForm {
 /// use coface_topology::cotangent_weights;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let mesh = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2], [0, 2, 3]]), &[])?;
-/// let square = GeneralizedMap::new(mesh.two_skeleton())?;
+/// let square = GeneralizedMap::new(mesh.two_skeleton()?)?;
 /// // The edges are 01, 02, 03, 12, 23.
 /// let weights = cotangent_weights(&square, &[1.0, 2.0_f64.sqrt(), 1.0, 1.0, 1.0])?;
 /// let expected = [0.5, 0.0, 0.5, 0.5, 0.5];
@@ -127,7 +127,7 @@ pub fn cotangent_weights(map: &GeneralizedMap, lengths: &[f64]) -> Result<Vec<f6
 /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
 /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
 /// let trees = TreeCotree::new(&torus);
 /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
 /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
@@ -140,7 +140,7 @@ pub fn harmonic_forms(
     weights: &[f64],
 ) -> Result<Vec<HarmonicForm>, Error> {
     let skeleton = map.skeleton();
-    let [vertex_count, edge_count, _] = skeleton.f_vector();
+    let (vertex_count, edge_count) = (skeleton.vertex_count(), skeleton.edge_count());
     if weights.len() != edge_count {
         return Err(Error::new(
             ErrorKind::Shape,

@@ -67,7 +67,7 @@ pub(super) struct LocalDual {
 
 impl<'a> RootSearch<'a> {
     pub(super) fn new(map: &'a GeneralizedMap, lengths: &'a [f64]) -> Self {
-        let [vertex_count, _, face_count] = map.f_vector();
+        let (vertex_count, face_count) = (map.vertex_count(), map.face_count());
         Self {
             map,
             lengths,

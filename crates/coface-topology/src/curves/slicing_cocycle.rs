@@ -37,7 +37,7 @@ use coface_complexes::surface::{FaceOrientation, GeneralizedMap};
 /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
 /// use coface_topology::{ClosedWalk, slicing_cocycle};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
 /// let first = ClosedWalk::new(torus.skeleton(), vec![0])?;
 /// assert_eq!(slicing_cocycle(&torus, &first)?.to_string(), "-c1");
 /// # Ok(()) }
@@ -64,7 +64,7 @@ pub fn slicing_cocycle(map: &GeneralizedMap, walk: &ClosedWalk) -> Result<Cochai
 /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
 /// use coface_topology::{ClosedWalk, intersection_number};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
 /// let walk = |step: u32| ClosedWalk::new(torus.skeleton(), vec![step]);
 /// assert_eq!(intersection_number(&torus, &walk(0)?, &walk(2)?)?, 1);
 /// assert_eq!(intersection_number(&torus, &walk(2)?, &walk(0)?)?, -1);

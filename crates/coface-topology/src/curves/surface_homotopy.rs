@@ -23,7 +23,7 @@ use coface_complexes::surface::GeneralizedMap;
 /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
 /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+/// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
 /// let trees = TreeCotree::new(&torus);
 /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
 /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -78,7 +78,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// # Errors
     /// [`ErrorKind::NotInComplex`] for a walk that is not of this surface.
     pub fn component(&self, walk: &ClosedWalk) -> Result<Option<usize>, Error> {
-        let [vertex_count, edge_count, _] = self.map.f_vector();
+        let (vertex_count, edge_count) = (self.map.vertex_count(), self.map.edge_count());
         if let Some(step) = walk.steps().iter().find(|&&step| (step >> 1) as usize >= edge_count) {
             return Err(Error::new(
                 ErrorKind::NotInComplex,

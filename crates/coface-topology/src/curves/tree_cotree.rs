@@ -347,7 +347,7 @@ impl TreeCotree {
     /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let loops: Vec<_> =
     ///     trees.components()[0].generators().iter().map(|&e| trees.based_loop(&torus, e)).collect();

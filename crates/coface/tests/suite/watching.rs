@@ -50,7 +50,7 @@ fn complex(side: u32) -> ChainComplex {
 fn map(side: u32) -> GeneralizedMap {
     let model = model(side);
     let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &[]).unwrap();
-    GeneralizedMap::new(mesh.two_skeleton()).unwrap()
+    GeneralizedMap::new(mesh.two_skeleton().unwrap()).unwrap()
 }
 
 /// A matrix that no entry of divides another.
@@ -152,7 +152,7 @@ fn stages_come_in_order() {
         let euler = watch.run(|| {
             let model = io::read(&bytes[..], Format::Off).unwrap();
             let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &[]).unwrap();
-            let complex = mesh.into_chain_complex();
+            let complex = mesh.into_chain_complex().unwrap();
             MorseComplex::new(&complex).critical_count(1)
         });
         is_done.store(true, Ordering::Relaxed);

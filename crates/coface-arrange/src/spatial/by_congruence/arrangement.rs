@@ -116,14 +116,17 @@ pub fn arrange_by_congruence(
 
 impl CongruenceArrangement {
     /// The numbers of vertices, edges, faces and bounded cells.
-    pub fn f_vector(&self) -> [usize; 4] {
-        [0, 1, 2, 3].map(|degree| self.complex.cell_count(degree))
+    pub fn f_vector(&self) -> Vec<usize> {
+        self.complex.f_vector().to_vec()
     }
 
     /// The chain complex of vertices, edges, faces and cells. A face has coefficient 1 in the boundary of the cell behind it and -1
     /// in that of the cell in front. An edge inside a face (a slit) is not in its boundary.
-    pub fn chain_complex(&self) -> &ChainComplex {
-        &self.complex
+    ///
+    /// # Errors
+    /// None: it is copied.
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        Ok(self.complex.clone())
     }
 
     /// The positions of the vertices: corners of polygons where they are.

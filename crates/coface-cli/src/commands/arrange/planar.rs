@@ -63,7 +63,9 @@ fn page(arranged: &DrawingArrangement, object: &Value) -> String {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };
     let count = |key: &str| text::grouped(object[key].as_u64().unwrap_or(0) as usize);
-    let [vertices, edges, faces] = arranged.arrangement().f_vector();
+    let arrangement = arranged.arrangement();
+    let (vertices, edges, faces) =
+        (arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count());
     fact("vertices", text::grouped(vertices), "");
     fact("edges", text::grouped(edges), "");
     fact("faces", text::grouped(faces), "bounded ones");

@@ -211,7 +211,7 @@ pub(super) fn check_full(degree: usize, positions: &Positions) -> Result<(), Err
 /// use coface_geometry::Positions;
 /// use coface_complexes::surface::PolygonMesh;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?.chain_complex();
+/// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?.chain_complex()?;
 /// let positions = Positions::from_flat(2, vec![0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0])?;
 /// assert_eq!(signed_measures(&square, &positions)?, [4.0]);
 /// # Ok(()) }

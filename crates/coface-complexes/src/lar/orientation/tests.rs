@@ -32,7 +32,7 @@ fn grid_positions(shape: [u32; 3], origin: f64, side: f64) -> Vec<f64> {
 /// By hand: faces 0123, 4567, 0145, 2367, 0246, 1357 with their lowest edge positive.
 #[test]
 fn the_faces_of_the_cube_have_their_signs() {
-    let complex = cube().chain_complex(TopOrientation::LowestFacet, None).unwrap();
+    let complex = cube().oriented_chain_complex(TopOrientation::LowestFacet, None).unwrap();
     let faces = complex.boundary_matrix(2).unwrap();
     let rows = [
         [1, -1, 0, 0, -1, 1, 0, 0, 0, 0, 0, 0],
@@ -50,7 +50,7 @@ fn the_faces_of_the_cube_have_their_signs() {
 
 #[test]
 fn the_cube_and_its_exterior_sum_to_zero() {
-    let complex = cube().chain_complex(TopOrientation::LowestFacet, None).unwrap();
+    let complex = cube().oriented_chain_complex(TopOrientation::LowestFacet, None).unwrap();
     let solid = OrientedCells::connected(complex.boundary_matrix(3).unwrap().clone());
     let space = solid.with_exterior().unwrap();
     assert_eq!(space.cell_count(), 2);
@@ -86,9 +86,9 @@ fn nested_squares() -> (LarModel, Positions) {
 #[test]
 fn nested_squares_have_holes() {
     let (model, positions) = nested_squares();
-    let error = model.chain_complex(TopOrientation::LowestFacet, None).unwrap_err();
+    let error = model.oriented_chain_complex(TopOrientation::LowestFacet, None).unwrap_err();
     assert!(error.message().contains("has 2 components"), "{error}");
-    let complex = model.chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
+    let complex = model.oriented_chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
     let faces = complex.boundary_matrix(2).unwrap();
     assert_eq!(faces.column(0).rows().len(), 8);
     assert_eq!(signed_measures(&complex, &positions).unwrap(), [12.0, 3.75, 0.25]);
@@ -99,7 +99,7 @@ fn nested_squares_have_holes() {
     // In space the same, with the lowest edge of each face positive.
     let flat: Vec<f64> = positions.as_flat().chunks(2).flat_map(|p| [p[0], p[1], p[0] + p[1]]).collect();
     let inclined = Positions::from_flat(3, flat).unwrap();
-    let complex = model.chain_complex(TopOrientation::LowestFacet, Some(&inclined)).unwrap();
+    let complex = model.oriented_chain_complex(TopOrientation::LowestFacet, Some(&inclined)).unwrap();
     assert_eq!(complex.boundary_matrix(2).unwrap().column(0).entries(), [1, 1, 1, -1, -1, -1, -1, 1]);
 }
 
@@ -108,7 +108,11 @@ fn components_that_positions_do_not_relate_are_refused() {
     let (model, positions) = nested_squares();
     let refused = |flat: Vec<f64>| {
         let positions = Positions::from_flat(2, flat).unwrap();
-        model.chain_complex(TopOrientation::Positive, Some(&positions)).unwrap_err().message().to_owned()
+        model
+            .oriented_chain_complex(TopOrientation::Positive, Some(&positions))
+            .unwrap_err()
+            .message()
+            .to_owned()
     };
     let mut flat = positions.as_flat().to_vec();
     flat[8..16].fill(1.0);
@@ -118,7 +122,7 @@ fn components_that_positions_do_not_relate_are_refused() {
     flat[8..16].copy_from_slice(&square(9.0, 4.0));
     assert!(refused(flat).contains("cell 0, with facets 0 and 4, have the same area"));
     assert!(refused(vec![0.0; 6]).contains("3 positions for 12 vertices"));
-    let error = model.chain_complex(TopOrientation::Positive, None).unwrap_err();
+    let error = model.oriented_chain_complex(TopOrientation::Positive, None).unwrap_err();
     assert!(error.message().contains("components"), "{error}");
 }
 
@@ -139,15 +143,15 @@ fn a_void_of_a_cube_runs_opposite() {
     let model = LarModel::new(16, vec![twice(1, 8), twice(2, 8), solids]).unwrap();
     let flat = [grid_positions([1, 1, 1], 0.0, 1.0), grid_positions([1, 1, 1], 0.25, 0.5)].concat();
     let positions = Positions::from_flat(3, flat).unwrap();
-    assert!(model.chain_complex(TopOrientation::Coherent, None).is_err());
-    let complex = model.chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
+    assert!(model.oriented_chain_complex(TopOrientation::Coherent, None).is_err());
+    let complex = model.oriented_chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
     let solids = complex.boundary_matrix(3).unwrap();
     assert_eq!(solids.column(0).rows().len(), 12);
     assert_eq!(signed_measures(&complex, &positions).unwrap(), [0.875, 0.125]);
     for face in 6..12 {
         assert_eq!(solids.entry(face, 0) + solids.entry(face, 1), 0);
     }
-    let low = model.chain_complex(TopOrientation::LowestFacet, Some(&positions)).unwrap();
+    let low = model.oriented_chain_complex(TopOrientation::LowestFacet, Some(&positions)).unwrap();
     assert_eq!(low.boundary_matrix(3).unwrap().entry(0, 0), 1);
     let sizes: Vec<f64> = signed_measures(&low, &positions).unwrap().into_iter().map(f64::abs).collect();
     assert_eq!(sizes, [0.875, 0.125]);
@@ -221,9 +225,9 @@ fn a_boundary_that_is_no_orientable_surface_names_a_chain() {
 fn cells_that_cannot_agree_are_named() {
     let triangles = RaggedArray::from_lists([[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]]);
     let band = LarModel::try_from(&FrozenComplex::from_facets(&triangles).unwrap()).unwrap();
-    let error = band.chain_complex(TopOrientation::Coherent, None).unwrap_err();
+    let error = band.oriented_chain_complex(TopOrientation::Coherent, None).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::NonManifold);
-    let complex = band.chain_complex(TopOrientation::LowestFacet, None).unwrap();
+    let complex = band.oriented_chain_complex(TopOrientation::LowestFacet, None).unwrap();
     let found = OrientedCells::connected(complex.boundary_matrix(2).unwrap().clone()).coherence().unwrap();
     assert_eq!((found.is_orientable(), found.odd_chain().unwrap().cells().len()), (Some(false), 5));
     assert_eq!(found.odd_chain().unwrap().facets().len(), 5);
@@ -326,7 +330,7 @@ proptest! {
         }
         let positions = Positions::from_flat(3, moved).unwrap();
         let renamed = LarModel::new(model.vertex_count(), cells).unwrap();
-        let complex = renamed.chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
+        let complex = renamed.oriented_chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
         for volume in signed_measures(&complex, &positions).unwrap() {
             prop_assert!((volume - 1.0).abs() < 1e-12);
         }
@@ -384,11 +388,12 @@ proptest! {
 fn lengths_on_a_line_are_made_positive() {
     let model = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2], [2, 0]])]).unwrap();
     let positions = Positions::from_flat(1, vec![0.0, -1.0, 5.0]).unwrap();
-    let complex = model.chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
+    let complex = model.oriented_chain_complex(TopOrientation::Positive, Some(&positions)).unwrap();
     assert_eq!(signed_measures(&complex, &positions).unwrap(), [1.0, 6.0, 5.0]);
     let plane = Positions::from_flat(2, vec![0.0; 6]).unwrap();
-    assert!(model.chain_complex(TopOrientation::Positive, Some(&plane)).is_err());
-    assert!(model.chain_complex(TopOrientation::Positive, None).is_err());
-    let points = LarModel::new(2, vec![]).unwrap().chain_complex(TopOrientation::Coherent, None).unwrap();
+    assert!(model.oriented_chain_complex(TopOrientation::Positive, Some(&plane)).is_err());
+    assert!(model.oriented_chain_complex(TopOrientation::Positive, None).is_err());
+    let points =
+        LarModel::new(2, vec![]).unwrap().oriented_chain_complex(TopOrientation::Coherent, None).unwrap();
     assert_eq!(points.f_vector(), [2]);
 }

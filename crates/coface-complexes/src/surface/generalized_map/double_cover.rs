@@ -66,7 +66,7 @@ impl GeneralizedMap {
     /// ```
     pub fn orientation_double_cover(&self) -> OrientationDoubleCover {
         let colors = self.flag_colors();
-        let [vertex_count, edge_count, _] = self.f_vector();
+        let (vertex_count, edge_count) = (self.vertex_count(), self.edge_count());
         // An edge has two lifts. Lift 0 is below the face of its first side as listed, that is in sheet 0.
         let lift_of_vertex = |flag: u32, sheet: u32| {
             2 * self.flag_vertex(flag).to_u32() + (u32::from(colors[flag as usize]) ^ (flag & 1) ^ sheet)

@@ -65,7 +65,7 @@ impl GeneralizedMap {
     /// use coface_complexes::surface::{GeneralizedMap, PolygonMesh};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
-    /// let square = GeneralizedMap::new(square.two_skeleton())?;
+    /// let square = GeneralizedMap::new(square.two_skeleton()?)?;
     /// let name = |sign| {
     ///     let glued = square.glue(&[(HalfedgeId::new(0), HalfedgeId::new(2), sign)])?;
     ///     Ok::<_, coface_algebra::Error>(glued.surface().surfaces()[0].to_string())
@@ -77,7 +77,7 @@ impl GeneralizedMap {
     pub fn glue(&self, pairs: &[(HalfedgeId, HalfedgeId, Sign)]) -> Result<Glued<Self>, Error> {
         self.check_pairs(pairs)?;
         let skeleton = self.skeleton();
-        let [vertex_count, edge_count, _] = skeleton.f_vector();
+        let (vertex_count, edge_count) = (skeleton.vertex_count(), skeleton.edge_count());
         let mut vertices = UnionFind::new(vertex_count);
         // For each edge the edge that it becomes, in the old numbers, and the sign.
         let mut becomes: Vec<(u32, Sign)> = (0..edge_count as u32).map(|edge| (edge, Sign::Plus)).collect();

@@ -120,8 +120,23 @@ impl GeneralizedMap {
         &self.skeleton
     }
 
+    /// The number of vertices.
+    pub fn vertex_count(&self) -> usize {
+        self.skeleton.vertex_count()
+    }
+
+    /// The number of edges.
+    pub fn edge_count(&self) -> usize {
+        self.skeleton.edge_count()
+    }
+
+    /// The number of faces.
+    pub fn face_count(&self) -> usize {
+        self.skeleton.face_count()
+    }
+
     /// The numbers of vertices, edges and faces.
-    pub fn f_vector(&self) -> [usize; 3] {
+    pub fn f_vector(&self) -> Vec<usize> {
         self.skeleton.f_vector()
     }
 

@@ -30,7 +30,7 @@ pub fn polygon(letters: &[i32]) -> GeneralizedMap {
 
 /// The closed oriented surface of a permutation of halfedges.
 pub fn of_next(next: Vec<u32>) -> GeneralizedMap {
-    GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton()).unwrap()
+    GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton().unwrap()).unwrap()
 }
 
 /// The closed oriented surface of this genus, a sum of grids of tori.

@@ -109,7 +109,7 @@ impl GeneralizedMap {
     /// use coface_algebra::EdgeId;
     /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton();
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?;
     /// let square = GeneralizedMap::new(torus)?.slice_edges(&[EdgeId::new(0), EdgeId::new(1)])?;
     /// assert_eq!(square.surface().f_vector(), [4, 4, 1]);
     /// assert_eq!(square.surface().surfaces()[0].to_string(), "disk");
@@ -205,7 +205,7 @@ impl GeneralizedMap {
     /// Cuts all these edges; those on the boundary are passed over.
     fn slice_set(&self, is_cut: &[bool]) -> Result<Slice<Self>, Error> {
         let skeleton = self.skeleton();
-        let [vertex_count, edge_count, _] = skeleton.f_vector();
+        let (vertex_count, edge_count) = (skeleton.vertex_count(), skeleton.edge_count());
         // The side that keeps the number of a cut edge, and that which gets a copy, by rising edge.
         let mut pairs: Vec<(EdgeId, HalfedgeId, HalfedgeId)> = Vec::new();
         for edge in (0..edge_count).filter(|&edge| is_cut[edge]).map(EdgeId::new) {

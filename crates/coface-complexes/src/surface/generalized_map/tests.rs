@@ -69,7 +69,7 @@ fn double_covers_are_oriented() {
         assert!(cover.sides().all(|side| cover.agrees(side)));
         let found: Vec<String> = cover.surfaces().iter().map(ToString::to_string).collect();
         assert_eq!(found, names);
-        assert_eq!(cover.f_vector(), map.f_vector().map(|count| 2 * count));
+        assert_eq!(cover.f_vector(), map.f_vector().iter().map(|count| 2 * count).collect::<Vec<usize>>());
         for side in cover.sides() {
             let edge = cover.skeleton().edge(cover.edge(side));
             let below = map.skeleton().edge(double.edge_below(cover.edge(side)));
@@ -129,7 +129,7 @@ proptest! {
     #[test]
     fn halfedge_surfaces_are_orientable_maps(next in Just((0u32..14).collect::<Vec<_>>()).prop_shuffle()) {
         let mesh = HalfedgeMesh::from_next(next).unwrap();
-        let map = GeneralizedMap::new(mesh.two_skeleton()).unwrap();
+        let map = GeneralizedMap::new(mesh.two_skeleton().unwrap()).unwrap();
         check_flags(&map);
         let orientation = map.orientation();
         prop_assert!(orientation.conflicts().iter().all(Option::is_none));
@@ -155,7 +155,7 @@ proptest! {
     ) {
         let mesh = PolygonMesh::new(7, RaggedArray::from_lists(&triangles), &[]).unwrap();
         let survey = mesh.survey();
-        match GeneralizedMap::new(mesh.two_skeleton()) {
+        match GeneralizedMap::new(mesh.two_skeleton().unwrap()) {
             Err(_) => prop_assert!(!survey.verdict().is_manifold()),
             Ok(map) => {
                 prop_assert!(survey.verdict().is_manifold());

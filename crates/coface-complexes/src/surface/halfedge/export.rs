@@ -165,7 +165,8 @@ impl HalfedgeMesh {
     /// # Ok(()) }
     /// ```
     pub fn barycentric_subdivision(&self) -> Result<Subdivision, Error> {
-        let [vertex_count, edge_count, face_count] = self.f_vector();
+        let (vertex_count, edge_count, face_count) =
+            (self.vertex_count(), self.edge_count(), self.face_count());
         let count = self.halfedge_count();
         // The corners of faces that are not outer, numbered.
         let mut corner = vec![0u32; count];
@@ -286,7 +287,7 @@ mod tests {
             let face = FaceId::new(outer % mesh.face_count());
             let mesh = mesh.clone().with_outer_faces(&[face]).unwrap_or(mesh);
             let once = mesh.barycentric_subdivision().unwrap();
-            let [v, e, f] = mesh.f_vector();
+            let (v, e, f) = (mesh.vertex_count(), mesh.edge_count(), mesh.face_count());
             let corners = mesh.inner().halfedge_count();
             prop_assert_eq!(once.complex().f_vector(), [v + e + f, 2 * e + 2 * corners, 2 * corners]);
 

@@ -147,7 +147,7 @@ mod tests {
         let (v, e, f) =
             (|n: usize| VertexId::new(n - 1), |n: usize| EdgeId::new(n - 1), |n: usize| FaceId::new(n - 1));
         let inner = mesh.inner();
-        assert_eq!((mesh.f_vector(), inner.halfedge_count()), ([6, 9, 4], 12));
+        assert_eq!((mesh.f_vector(), inner.halfedge_count()), (vec![6, 9, 4], 12));
         assert_eq!((mesh.halfedge_count(), mesh.outer_face_count()), (18, 1));
         assert_eq!(mesh.euler_characteristic(), 1);
 

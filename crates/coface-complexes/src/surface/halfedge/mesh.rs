@@ -203,8 +203,8 @@ impl HalfedgeMesh {
     }
 
     /// The numbers of vertices, edges and faces, outer faces not counted.
-    pub fn f_vector(&self) -> [usize; 3] {
-        [self.vertex_count(), self.edge_count(), self.face_count]
+    pub fn f_vector(&self) -> Vec<usize> {
+        vec![self.vertex_count(), self.edge_count(), self.face_count]
     }
 
     /// The halfedge after this one around its face.
@@ -369,7 +369,7 @@ impl HalfedgeMesh {
 
     /// Vertices minus edges plus faces, outer faces not counted. In each component of a closed surface it is even.
     pub fn euler_characteristic(&self) -> i64 {
-        let [v, e, f] = self.f_vector();
+        let (v, e, f) = (self.vertex_count(), self.edge_count(), self.face_count());
         v as i64 - e as i64 + f as i64
     }
 
@@ -406,6 +406,9 @@ impl HalfedgeMesh {
     /// The chain complex of vertices, edges and faces in the order of their ids, outer faces left out. A face that runs
     /// along an edge once each way has no part of it in its boundary.
     ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
+    ///
     /// # Complexity
     /// Nearly linear.
     ///
@@ -415,13 +418,13 @@ impl HalfedgeMesh {
     /// use coface_complexes::surface::HalfedgeMesh;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
-    /// let complex = torus.chain_complex();
+    /// let complex = torus.chain_complex()?;
     /// assert_eq!(complex.f_vector(), [1, 2, 1]);
     /// assert!(complex.boundary_matrices().iter().all(|matrix| matrix.entry_count() == 0));
     /// # Ok(()) }
     /// ```
-    pub fn chain_complex(&self) -> ChainComplex {
-        self.two_skeleton().chain_complex().expect("fewer than 2^31 halfedges make matrices of 32 bits")
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        self.two_skeleton()?.chain_complex()
     }
 }
 

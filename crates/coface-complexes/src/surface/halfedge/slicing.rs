@@ -89,7 +89,7 @@ impl HalfedgeMesh {
 
     /// The same surface as polygons glued at their sides; outer faces are left out. The step of a side is its halfedge.
     pub(super) fn generalized_map(&self) -> GeneralizedMap {
-        GeneralizedMap::new(self.two_skeleton()).expect("a halfedge mesh is a surface")
+        self.two_skeleton().and_then(GeneralizedMap::new).expect("a halfedge mesh is a surface")
     }
 
     /// The mesh of a map whose faces agree.

@@ -29,7 +29,7 @@ pub(super) fn torus_triangles(columns: u32, rows: u32, name: impl Fn(u32) -> u32
 fn a_cone_with_a_monogon_is_a_sphere() {
     let mesh = HalfedgeMesh::from_permutations(&[1, 2, 0, 3], &[1, 0, 3, 2]).unwrap();
     mesh.check().unwrap();
-    assert_eq!((mesh.f_vector(), mesh.euler_characteristic(), mesh.genus()), ([2, 2, 2], 2, 0));
+    assert_eq!((mesh.f_vector(), mesh.euler_characteristic(), mesh.genus()), (vec![2, 2, 2], 2, 0));
     let sources: Vec<usize> = mesh.halfedges().map(|h| mesh.source(h).index()).collect();
     assert_eq!(sources, [0, 1, 0, 0]);
     let sizes: Vec<usize> = (0..2).map(|f| mesh.face_halfedges(FaceId::new(f)).count()).collect();
@@ -49,7 +49,7 @@ fn small_permutations_have_the_known_orbits() {
     for (next, f_vector, genus) in table {
         let mesh = HalfedgeMesh::from_next(next.to_vec()).unwrap();
         mesh.check().unwrap();
-        assert_eq!((mesh.f_vector(), mesh.genus()), (f_vector, genus), "{next:?}");
+        assert_eq!((mesh.f_vector(), mesh.genus()), (f_vector.to_vec(), genus), "{next:?}");
     }
     let spheres = HalfedgeMesh::from_next((0..10).collect()).unwrap();
     assert_eq!((spheres.component_count(), spheres.euler_characteristic()), (5, 10));
@@ -191,17 +191,17 @@ fn polygons_that_are_no_surface_are_refused_with_the_place() {
 fn degenerate_polygon_meshes_are_ordinary() {
     let empty = HalfedgeMesh::from_polygons(0, &RaggedArray::new()).unwrap();
     empty.check().unwrap();
-    assert_eq!((empty.f_vector(), empty.genus(), empty.surface()), ([0; 3], 0, None));
+    assert_eq!((empty.f_vector(), empty.genus(), empty.surface()), (vec![0; 3], 0, None));
     let points = HalfedgeMesh::from_polygons(3, &RaggedArray::new()).unwrap();
     points.check().unwrap();
-    assert_eq!((points.f_vector(), points.component_count(), points.genus()), ([3, 0, 0], 3, 0));
-    assert_eq!(points.chain_complex().f_vector(), [3]);
+    assert_eq!((points.f_vector(), points.component_count(), points.genus()), (vec![3, 0, 0], 3, 0));
+    assert_eq!(points.chain_complex().unwrap().f_vector(), [3]);
     assert_eq!(points.vertex_halfedge(VertexId::new(1)), None);
     assert_eq!(points.halfedges_leaving(VertexId::new(1)).count(), 0);
     // Two triangles with the same vertices are a sphere; an isolated vertex stays.
     let pillow = HalfedgeMesh::from_polygons(4, &lists(&[vec![0, 1, 2], vec![2, 1, 0]])).unwrap();
     pillow.check().unwrap();
-    assert_eq!((pillow.f_vector(), pillow.genus(), pillow.is_closed()), ([4, 3, 2], 0, true));
+    assert_eq!((pillow.f_vector(), pillow.genus(), pillow.is_closed()), (vec![4, 3, 2], 0, true));
     assert_eq!(pillow.component_count(), 2);
     assert_eq!(pillow.surface(), None);
 }
@@ -281,9 +281,9 @@ proptest! {
             faces_seen = faces_seen.max(cells.1.index() + 1);
             edges_seen = edges_seen.max(cells.2.index() + 1);
         }
-        prop_assert_eq!([seen, edges_seen, faces_seen], mesh.f_vector());
+        prop_assert_eq!(vec![seen, edges_seen, faces_seen], mesh.f_vector());
         // Closed and oriented: the sum of the faces of each component is a cycle.
-        let complex = mesh.chain_complex();
+        let complex = mesh.chain_complex().unwrap();
         prop_assert_eq!(complex.f_vector(), mesh.f_vector());
         let faces = complex.boundary_matrix(2).unwrap().transpose();
         for edge in faces.columns() {

@@ -148,7 +148,8 @@ fn the_numbers_of_known_surfaces_are_found() {
 #[test]
 fn surfaces_with_one_vertex_and_points_are_ordinary() {
     for next in [vec![], vec![0, 1], vec![1, 0], vec![2, 3, 1, 0], vec![2, 3, 4, 5, 0, 1]] {
-        let map = GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton()).unwrap();
+        let map =
+            GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton().unwrap()).unwrap();
         check(&map, &TreeCotree::new(&map));
     }
     let points = GeneralizedMap::new(TwoSkeleton::new(2, vec![], RaggedArray::new()).unwrap()).unwrap();
@@ -175,7 +176,7 @@ proptest! {
         next in Just((0u32..16).collect::<Vec<_>>()).prop_shuffle(),
         lengths in prop::collection::vec(0u8..9, 8),
     ) {
-        let map = GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton()).unwrap();
+        let map = GeneralizedMap::new(HalfedgeMesh::from_next(next).unwrap().two_skeleton().unwrap()).unwrap();
         check(&map, &TreeCotree::new(&map));
         let lengths: Vec<f64> = lengths.into_iter().map(f64::from).collect();
         check(&map, &TreeCotree::greedy(&map, None, Some(&lengths)).unwrap());
