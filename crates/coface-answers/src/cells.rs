@@ -4,6 +4,7 @@ use super::facts::{Answer, Kind, Report, Skin, Witness};
 use super::moments::{Integrals, boundary_chain};
 use super::polygons::{VertexDegrees, counted, isolated_vertices};
 use super::{Problem, ProblemKind};
+use crate::answer::{Remark, RemarkCode};
 use coface_algebra::RaggedArray;
 use coface_algebra::{CellId, EdgeId, FaceId};
 use coface_complexes::cell_mesh::{
@@ -27,12 +28,15 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3
     }
     let volumes = cell_volumes(positions, mesh.shapes(), mesh.cells());
     let inverted = volumes.map_or(0, |volumes| volumes.negative_count());
-    let warnings = match inverted {
+    let remarks = match inverted {
         0 => Vec::new(),
-        _ => vec![format!(
-            "{inverted} of {} cells have a negative volume: their vertices are listed inside out",
-            mesh.cell_count()
-        )],
+        _ => {
+            let message = format!(
+                "{inverted} of {} cells have a negative volume: their vertices are listed inside out",
+                mesh.cell_count()
+            );
+            vec![Remark::new(RemarkCode::NegativeVolume, message).at(inverted, [])]
+        }
     };
     let boundary = mesh.boundary_surface();
     let survey = boundary.mesh().survey();
@@ -65,7 +69,7 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3
         mass,
         moments,
         problems,
-        warnings,
+        remarks,
         ..Report::of_nothing()
     };
     report.homology =

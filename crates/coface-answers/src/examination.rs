@@ -4,6 +4,7 @@ use super::facts::{DataSummary, Kind, Report};
 use super::moments::{Moment, check_exponents};
 use super::producer::{Cells, Producer};
 use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
+use crate::answer::{Place, Remark, RemarkCode};
 use coface_algebra::Error;
 use coface_io::{Model, Structure};
 
@@ -60,7 +61,10 @@ impl Report {
         check_exponents(exponents)?;
         let kind = kind_of(&model);
         let mut model = model.into_parts();
-        let mut warnings = std::mem::take(&mut model.warnings);
+        let mut remarks: Vec<Remark> = std::mem::take(&mut model.warnings)
+            .into_iter()
+            .map(|warning| Remark::new(RemarkCode::InputReading, warning))
+            .collect();
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
         // Nothing of a volume is made whole but its voxels.
         let volume = match model.structure.take() {
@@ -83,9 +87,13 @@ impl Report {
             report.coherently_oriented = None;
             report.problems.retain(|problem| problem.kind() != super::ProblemKind::OrientationConflict);
         }
-        warnings.extend(report.problems.iter().map(|problem| problem.message().to_owned()));
-        warnings.append(&mut report.warnings);
-        report.warnings = warnings;
+        remarks.extend(report.problems.iter().map(|problem| {
+            Remark::new(problem.kind().into(), problem.message())
+                .at(problem.count(), problem.cells().iter().map(Place::cell))
+        }));
+        remarks.append(&mut report.remarks);
+        report.warnings = remarks.iter().map(|remark| remark.message.clone()).collect();
+        report.remarks = remarks;
         report.data = data;
         Ok(report)
     }
@@ -208,8 +216,8 @@ mod tests {
         let halfedges = Report::of(Model::from_structure(Structure::Halfedges { next, twin })).unwrap();
         assert_eq!(of(&halfedges), [("torus".into(), [1, 2, 1]), ("sphere".into(), [2, 1, 1])]);
         assert_eq!(halfedges.name(), Some("1 sphere and 1 torus"));
-        let json = halfedges.to_json(1);
-        assert_eq!((&json["surfaces"][0]["genus"], &json["genus"]), (&1.into(), &serde_json::Value::Null));
+        let answer = halfedges.answer(1);
+        assert_eq!((answer.surfaces[0].genus, answer.genus), (Some(1), None));
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The report as data.
 
 use super::{Moment, Problem};
+use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
 use coface_io::{CellData, GroupKind};
@@ -240,6 +241,7 @@ pub struct Report {
     pub(super) data: Vec<DataSummary>,
     pub(super) problems: Vec<Problem>,
     pub(super) warnings: Vec<String>,
+    pub(super) remarks: Vec<Remark>,
 }
 
 impl Report {
@@ -271,6 +273,7 @@ impl Report {
             data: Vec::new(),
             problems: Vec::new(),
             warnings: Vec::new(),
+            remarks: Vec::new(),
         }
     }
 
@@ -405,5 +408,10 @@ impl Report {
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
     pub fn warnings(&self) -> &[String] {
         &self.warnings
+    }
+
+    /// The warnings with their codes, counts and first places.
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
     }
 }

@@ -3,6 +3,7 @@
 use super::facts::{Answer, BoundaryPart, Report, Skin, Witness};
 use super::polygons::counted;
 use super::{Problem, ProblemKind};
+use crate::answer::{Remark, RemarkCode};
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_complexes::gluing::{FaceClasses, GluingOrientation, GluingTable, GluingVerdict, GluingWitness};
@@ -37,11 +38,11 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         [only] => only.surface(),
         _ => None,
     };
-    let warnings = match faces.has_folds() {
-        true => vec![
-            "homology is that of the barycentric subdivision, because face classes are identified with themselves"
-                .to_owned(),
-        ],
+    let remarks = match faces.has_folds() {
+        true => vec![Remark::new(
+            RemarkCode::SubdivisionCounted,
+            "homology is that of the barycentric subdivision, because face classes are identified with themselves",
+        )],
         false => Vec::new(),
     };
     Ok(Report {
@@ -64,7 +65,7 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         surfaces,
         homology: homology(&chains).groups().to_vec(),
         problems,
-        warnings,
+        remarks,
         ..Report::of_nothing()
     })
 }

@@ -2,15 +2,17 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
+use coface::answers::answer::to_json;
 use coface::io::replace_file;
-use serde_json::Value;
+use serde::Serialize;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-/// Prints one JSON object on standard output, with a line end.
-pub(crate) fn print_json(value: &Value) -> Result<(), Failure> {
+/// Prints one answer as a JSON object on standard output, with a line end.
+pub(crate) fn print_json(answer: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
+    let text = to_json(answer);
     print_bytes(|out| {
-        serde_json::to_writer(&mut *out, value)?;
+        out.write_all(text.as_bytes())?;
         out.write_all(b"\n")
     })
 }
@@ -44,8 +46,8 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Writes one JSON object to a file, with a line end.
-pub(crate) fn write_json(path: &Path, value: &Value) -> Result<(), Failure> {
-    write_file(path, format!("{value}\n").as_bytes())
+pub(crate) fn write_json(path: &Path, answer: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
+    write_file(path, (to_json(answer) + "\n").as_bytes())
 }
 
 /// Whether a file is one of JSON by its name.
@@ -55,7 +57,7 @@ pub(crate) fn is_json(path: &Path) -> bool {
 
 /// Gives an answer as the command line asks: to the file of -o, as the object or as the page without colors by its
 /// extension; and on standard output as the object with --json, as the page if no file was named.
-pub(crate) fn give(common: &Common, object: &Value, page: &str) -> Result<(), Failure> {
+pub(crate) fn give(common: &Common, object: &(impl Serialize + ?Sized), page: &str) -> Result<(), Failure> {
     if let Some(path) = &common.output {
         match is_json(path) {
             true => write_json(path, object)?,

@@ -3,10 +3,21 @@
 use crate::errors::invalid;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use serde::Serialize;
 use serde_json::{Map, Number, Value};
 
-/// A value as Python has it.
-pub(crate) fn to_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+/// What the library serializes, such as an answer or a JSON value, as dictionaries, lists and numbers of Python.
+pub(crate) fn to_python<'py, T: Serialize + ?Sized>(
+    py: Python<'py>,
+    answer: &T,
+) -> PyResult<Bound<'py, PyAny>> {
+    let value = serde_json::to_value(answer).map_err(|error| {
+        invalid(py, error.to_string(), "tell the authors: an answer has keys that are no texts")
+    })?;
+    value_to_python(py, &value)
+}
+
+fn value_to_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     Ok(match value {
         Value::Null => py.None().into_bound(py),
         Value::Bool(value) => PyBool::new(py, *value).to_owned().into_any(),
@@ -22,13 +33,13 @@ pub(crate) fn to_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'
         Value::String(text) => PyString::new(py, text).into_any(),
         Value::Array(items) => {
             let items: Vec<Bound<'py, PyAny>> =
-                items.iter().map(|item| to_python(py, item)).collect::<PyResult<_>>()?;
+                items.iter().map(|item| value_to_python(py, item)).collect::<PyResult<_>>()?;
             PyList::new(py, items)?.into_any()
         }
         Value::Object(fields) => {
             let dict = PyDict::new(py);
             for (key, value) in fields {
-                dict.set_item(key, to_python(py, value)?)?;
+                dict.set_item(key, value_to_python(py, value)?)?;
             }
             dict.into_any()
         }

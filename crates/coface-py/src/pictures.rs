@@ -75,7 +75,7 @@ pub(crate) fn render<'py>(
             scene.add_result("the answer", result)?;
         }
         if witness {
-            scene = scene.with_report(Report::of(source.model.clone())?.to_json(100));
+            scene = scene.with_report(&Report::of(source.model.clone())?.answer(100));
         }
         let mut style = PictureStyle::default();
         style.size = [size.0, size.1];

@@ -35,10 +35,6 @@ impl Report {
         Self { report, source }
     }
 
-    fn field<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.report.to_json(PLACES)[name])
-    }
-
     fn format(&self) -> &'static str {
         self.source.model.format().map_or("made in Python", coface::io::Format::title)
     }
@@ -120,7 +116,7 @@ impl Report {
     /// The boundary surface of a volume: a dictionary with ``faces``, ``components``, ``euler_characteristic``, ``manifold``, ``name``.
     #[getter]
     fn boundary_surface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.field(py, "boundary_surface")
+        to_python(py, &self.report.answer(PLACES).boundary_surface)
     }
 
     /// Whether it can be oriented.
@@ -150,7 +146,7 @@ impl Report {
     /// The components of a surface: dictionaries with ``f_vector``, ``euler_characteristic``, ``boundary_loops``, ``orientable``, ``genus``, ``name``.
     #[getter]
     fn surfaces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.field(py, "surfaces")
+        to_python(py, &self.report.answer(PLACES).surfaces)
     }
 
     /// The integral homology.
@@ -180,13 +176,13 @@ impl Report {
     /// What it encloses, at density 1: ``volume``, ``centroid`` and ``inertia`` about the centroid.
     #[getter]
     fn mass<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.field(py, "mass")
+        to_python(py, &self.report.answer(PLACES).mass)
     }
 
     /// The moments that were asked for: dictionaries with ``exponents``, ``volume`` and ``surface``.
     #[getter]
     fn moments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.field(py, "moments")
+        to_python(py, &self.report.answer(PLACES).moments)
     }
 
     /// What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices).
@@ -230,7 +226,7 @@ impl Report {
     /// {'betti': 1, 'degree': 0, 'torsion': []}
     #[pyo3(signature = (limit=PLACES))]
     fn to_dict<'py>(&self, py: Python<'py>, limit: usize) -> PyResult<Bound<'py, PyAny>> {
-        let dict = to_python(py, &self.report.to_json(limit))?;
+        let dict = to_python(py, &self.report.answer(limit))?;
         if let Some(format) = self.source.model.format() {
             dict.set_item("format", format.name())?;
         }
@@ -276,7 +272,7 @@ impl Report {
             .into_iter()
             .map(|(svg, caption)| (coface::pictures::pages::html::Figure::Svg(svg), caption))
             .collect();
-        let object = format!("{:#}", self.report.to_json(PLACES));
+        let object = report::answer::to_pretty_json(&self.report.answer(PLACES));
         coface::pictures::pages::html::page(
             title,
             &[coface::pictures::pages::html::Section { items, figures, object }],

@@ -40,7 +40,7 @@ pub(crate) fn _page(
         }
         if report {
             let report = Report::of(model.clone())?;
-            scene = scene.with_boundary().with_report(report.to_json(PLACES));
+            scene = scene.with_boundary().with_report(&report.answer(PLACES));
         }
         Ok(viewer::page_of(&scene.to_json()))
     })

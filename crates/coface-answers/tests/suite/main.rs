@@ -7,6 +7,7 @@ mod harmonic;
 mod lar;
 mod planar_drawings;
 mod planar_files;
+
 mod shapes;
 mod solid_booleans;
 mod surface_curves;

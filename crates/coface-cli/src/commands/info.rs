@@ -8,12 +8,13 @@ use crate::progress::Progress;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use clap::Args;
+use coface::answers::answer::{FailedInput, InfoAnswer, InfoEntry, InfoReports, to_pretty_json};
 use coface::answers::text;
 use coface::answers::{Producer, Report};
 use coface::io::{Format, Model};
 use coface::pictures::pages::html::{self, Figure, Section};
 use coface::pictures::{Picture, PictureStyle, Scene, matrix_picture};
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Say what a model is, and what is wrong with it and where.
@@ -59,7 +60,7 @@ impl Info {
         let page_file = common.output.as_deref().filter(|path| is_html(path));
         let text_file = common.output.as_deref().is_some_and(|path| !is_json(path) && !is_html(path));
         let is_shown = text_file || !as_json && common.output.is_none() && self.html.is_none();
-        let (mut objects, mut page, mut failed) = (Vec::new(), String::new(), false);
+        let (mut entries, mut page, mut failed) = (Vec::new(), String::new(), false);
         let mut sections = Vec::new();
         for path in &self.inputs {
             let is_drawn = self.html.is_some() || page_file.is_some();
@@ -74,7 +75,7 @@ impl Info {
                                 self.limit(text::FEW),
                             ),
                             figures,
-                            object: format!("{:#}", self.object(&report)),
+                            object: to_pretty_json(&self.answer(&report)),
                         });
                     }
                     report
@@ -83,14 +84,15 @@ impl Info {
                 Err(failure) => {
                     failed = true;
                     if let Failure::Message(message) = &failure {
-                        objects.push(json!({"file": input::name(path), "error": message}));
+                        let (file, error) = (input::name(path), message.clone());
+                        entries.push(InfoEntry::Failed(FailedInput { file, error }));
                     }
                     failure.say();
                     continue;
                 }
             };
             if as_json {
-                objects.push(self.object(&report));
+                entries.push(InfoEntry::Report(Box::new(self.answer(&report))));
             }
             if is_shown {
                 if !page.is_empty() {
@@ -109,15 +111,11 @@ impl Info {
             }
         }
         drop(progress);
-        let object = if self.inputs.len() == 1 {
-            objects.pop().unwrap_or_default()
+        let is_given = is_shown || common.output.as_deref().is_some_and(is_json);
+        if self.inputs.len() == 1 {
+            show(common, is_given, &entries.pop(), &page)?;
         } else {
-            json!({ "reports": objects })
-        };
-        match (is_shown || common.output.as_deref().is_some_and(is_json), common.json) {
-            (true, _) => give(common, &object, &page)?,
-            (false, true) => print_json(&object)?,
-            (false, false) => {}
+            show(common, is_given, &InfoReports { reports: entries }, &page)?;
         }
         if failed { Err(Failure::Said) } else { Ok(()) }
     }
@@ -147,14 +145,17 @@ impl Info {
         if self.all { usize::MAX } else { usual }
     }
 
-    fn object(&self, named: &Named) -> Value {
-        let mut object = json!({"file": named.name, "format": named.format.name()});
-        if let (Value::Object(object), Value::Object(facts)) =
-            (&mut object, named.report.to_json(self.limit(PLACES_IN_JSON)))
-        {
-            object.extend(facts);
-        }
-        object
+    fn answer(&self, named: &Named) -> InfoAnswer {
+        named.report.answer(self.limit(PLACES_IN_JSON)).of_file(&named.name, named.format.name())
+    }
+}
+
+/// Gives the answer as the command line asks, or prints the object alone with --json.
+fn show(common: &Common, is_given: bool, answer: &impl Serialize, page: &str) -> Result<(), Failure> {
+    match (is_given, common.json) {
+        (true, _) => give(common, answer, page),
+        (false, true) => print_json(answer),
+        (false, false) => Ok(()),
     }
 }
 
@@ -177,7 +178,7 @@ fn figures_of(name: &str, model: Model, report: &Report) -> Result<Vec<(Figure, 
     let mut figures = Vec::new();
     // What has nothing to be seen has no picture.
     if let Ok(scene) = Scene::of(name, &model) {
-        let scene = scene.with_boundary().with_report(report.to_json(PLACES_IN_JSON));
+        let scene = scene.with_boundary().with_report(&report.answer(PLACES_IN_JSON));
         let mut caption = "The model".to_owned();
         if scene.layers().iter().any(|layer| layer.group == "witness") {
             caption += ", what is wrong with it in red";

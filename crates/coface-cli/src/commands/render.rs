@@ -255,7 +255,7 @@ impl Render {
         }
         if self.witness {
             progress.stage(format!("examining {}", loaded.name));
-            scene = scene.with_report(Report::of(loaded.model).map_err(in_file)?.to_json(100));
+            scene = scene.with_report(&Report::of(loaded.model).map_err(in_file)?.answer(100));
             progress.stage("drawing");
         }
         let picture = Picture::new(&scene, &self.style(&scene))?;

@@ -45,7 +45,7 @@ impl View {
         if let Some(model) = model.filter(|_| !self.no_report) {
             progress.stage(format!("examining {name}"));
             let report = Report::of(model).map_err(|error| error.in_file(name.clone()))?;
-            scene = scene.with_boundary().with_report(report.to_json(100));
+            scene = scene.with_boundary().with_report(&report.answer(100));
         }
         progress.stage("writing the page");
         let page = coface::pictures::pages::viewer::page_of(&scene.to_json());

@@ -6,6 +6,7 @@ use super::shading::shaded;
 use super::{Layer, Pane, layout};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_answers::answer::InfoAnswer;
 use coface_answers::triangulated;
 use coface_io::{Model, Structure};
 use serde_json::Value;
@@ -111,35 +112,33 @@ impl Scene {
         }
     }
 
-    /// The same with a report beside it, as JSON; its witness and its problems become layers.
-    pub fn with_report(mut self, report: Value) -> Self {
-        let witness = &report["manifold"]["witness"];
-        let problems = report["problems"].as_array().into_iter().flatten();
-        let marks = problems.map(|problem| {
-            let count = problem["count"].as_u64().unwrap_or(0);
-            (problem["kind"].as_str().unwrap_or("problem").replace('_', " "), count, problem)
-        });
-        let mut found: Vec<(String, u64, &Value)> = marks.collect();
+    /// The same with a report beside it; its witness and its problems become layers.
+    pub fn with_report(mut self, report: &InfoAnswer) -> Self {
+        let marks = report
+            .problems
+            .iter()
+            .map(|problem| (problem.kind.replace('_', " "), problem.count, &problem.message, &problem.cells));
+        let mut found: Vec<(String, usize, &String, &Vec<Vec<u32>>)> = marks.collect();
         // The witness is one of the places of such a problem.
-        if !witness.is_null() && !found.iter().any(|mark| mark.0.starts_with("nonmanifold")) {
-            found.push(("no manifold".to_owned(), 1, witness));
+        if let Some(witness) = &report.manifold.witness
+            && !found.iter().any(|mark| mark.0.starts_with("nonmanifold"))
+        {
+            found.push(("no manifold".to_owned(), 1, &witness.message, &witness.cells));
         }
-        for (name, count, fault) in found {
+        for (name, count, message, cells) in found {
             let mut layer = Layer::new("witness", name);
-            let message = fault["message"].as_str().unwrap_or_default();
-            layer.detail = if count > 1 { format!("{count}: {message}") } else { message.to_owned() };
+            layer.detail = if count > 1 { format!("{count}: {message}") } else { message.clone() };
             layer.is_on = true;
-            for cell in fault["cells"].as_array().into_iter().flatten() {
-                let vertices = super::results::vertices(cell);
+            for vertices in cells {
                 if self.parts.cells.is_empty() && vertices.len() > 3 {
-                    layer.push_fan(&vertices);
+                    layer.push_fan(vertices);
                 } else {
-                    layer.push_simplex(&vertices);
+                    layer.push_simplex(vertices);
                 }
             }
             self.push_layer(layer);
         }
-        self.report = report;
+        self.report = serde_json::to_value(report).unwrap_or_default();
         self
     }
 

@@ -184,7 +184,11 @@ pub fn report_on(model: Model, name: &str, reading: Reading) -> Result<Value, Er
     let report = Report::of(model).map_err(|error| error.in_file(name))?;
     let mut row = json!({"file": name, "format": format.name()});
     let limit = if reading.all_places { usize::MAX } else { PLACES };
-    if let (Value::Object(row), Value::Object(facts)) = (&mut row, report.to_json(limit)) {
+    let facts =
+        serde_json::to_value(report.answer(limit)).map_err(|error| Error::invalid(error.to_string()))?;
+    if let (Value::Object(row), Value::Object(mut facts)) = (&mut row, facts) {
+        // A row has the warnings.
+        facts.remove("remarks");
         row.extend(facts);
     }
     Ok(row)

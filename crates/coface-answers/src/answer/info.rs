@@ -1,0 +1,337 @@
+//! The answer of `info`: the report on a model.
+
+use super::{HomologyGroup, Remark};
+use crate::{Problem, Report};
+use coface_complexes::surface::{SurfaceComponent, SurfaceType};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The report on one model. A notion that does not apply is `null`. Lengths, areas and volumes are in the unit of the file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct InfoAnswer {
+    /// The name of the input; absent for a model that was made in memory.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub file: Option<String>,
+    /// The format of the input, such as `off`; absent for a model that was made in memory.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub format: Option<String>,
+    /// What sort of thing the model is: `complex`, `surface`, `volume` or `planar`.
+    pub kind: String,
+    /// The highest degree of a cell; `null` for the empty complex.
+    pub dimension: Option<usize>,
+    /// The numbers of cells of degrees 0, 1, ... up to the dimension.
+    pub f_vector: Vec<usize>,
+    /// How many cells of the highest degree have which shape.
+    pub top_cells: Vec<CellsOfShape>,
+    /// Whether every cell is a face of a cell of the highest degree; `null` for a chain complex.
+    pub pure: Option<bool>,
+    /// The number of connected components; an isolated vertex is one.
+    pub components: usize,
+    /// The alternating sum of the numbers of cells.
+    pub euler_characteristic: i64,
+    /// Whether the model without its isolated vertices is a manifold.
+    pub manifold: ManifoldAnswer,
+    /// The number of connected components of the graph of edges with one face; `null` unless the dimension is 2.
+    pub boundary_loops: Option<usize>,
+    /// The boundary of a volume; `null` for everything else and where there is none.
+    pub boundary_surface: Option<BoundarySurface>,
+    /// Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three.
+    pub orientable: Option<bool>,
+    /// Whether neighboring top cells agree as the file gives them.
+    pub coherently_oriented: Option<bool>,
+    /// The genus of a connected surface; of a non-orientable one the number of cross-caps.
+    pub genus: Option<usize>,
+    /// The surface in words, such as `torus`; `null` if a component is no surface.
+    pub name: Option<String>,
+    /// The components of a model of polygons, isolated vertices left out.
+    pub surfaces: Vec<SurfaceAnswer>,
+    /// The integral homology of degrees 0, 1, ... up to the dimension.
+    pub homology: Vec<HomologyGroup>,
+    /// The area of a surface, in the square of the unit of the file; `null` without positions.
+    pub area: Option<f64>,
+    /// The enclosed volume, in the cube of the unit of the file, positive when faces run counterclockwise seen from outside.
+    pub signed_volume: Option<f64>,
+    /// The center of the area of a surface in space.
+    pub surface_centroid: Option<[f64; 3]>,
+    /// Volume, center and inertia of the solid of density 1 that the model encloses.
+    pub mass: Option<MassAnswer>,
+    /// The integrals of monomials that were asked for.
+    pub moments: Vec<MomentAnswer>,
+    /// The named numbers on vertices, lines, polygons and cells.
+    pub data: Vec<DataAnswer>,
+    /// What is wrong, and where.
+    pub problems: Vec<ProblemAnswer>,
+    /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
+    pub warnings: Vec<String>,
+    /// The warnings with their codes, counts and first places.
+    pub remarks: Vec<Remark>,
+}
+
+/// How many cells have a shape.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct CellsOfShape {
+    /// The shape, such as `triangle`.
+    pub shape: String,
+    /// How many cells have it.
+    pub count: usize,
+}
+
+/// Whether a model is a manifold, with or without boundary.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ManifoldAnswer {
+    /// `yes`, `no` or `unknown`.
+    pub verdict: String,
+    /// Whether there is no boundary.
+    pub closed: Option<bool>,
+    /// Why the model is no manifold.
+    pub witness: Option<WitnessAnswer>,
+}
+
+/// Cells that show why a model is no manifold.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct WitnessAnswer {
+    /// What sort of witness this is.
+    pub kind: String,
+    /// The cells, each by its vertices.
+    pub cells: Vec<Vec<u32>>,
+    /// One sentence for people.
+    pub message: String,
+}
+
+/// The boundary of a volume.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct BoundarySurface {
+    /// The number of its faces.
+    pub faces: usize,
+    /// The number of its connected components.
+    pub components: usize,
+    /// Its vertices minus its edges plus its faces.
+    pub euler_characteristic: i64,
+    /// Whether it is a surface.
+    pub manifold: bool,
+    /// The surface in words: `sphere`, `2 tori`; `null` where it is none.
+    pub name: Option<String>,
+}
+
+/// A connected component of a model of polygons.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SurfaceAnswer {
+    /// The numbers of its vertices, edges and faces.
+    pub f_vector: Vec<usize>,
+    /// Its vertices minus its edges plus its faces.
+    pub euler_characteristic: i64,
+    /// The number of its boundary loops.
+    pub boundary_loops: usize,
+    /// Whether it is orientable; `null` if it is no surface.
+    pub orientable: Option<bool>,
+    /// Its genus, or the number of cross-caps; `null` if it is no surface.
+    pub genus: Option<usize>,
+    /// The surface in words; `null` if it is none.
+    pub name: Option<String>,
+}
+
+/// Mass properties of a solid of density 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct MassAnswer {
+    /// The volume; `null` beyond the range of floating point.
+    pub volume: Option<f64>,
+    /// The center of mass.
+    pub centroid: [Option<f64>; 3],
+    /// The inertia about the center, by rows; a number is `null` beyond the range of floating point.
+    pub inertia: [[Option<f64>; 3]; 3],
+}
+
+/// The integrals of a monomial x^a y^b z^c.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct MomentAnswer {
+    /// The exponents a, b, c.
+    pub exponents: [u32; 3],
+    /// The integral over the enclosed solid.
+    pub volume: Option<f64>,
+    /// The integral over the surface, with respect to area.
+    pub surface: Option<f64>,
+}
+
+/// Named numbers on the cells of a model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct DataAnswer {
+    /// The name.
+    pub name: String,
+    /// What the numbers are on.
+    pub on: String,
+    /// How many numbers each of these has.
+    pub components: usize,
+    /// `integer` or `real`.
+    #[serde(rename = "type")]
+    pub number_type: String,
+    /// The least and the largest number; `null` if there are none.
+    pub range: Option<[Option<f64>; 2]>,
+}
+
+/// One sort of fault with its places.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ProblemAnswer {
+    /// What sort of fault it is, such as `nonmanifold_edge`.
+    pub kind: String,
+    /// In how many places it is.
+    pub count: usize,
+    /// One sentence that says how many places have it and what it means.
+    pub message: String,
+    /// The first cells that have it, each by its vertices.
+    pub cells: Vec<Vec<u32>>,
+    /// For each of the cells the top cells that meet there; empty when that says nothing.
+    pub top_cells: Vec<Vec<u32>>,
+}
+
+/// The reports on several inputs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct InfoReports {
+    /// One entry for each input, in their order.
+    pub reports: Vec<InfoEntry>,
+}
+
+/// The report on one of several inputs, or why there is none.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum InfoEntry {
+    /// The report.
+    Report(Box<InfoAnswer>),
+    /// Why the input cannot be served.
+    Failed(FailedInput),
+}
+
+/// An input that cannot be served.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct FailedInput {
+    /// The name of the input.
+    pub file: String,
+    /// The message: place, fault and cure.
+    pub error: String,
+}
+
+impl InfoAnswer {
+    /// The same answer with the name and the format of the input.
+    pub fn of_file(mut self, name: &str, format: &str) -> Self {
+        self.file = Some(name.to_owned());
+        self.format = Some(format.to_owned());
+        self
+    }
+}
+
+impl Report {
+    /// The report as plain data. Of each problem up to `limit` places are listed.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_answers::Report;
+    /// use coface_io::{Model, Structure};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = RaggedArray::from_lists([[0, 1, 2]]);
+    /// let answer = Report::of(Model::from_structure(Structure::Facets(triangle)))?.answer(10);
+    /// assert_eq!((answer.f_vector, answer.name.as_deref()), (vec![3, 3, 1], Some("disk")));
+    /// # Ok(()) }
+    /// ```
+    pub fn answer(&self, limit: usize) -> InfoAnswer {
+        let finite = |[x, y, z]: [f64; 3]| [Some(x), Some(y), Some(z)];
+        InfoAnswer {
+            file: None,
+            format: None,
+            kind: self.kind.word().to_owned(),
+            dimension: self.dimension(),
+            f_vector: self.f_vector.clone(),
+            top_cells: (self.shapes.iter())
+                .map(|&(shape, count)| CellsOfShape { shape: shape.to_owned(), count })
+                .collect(),
+            pure: self.pure,
+            components: self.components,
+            euler_characteristic: self.euler_characteristic,
+            manifold: ManifoldAnswer {
+                verdict: self.manifold.word().to_owned(),
+                closed: self.closed,
+                witness: self.witness.as_ref().map(|witness| WitnessAnswer {
+                    kind: witness.kind.to_owned(),
+                    cells: witness.cells.clone(),
+                    message: witness.message.clone(),
+                }),
+            },
+            boundary_loops: self.boundary_loops.as_ref().map(Vec::len),
+            boundary_surface: self.skin.as_ref().map(|skin| BoundarySurface {
+                faces: skin.face_count,
+                components: skin.components,
+                euler_characteristic: skin.euler_characteristic,
+                manifold: skin.is_manifold,
+                name: skin.name.clone(),
+            }),
+            orientable: self.orientable,
+            coherently_oriented: self.coherently_oriented,
+            genus: self.surface_type.map(|surface| surface.genus()),
+            name: self.name.clone(),
+            surfaces: self.surfaces.iter().map(SurfaceAnswer::of).collect(),
+            homology: HomologyGroup::list(&self.homology),
+            area: self.area,
+            signed_volume: self.signed_volume,
+            surface_centroid: self.surface_centroid,
+            mass: self.mass.as_ref().map(|mass| MassAnswer {
+                volume: Some(mass.volume()),
+                centroid: finite(mass.centroid()),
+                inertia: mass.inertia().map(finite),
+            }),
+            moments: (self.moments.iter())
+                .map(|moment| MomentAnswer {
+                    exponents: moment.exponents,
+                    volume: moment.volume,
+                    surface: moment.surface,
+                })
+                .collect(),
+            data: (self.data.iter())
+                .map(|data| DataAnswer {
+                    name: data.name().to_owned(),
+                    on: data.kind().to_string(),
+                    components: data.components(),
+                    number_type: if data.is_integral() { "integer" } else { "real" }.to_owned(),
+                    range: data.range().map(|range| range.map(Some)),
+                })
+                .collect(),
+            problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),
+            warnings: self.warnings.clone(),
+            remarks: self.remarks.clone(),
+        }
+    }
+}
+
+impl SurfaceAnswer {
+    fn of(component: &SurfaceComponent) -> Self {
+        let surface = component.surface();
+        Self {
+            f_vector: component.f_vector().to_vec(),
+            euler_characteristic: component.euler_characteristic(),
+            boundary_loops: component.boundary_count(),
+            orientable: surface.map(SurfaceType::is_orientable),
+            genus: surface.map(SurfaceType::genus),
+            name: surface.map(|surface| surface.to_string()),
+        }
+    }
+}
+
+impl ProblemAnswer {
+    fn of(problem: &Problem, limit: usize) -> Self {
+        Self {
+            kind: problem.kind().word().to_owned(),
+            count: problem.count(),
+            message: problem.message().to_owned(),
+            cells: problem.cells().iter().take(limit).map(<[u32]>::to_vec).collect(),
+            top_cells: problem.tops().iter().take(limit).map(<[u32]>::to_vec).collect(),
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! The answers of the verbs as plain data: what the program prints as JSON, one type a verb.
+//!
+//! Each answer is a struct whose fields are the keys of the JSON object; the documentation of a field says its meaning
+//! and its unit. Every answer has `remarks`: what was assumed or left out on the way, each a [`Remark`] with a
+//! [`RemarkCode`] that programs can match on.
+//!
+//! [`schema()`] describes all of them as one JSON schema; the file `docs/answers.schema.json` is its output.
+
+mod groups;
+mod info;
+mod remark;
+mod schema;
+
+pub use groups::{HomologyGroup, WholeNumber};
+pub use info::{
+    BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,
+    ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
+};
+pub use remark::{Place, Remark, RemarkCode};
+#[doc(hidden)]
+pub use schema::reprinted;
+pub use schema::schema;
+
+use serde::Serialize;
+
+/// An answer as one line of JSON with its keys in alphabetical order.
+///
+/// # Panics
+/// If the answer has a map whose keys are no texts, which no answer has.
+///
+/// # Examples
+/// ```
+/// use coface_answers::answer::{Remark, RemarkCode, to_json};
+/// let remark = Remark::new(RemarkCode::UnitLengths, "each edge has the length 1");
+/// let json = r#"{"code":"unit-lengths","count":1,"message":"each edge has the length 1","places":[]}"#;
+/// assert_eq!(to_json(&remark), json);
+/// ```
+pub fn to_json(answer: &(impl Serialize + ?Sized)) -> String {
+    serde_json::to_value(answer).expect("answers have texts as keys").to_string()
+}
+
+/// An answer as indented JSON with its keys in alphabetical order.
+///
+/// # Panics
+/// Those of [`to_json`].
+///
+/// # Examples
+/// ```
+/// use coface_answers::answer::{WholeNumber, to_pretty_json};
+/// assert_eq!(to_pretty_json(&[WholeNumber::Number(2)]), "[\n  2\n]");
+/// ```
+pub fn to_pretty_json(answer: &(impl Serialize + ?Sized)) -> String {
+    format!("{:#}", serde_json::to_value(answer).expect("answers have texts as keys"))
+}

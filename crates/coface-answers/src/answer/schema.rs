@@ -1,0 +1,51 @@
+//! The JSON schema of all answers.
+
+use super::{InfoAnswer, InfoReports};
+use schemars::generate::SchemaSettings;
+use serde_json::{Map, Value, json};
+
+/// The one list of verbs and the types of their answers.
+macro_rules! answers {
+    ($($verb:literal => $answer:ty,)*) => {
+        /// The JSON schema (draft 2020-12) of all answers: one property for each verb.
+        ///
+        /// # Examples
+        /// ```
+        /// let schema = coface_answers::answer::schema();
+        /// assert!(schema.contains("\"info\""));
+        /// ```
+        pub fn schema() -> String {
+            let mut generator = SchemaSettings::draft2020_12().into_generator();
+            let mut verbs = Map::new();
+            $(verbs.insert($verb.to_owned(), generator.subschema_for::<$answer>().to_value());)*
+            let schema = json!({
+                "$schema": "https://json-schema.org/draft/2020-12/schema",
+                "title": "Answers of coface",
+                "description": "For each verb of the program the object that it prints with --json.",
+                "type": "object",
+                "properties": verbs,
+                "$defs": generator.take_definitions(true),
+            });
+            format!("{schema:#}\n")
+        }
+
+        /// Reads a printed answer of a verb into its type and prints it again; `None` for a verb without an answer type.
+        #[doc(hidden)]
+        pub fn reprinted(verb: &str, printed: &str) -> Option<Result<String, String>> {
+            match verb {
+                $($verb => {
+                    let again = || -> serde_json::Result<Value> {
+                        serde_json::to_value(serde_json::from_str::<$answer>(printed)?)
+                    };
+                    Some(again().map(|value| value.to_string()).map_err(|error| error.to_string()))
+                })*
+                _ => None,
+            }
+        }
+    };
+}
+
+answers! {
+    "info" => InfoAnswer,
+    "info FILES" => InfoReports,
+}
