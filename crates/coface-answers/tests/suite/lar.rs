@@ -37,7 +37,7 @@ fn a_surface_has_the_complex_of_its_mesh() {
     let producer = Producer::of(read_path(path, None).unwrap()).unwrap();
     let (mesh, model) = (producer.chain_complex().unwrap(), bare(&producer.lar_model().unwrap()));
     for top in [TopOrientation::LowestFacet, TopOrientation::Coherent] {
-        let complex = model.chain_complex(top, None).unwrap();
+        let complex = model.oriented_chain_complex(top, None).unwrap();
         assert!(same_up_to_signs(&mesh, &complex), "{top:?}");
         assert_eq!(homology(&complex).betti_numbers(), [1, 0, 1]);
     }

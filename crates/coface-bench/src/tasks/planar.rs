@@ -85,6 +85,6 @@ fn arranged(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let (positions, mesh) = drawing(path)?;
     let segments: Vec<[u32; 2]> = mesh.lists.iter().map(|ends| [ends[0], ends[1]]).collect();
     let found = clock.time(segments.len(), || PlanarArrangement::new(&positions, &segments))?;
-    let [vertices, edges, faces] = found.f_vector();
+    let (vertices, edges, faces) = (found.vertex_count(), found.edge_count(), found.face_count());
     Ok(format!("V {vertices} E {edges} F {faces}"))
 }

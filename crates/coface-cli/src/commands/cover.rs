@@ -172,14 +172,14 @@ fn page(name: &str, object: &Value, cover: &UniversalCover) -> String {
     fact("group", object["group"].as_str().unwrap_or_default().to_owned(), "of deck transformations");
     let whole = if cover.is_complete() { "the whole cover" } else { "part of the cover" };
     fact("copies", cover.copy_count().to_string(), whole);
-    let spheres = cover.sphere_sizes();
+    let (spheres, skeleton) = (cover.sphere_sizes(), cover.skeleton());
     let (few, more) = surface::few(spheres.len());
     let mut sizes: Vec<String> = spheres.iter().take(few).map(ToString::to_string).collect();
     if more > 0 {
         sizes.push("..".to_owned());
     }
     fact("spheres", sizes.join(", "), "copies at distance 0, 1, ..");
-    fact("cells", counts(cover.f_vector()), "");
+    fact("cells", counts([skeleton.vertex_count(), skeleton.edge_count(), skeleton.face_count()]), "");
     let disk = match cover.euler_characteristic() {
         1 => "a disk",
         2 => "a sphere",
