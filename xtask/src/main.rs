@@ -2,6 +2,8 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a developer tool talks to a terminal")]
 
 mod answers;
+#[cfg(test)]
+mod house;
 mod python;
 mod tally;
 mod test;
