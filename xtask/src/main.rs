@@ -4,6 +4,7 @@
 mod answers;
 #[cfg(test)]
 mod house;
+mod packages;
 mod python;
 mod tally;
 mod test;
@@ -13,7 +14,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 const USAGE: &str = "usage:
-  cargo xtask test            format, lints, docs, all tests, the viewer, the commands of the README
+  cargo xtask test            format, lints, docs, packages, all tests, the viewer, Python, the commands of the README
+  cargo xtask test -p CRATE   format, lints, docs and tests of one crate
   cargo xtask viewer          the viewer alone: types, tests, the page in the repository, the page in a browser
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
@@ -24,6 +26,9 @@ fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     match words.first().map(String::as_str) {
         Some("test") if words.len() == 1 => test::run(),
+        Some("test") if words.len() == 3 && matches!(words[1].as_str(), "-p" | "--package") => {
+            test::run_crate(&words[2])
+        }
         Some("viewer") if words.len() == 1 => viewer::run(),
         Some("python") if words.len() == 1 => python::run(),
         Some("answers") => answers::answers(&words[1..]),

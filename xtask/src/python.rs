@@ -26,8 +26,7 @@ pub(crate) fn run() -> ExitCode {
 /// Builds the package and asks it everything. What is not installed, and cannot be, is skipped.
 pub(crate) fn python(tally: &mut Tally) {
     if let Err(why) = prepare() {
-        println!("== skipped: the Python package ({why})");
-        tally.skipped += 1;
+        tally.skip("the Python package", &why);
         return;
     }
     // All libraries at once: by itself the package would have other features of what it depends on, and build everything again.

@@ -1,4 +1,4 @@
-//! Counts what passed, failed and was skipped.
+//! Counts what passed, failed and was skipped, and what took how long.
 
 /// What a run of checks came to.
 #[derive(Debug, Default, PartialEq)]
@@ -6,9 +6,51 @@ pub(crate) struct Tally {
     pub(crate) passed: usize,
     pub(crate) failed: usize,
     pub(crate) skipped: usize,
+    /// Stages and programs of tests with their seconds.
+    times: Vec<(String, f64)>,
+    failures: Vec<String>,
 }
 
 impl Tally {
+    /// A run that did not come to its end.
+    pub(crate) fn of_panic() -> Self {
+        Self { failed: 1, failures: vec!["the checks themselves panicked".to_owned()], ..Self::default() }
+    }
+
+    /// Adds another run.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+        self.skipped += other.skipped;
+        self.times.extend(other.times);
+        self.failures.extend(other.failures);
+    }
+
+    /// Says what is skipped and why.
+    pub(crate) fn skip(&mut self, what: &str, why: &str) {
+        println!("== skipped: {what} ({why})");
+        self.skipped += 1;
+    }
+
+    /// Keeps the time of a stage or of a program of tests.
+    pub(crate) fn time(&mut self, name: &str, seconds: f64) {
+        self.times.push((name.to_owned(), seconds));
+    }
+
+    /// Keeps the name of a stage that failed.
+    pub(crate) fn fail(&mut self, name: &str) {
+        self.failures.push(name.to_owned());
+    }
+
+    /// The slowest of all, and what failed.
+    pub(crate) fn to_text(&self) -> String {
+        let mut times: Vec<&(String, f64)> = self.times.iter().collect();
+        times.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let slowest = times.iter().take(10).map(|(name, seconds)| format!("  {seconds:>7.1} s  {name}\n"));
+        let failures = self.failures.iter().map(|name| format!("  failed: {name}\n"));
+        format!("slowest:\n{}{}", slowest.collect::<String>(), failures.collect::<String>())
+    }
+
     /// Counts a check.
     pub(crate) fn count(&mut self, has_passed: bool) {
         *(if has_passed { &mut self.passed } else { &mut self.failed }) += 1;
@@ -58,11 +100,28 @@ mod tests {
             "test result: FAILED. 4 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1s",
         );
         tally.count(true);
-        assert_eq!(tally, Tally { passed: 8, failed: 2, skipped: 1 });
+        assert_eq!([tally.passed, tally.failed, tally.skipped], [8, 2, 1]);
         assert_eq!(tally.to_line(), "8 passed, 2 failed, 1 skipped");
         tally.add_line("1 failed, 3 passed, 2 skipped, 1 warning, 1 error in 0.12s (0:00:00)");
         tally.add_line("= 2 passed in 0.1s =");
         tally.add_line("SKIPPED [1] tests/test_doors.py:3: 1 skipped in all");
-        assert_eq!(tally, Tally { passed: 13, failed: 4, skipped: 3 });
+        assert_eq!([tally.passed, tally.failed, tally.skipped], [13, 4, 3]);
+    }
+
+    #[test]
+    fn the_slowest_come_first() {
+        let mut tally = Tally::default();
+        for i in 0..12 {
+            tally.time(&format!("stage {i}"), f64::from(i));
+        }
+        let mut other = Tally::default();
+        other.time("lints", 100.0);
+        other.fail("lints");
+        tally.add(other);
+        let text = tally.to_text();
+        let lines: Vec<&str> = text.lines().map(str::trim).collect();
+        assert_eq!(lines.len(), 12);
+        assert_eq!(lines[..3], ["slowest:", "100.0 s  lints", "11.0 s  stage 11"]);
+        assert_eq!(lines[11], "failed: lints");
     }
 }

@@ -1,50 +1,132 @@
 //! `cargo xtask test`: everything that a change must pass.
 
+use crate::packages::packages;
 use crate::python::python;
 use crate::tally::Tally;
-use crate::viewer::viewer;
+use crate::viewer::{browser, viewer};
 use crate::{cargo, root};
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
-/// Runs every check to the end, says what is skipped and why, and closes with the counts.
+/// Runs every check to the end, says what is skipped and why, and closes with the slowest stages and the counts.
+///
+/// Two lanes run side by side. One builds everything once and runs it; the other has what needs no such build, and then the lints, which wait
+/// for the lock of the build folder while the first lane builds, and run while it tests.
 pub(crate) fn run() -> ExitCode {
     let begin = Instant::now();
     let mut tally = Tally::default();
     check(&mut tally, "format", &mut cargo(&["fmt", "--all", "--check"]));
-    // All at once: with other features everything would be built again. The lints and the types do not need the library.
-    let lints =
-        [&["clippy", "--quiet", "--workspace", "--all-targets"], &GRAPHBLAS[..], &["--", "-D", "warnings"]];
-    check(&mut tally, "lints", &mut cargo(&lints.concat()));
-    let mut docs = cargo(&["doc", "--quiet", "--workspace", "--no-deps"]);
-    check(&mut tally, "docs", docs.env("RUSTDOCFLAGS", "-D warnings"));
     graphblas(&mut tally);
-    let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
-    run_counted(&mut tally, "tests", cargo(&all));
-    viewer(&mut tally);
-    python(&mut tally);
-    guide(&mut tally);
-    readme(&mut tally);
+    let built = || {
+        let mut tally = Tally::default();
+        let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
+        run_counted(&mut tally, "tests", cargo(&all));
+        guide(&mut tally);
+        readme(&mut tally);
+        python(&mut tally);
+        browser(&mut tally);
+        tally
+    };
+    let beside = || {
+        let mut tally = Tally::default();
+        viewer(&mut tally);
+        packages(&mut tally);
+        // With the same features as the tests: with others everything would be built again.
+        let lints = [
+            &["clippy", "--quiet", "--workspace", "--all-targets"],
+            &GRAPHBLAS[..],
+            &["--", "-D", "warnings"],
+        ];
+        check(&mut tally, "lints", &mut cargo(&lints.concat()));
+        check(&mut tally, "docs", docs(&mut cargo(&["doc", "--quiet", "--workspace", "--no-deps"])));
+        oldest_rust(&mut tally);
+        tally
+    };
+    let lanes = std::thread::scope(|scope| {
+        let lanes = [scope.spawn(built), scope.spawn(beside)];
+        lanes.map(|lane| lane.join().unwrap_or_else(|_| Tally::of_panic()))
+    });
+    lanes.into_iter().for_each(|lane| tally.add(lane));
     skips(&mut tally);
-    println!("\n{:.0} s in all", begin.elapsed().as_secs_f64());
+    close(&tally, begin)
+}
+
+/// Runs the checks of one crate: format, lints, docs, tests.
+pub(crate) fn run_crate(name: &str) -> ExitCode {
+    let begin = Instant::now();
+    let mut tally = Tally::default();
+    check(&mut tally, "format", &mut cargo(&["fmt", "--package", name, "--check"]));
+    run_counted(&mut tally, "tests", cargo(&["test", "--no-fail-fast", "--package", name]));
+    let lints = ["clippy", "--quiet", "--all-targets", "--package", name, "--", "-D", "warnings"];
+    check(&mut tally, "lints", &mut cargo(&lints));
+    check(&mut tally, "docs", docs(&mut cargo(&["doc", "--quiet", "--no-deps", "--package", name])));
+    skips(&mut tally);
+    close(&tally, begin)
+}
+
+/// Prints the end of a run.
+fn close(tally: &Tally, begin: Instant) -> ExitCode {
+    println!("\n{}{:.0} s in all", tally.to_text(), begin.elapsed().as_secs_f64());
     println!("{}", tally.to_line());
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
+/// The docs as they are published: without warnings, and with formulas set where there is a network.
+fn docs(command: &mut Command) -> &mut Command {
+    let header = root().join(HEADER).display().to_string();
+    command.env("CARGO_ENCODED_RUSTDOCFLAGS", ["-D", "warnings", "--html-in-header", &header].join("\u{1f}"))
+}
+
+/// What stands in the head of each page of the docs.
+const HEADER: &str = "docs/katex-header.html";
+
+/// Whether the oldest Rust that `Cargo.toml` promises builds everything. Where it is not installed, the lint `incompatible_msrv`, which is on
+/// in all crates, still finds what the standard library did not have then.
+fn oldest_rust(tally: &mut Tally) {
+    let manifest = std::fs::read_to_string(root().join("Cargo.toml")).unwrap_or_default();
+    let version = manifest
+        .lines()
+        .find_map(|line| line.strip_prefix("rust-version = "))
+        .unwrap_or_default()
+        .trim_matches('"');
+    let installed = Command::new("rustup").args(["toolchain", "list"]).output();
+    let has_it = installed.is_ok_and(|output| {
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        text.lines().any(|line| line.strip_prefix(version).is_some_and(|rest| rest.starts_with(['-', '.'])))
+    });
+    if !has_it {
+        tally.skip(
+            &format!("a build with Rust {version}"),
+            "rustup has no such toolchain; the lint incompatible_msrv was on",
+        );
+        return;
+    }
+    let mut build = Command::new("rustup");
+    build.args(["run", version, "cargo", "check", "--quiet", "--workspace"]).current_dir(root());
+    build.env_remove("CARGO").env_remove("RUSTUP_TOOLCHAIN").env_remove("RUSTC");
+    check(tally, &format!("Rust {version}"), &mut build);
+}
+
+/// Runs a command and prints what it says when it has ended: lanes do not mix their lines.
 pub(crate) fn check(tally: &mut Tally, name: &str, command: &mut Command) {
     println!("== {name}: {}", words(command));
     let begin = Instant::now();
-    let has_passed = match command.stdin(Stdio::null()).status() {
-        Ok(status) => status.success(),
-        Err(error) => {
-            println!("cannot run: {error}");
-            false
-        }
+    let (has_passed, said) = match command.stdin(Stdio::null()).output() {
+        Ok(output) => (
+            output.status.success(),
+            [String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr)].concat(),
+        ),
+        Err(error) => (false, format!("cannot run: {error}\n")),
     };
+    let seconds = begin.elapsed().as_secs_f64();
     tally.count(has_passed);
-    println!("== {name}: {} in {:.0} s", verdict(has_passed), begin.elapsed().as_secs_f64());
+    tally.time(name, seconds);
+    if !has_passed {
+        tally.fail(name);
+    }
+    println!("{said}== {name}: {} in {seconds:.0} s", verdict(has_passed));
 }
 
 /// The pages of the guide: each example checks its own answers. The tests before this have built them.
@@ -71,35 +153,60 @@ pub(crate) fn built(name: &str) -> Command {
 }
 
 /// Many tests in one command, which says how many passed; all are run even when some fail.
-pub(crate) fn run_counted(tally: &mut Tally, name: &str, mut command: Command) {
+pub(crate) fn run_counted(tally: &mut Tally, name: &str, command: Command) {
     println!("== {name}: {}", words(&command));
     let begin = Instant::now();
     let mut counts = Tally::default();
-    let mut is_done = false;
-    match command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn() {
-        Ok(mut child) => {
-            for line in child
-                .stdout
-                .take()
-                .into_iter()
-                .flat_map(|pipe| BufReader::new(pipe).lines())
-                .map_while(Result::ok)
-            {
-                println!("{line}");
-                counts.add_line(&line);
-            }
-            is_done = child.wait().is_ok_and(|status| status.success());
-        }
-        Err(error) => println!("cannot run: {error}"),
-    }
+    let is_done = follow(command, &mut counts).unwrap_or_else(|error| {
+        println!("cannot run: {error}");
+        false
+    });
     // Tests that do not compile, or do not run at all, give no count.
     if counts.failed == 0 && (!is_done || counts.passed == 0) {
         counts.failed = 1;
     }
-    println!("== {name}: {} in {:.0} s", counts.to_line(), begin.elapsed().as_secs_f64());
-    tally.passed += counts.passed;
-    tally.failed += counts.failed;
-    tally.skipped += counts.skipped;
+    let seconds = begin.elapsed().as_secs_f64();
+    println!("== {name}: {} in {seconds:.0} s", counts.to_line());
+    if counts.failed > 0 {
+        counts.fail(name);
+    }
+    counts.time(name, seconds);
+    tally.add(counts);
+}
+
+/// Runs tests, prints what they say, and keeps the time of each program. Whether all went well.
+fn follow(mut command: Command, counts: &mut Tally) -> std::io::Result<bool> {
+    // One pipe for both: cargo says on standard error which program it runs, and the program on standard output how long it took.
+    let (reader, writer) = std::io::pipe()?;
+    command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
+    let mut child = command.spawn()?;
+    // The command has ends of the pipe, which would stay open.
+    drop(command);
+    let mut program = String::new();
+    for line in BufReader::new(reader).lines().map_while(Result::ok) {
+        println!("{line}");
+        counts.add_line(&line);
+        let words = line.trim();
+        if let Some(what) =
+            words.strip_prefix("Running ").or_else(|| words.strip_prefix("Doc-tests ").map(|_| words))
+        {
+            program = named(what);
+        }
+        let time = line.strip_prefix("test result: ").and_then(|rest| rest.rsplit_once("finished in "));
+        if let Some(seconds) = time.and_then(|(_, time)| time.trim_end_matches('s').parse().ok()) {
+            counts.time(&program, seconds);
+        }
+    }
+    Ok(child.wait()?.success())
+}
+
+/// A program of tests by its crate: cargo says `unittests src/lib.rs (target/debug/deps/coface_io-0123456789abcdef)`.
+fn named(what: &str) -> String {
+    let Some((target, path)) = what.split_once(" (") else { return what.to_owned() };
+    let file =
+        Path::new(path.trim_end_matches(')')).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let program = file.rsplit_once('-').map_or(file.as_str(), |(name, _)| name);
+    format!("{program}: {}", target.trim_start_matches("unittests "))
 }
 
 /// The tests that need the C library GraphBLAS.
@@ -111,10 +218,7 @@ fn graphblas(tally: &mut Tally) {
         install_package("libgraphblas-dev");
     }
     if !has_graphblas() {
-        println!(
-            "== skipped: tests of graphblas (the package libgraphblas-dev is not installed, and cannot be)"
-        );
-        tally.skipped += 1;
+        tally.skip("tests of graphblas", "the package libgraphblas-dev is not installed, and cannot be");
     }
 }
 
@@ -184,14 +288,11 @@ fn promised_commands(text: &str) -> Vec<Vec<&str>> {
 }
 
 fn skips(tally: &mut Tally) {
-    let mut skip = |what: &str, why: &str| {
-        println!("== skipped: {what} ({why})");
-        tally.skipped += 1;
-    };
+    let what = "tests on real files";
     match std::env::var_os("COFACE_DATA").map(PathBuf::from) {
-        None => skip("tests on real files", "the environment variable COFACE_DATA names no folder"),
+        None => tally.skip(what, "the environment variable COFACE_DATA names no folder"),
         Some(folder) if !folder.join("MANIFEST.json").is_file() => {
-            skip("tests on real files", &format!("no MANIFEST.json in {}", folder.display()));
+            tally.skip(what, &format!("no MANIFEST.json in {}", folder.display()));
         }
         Some(_) => {}
     }
@@ -209,7 +310,14 @@ fn verdict(has_passed: bool) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::promised_commands;
+    use super::{named, promised_commands};
+
+    #[test]
+    fn programs_are_named_by_their_crate() {
+        let what = "unittests src/lib.rs (target/debug/deps/coface_io-0123456789abcdef)";
+        assert_eq!(named(what), "coface_io: src/lib.rs");
+        assert_eq!(named("Doc-tests coface_io"), "Doc-tests coface_io");
+    }
 
     #[test]
     fn promised_commands_are_found() {

@@ -7,28 +7,27 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 
 /// The page that the program holds.
-const PAGE: &str = "crates/coface-pages/page/viewer.html";
+const PAGE: &str = "crates/coface-pictures/page/viewer.html";
 
 /// Runs the checks of the viewer alone, and closes with the counts.
 pub(crate) fn run() -> ExitCode {
     let mut tally = Tally::default();
     viewer(&mut tally);
+    browser(&mut tally);
     println!("{}", tally.to_line());
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Types and tests of the viewer; that the page in the repository is what its sources make; and the page in a browser. What is not
-/// installed, and cannot be, is skipped.
+/// Types and tests of the viewer; that the page in the repository is what its sources make. What is not installed, and
+/// cannot be, is skipped.
 pub(crate) fn viewer(tally: &mut Tally) {
     if let Err(why) = prepare() {
-        println!("== skipped: the viewer ({why})");
-        tally.skipped += 1;
+        tally.skip("the viewer", &why);
         return;
     }
     check(tally, "types of the viewer", &mut npm(&["run", "--silent", "check"]));
     check(tally, "tests of the viewer", &mut npm(&["test", "--silent"]));
     bundle(tally);
-    browser(tally);
 }
 
 /// The command `npm WORDS` in the folder of the viewer.
@@ -81,10 +80,13 @@ fn bundle(tally: &mut Tally) {
 }
 
 /// The page in a browser.
-fn browser(tally: &mut Tally) {
+pub(crate) fn browser(tally: &mut Tally) {
+    if let Err(why) = prepare() {
+        tally.skip("the page in a browser", &why);
+        return;
+    }
     let Some(chromium) = chromium() else {
-        println!("== skipped: the page in a browser (chromium is not installed, and cannot be)");
-        tally.skipped += 1;
+        tally.skip("the page in a browser", "chromium is not installed, and cannot be");
         return;
     };
     // The whole workspace, as the tests build it: the program alone would have other features of what it depends on.

@@ -119,7 +119,7 @@ impl Runner<'_> {
         };
         let printed_bytes = std::fs::read(&printed).map_err(fault)?;
         let errors = neutral(&std::fs::read(&said).map_err(fault)?);
-        let mut answer = answer(&printed_bytes, &neutral);
+        let mut answer = answer(&printed_bytes, neutral);
         if let Some(path) = &written {
             let bytes = std::fs::read(path).unwrap_or_default();
             answer = json!({"printed": answer, "written": lines_or_bytes(&bytes)});
@@ -193,7 +193,7 @@ pub(super) fn each(
         loop {
             let i = next.fetch_add(1, Ordering::Relaxed);
             let Some(run) = runs.get(i) else { return Ok(()) };
-            if i > 0 && i % 500 == 0 {
+            if i > 0 && i.is_multiple_of(500) {
                 println!("{i} of {} runs", runs.len());
             }
             if let Err(fault) = work(run) {

@@ -115,7 +115,7 @@ impl Imports {
                 "use" if depth == 0 => {
                     let (paths, end) = tree(tokens, i + 1);
                     for (path, alias) in paths {
-                        let Some(path) = self.from_root(name, path) else { continue };
+                        let Some(path) = self.rooted(name, &path) else { continue };
                         if alias == "*" {
                             exports.globs.push(path[..path.len() - 1].to_vec());
                         } else {
@@ -133,9 +133,9 @@ impl Imports {
     }
 
     /// The path from the root of the crate; `None` if it leads to another crate.
-    fn from_root(&self, name: &str, path: Vec<String>) -> Option<Vec<String>> {
+    fn rooted(&self, name: &str, path: &[String]) -> Option<Vec<String>> {
         let mut base: Vec<String> = split(name);
-        let mut rest = path.as_slice();
+        let mut rest = path;
         match rest.first()?.as_str() {
             "crate" => (base, rest) = (Vec::new(), &rest[1..]),
             "self" | "super" => {
@@ -183,7 +183,7 @@ impl Imports {
                     let here = split(name).into_iter().chain(inner.iter().map(|(word, _)| word.clone()));
                     let here = here.collect::<Vec<_>>().join("::");
                     if !is_test(&here) {
-                        found.extend(paths.into_iter().filter_map(|(path, _)| self.from_root(&here, path)));
+                        found.extend(paths.into_iter().filter_map(|(path, _)| self.rooted(&here, &path)));
                     }
                     i = end.max(i + 1);
                     continue;
