@@ -17,19 +17,9 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-complexes", &["coface-algebra", "coface-geometry"]),
     ("coface-topology", &["coface-algebra", "coface-complexes"]),
     ("coface-graphblas", &[]),
-    ("coface-arrange", &["coface-algebra", "coface-geometry", "coface-graphblas"]),
+    ("coface-arrange", &["coface-algebra", "coface-geometry"]),
     ("coface-yin", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange"]),
-    (
-        "coface-io",
-        &[
-            "coface-algebra",
-            "coface-geometry",
-            "coface-complexes",
-            "coface-topology",
-            "coface-arrange",
-            "coface-yin",
-        ],
-    ),
+    ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
         &[
@@ -42,19 +32,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-io",
         ],
     ),
-    (
-        "coface-pictures",
-        &[
-            "coface-algebra",
-            "coface-geometry",
-            "coface-complexes",
-            "coface-topology",
-            "coface-arrange",
-            "coface-yin",
-            "coface-io",
-            "coface-answers",
-        ],
-    ),
+    ("coface-pictures", &["coface-algebra", "coface-geometry", "coface-yin", "coface-io", "coface-answers"]),
     ("coface-mapped", &[]),
     (
         "coface-scale",
