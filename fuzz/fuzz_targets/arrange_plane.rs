@@ -1,7 +1,7 @@
 //! Segments with any finite coordinates make an arrangement whose boundaries of boundaries are zero.
 #![no_main]
 
-use coface::arrangement::planar::PlanarArrangement;
+use coface::arrange::planar::PlanarArrangement;
 use coface::geometry::Positions;
 use libfuzzer_sys::fuzz_target;
 

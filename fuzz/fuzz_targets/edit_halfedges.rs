@@ -3,7 +3,7 @@
 //! The first byte says how many edges there are, as many bytes as halfedges shuffle `next`, then come three bytes an edit.
 #![no_main]
 
-use coface::surface::HalfedgeMesh;
+use coface::complexes::surface::HalfedgeMesh;
 use coface::{EdgeId, FaceId, HalfedgeId, VertexId};
 use libfuzzer_sys::fuzz_target;
 

@@ -3,7 +3,7 @@
 #![no_main]
 
 use coface::io::{Format, ReadOptions, read_boundary};
-use coface::report::{PlanarSet, SetRequest};
+use coface::answers::{PlanarSet, SetRequest};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

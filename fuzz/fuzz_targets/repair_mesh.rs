@@ -2,7 +2,7 @@
 #![no_main]
 
 use coface::algebra::RaggedArray;
-use coface::surface::{FacesAtEdge, GeneralizedMap, MeshRepair, PolygonMesh};
+use coface::complexes::surface::{FacesAtEdge, GeneralizedMap, MeshRepair, PolygonMesh};
 use coface::{FaceId, VertexId};
 use libfuzzer_sys::fuzz_target;
 

@@ -2,12 +2,14 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a developer tool talks to a terminal")]
 
 mod answers;
+mod api;
 #[cfg(test)]
 mod house;
 mod packages;
 mod python;
 mod tally;
 mod test;
+mod tokens;
 mod viewer;
 
 use std::path::{Path, PathBuf};
@@ -20,6 +22,7 @@ const USAGE: &str = "usage:
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
+  cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
 
 fn main() -> ExitCode {
@@ -32,6 +35,7 @@ fn main() -> ExitCode {
         Some("viewer") if words.len() == 1 => viewer::run(),
         Some("python") if words.len() == 1 => python::run(),
         Some("answers") => answers::answers(&words[1..]),
+        Some("api") => api::api(&words[1..]),
         Some("bench") => bench(&words[1..]),
         Some("help" | "-h" | "--help") => {
             println!("{USAGE}");

@@ -3,7 +3,7 @@
 //! A path that begins with `crate`, `super` or `self` is followed through re-exports to the file that defines what it names. Paths in modules
 //! of tests do not count.
 
-use super::tokens::tokens;
+use crate::tokens::tokens;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! Rust code as words and signs.
 
 /// Words, `::` and single signs of Rust code, without comments and without what stands in quotes.
-pub(super) fn tokens(text: &str) -> Vec<String> {
+pub(crate) fn tokens(text: &str) -> Vec<String> {
     let code: Vec<char> = text.chars().collect();
     let at = |i: usize| code.get(i).copied().unwrap_or('\0');
     let (mut tokens, mut i) = (Vec::new(), 0);
