@@ -6,7 +6,7 @@
 use crate::ids::{CellId, FaceId, VertexId};
 use std::fmt;
 
-/// What sort of fault an [`Error`] is; stable for matching, while messages may be reworded.
+/// The kind of an [`Error`]; stable for matching, while messages may be reworded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ErrorKind {
@@ -18,7 +18,7 @@ pub enum ErrorKind {
     UnsupportedFormat,
     /// The data is readable but cannot be what is asked for (an index out of range, a face with a repeated vertex).
     InvalidInput,
-    /// A simplex, cell or vertex that was named is not there.
+    /// A simplex, cell or vertex that was named does not exist.
     NotInComplex,
     /// A set of cells that had to be closed under faces is not.
     NotAComplex,
@@ -236,7 +236,7 @@ impl Error {
         Self::new(ErrorKind::InvalidInput, message)
     }
 
-    /// The same error with what to do about it.
+    /// The same error with its cure: what to do about the fault.
     ///
     /// # Examples
     /// ```
@@ -250,8 +250,8 @@ impl Error {
         self
     }
 
-    /// The same error with the cells it is about, each by the numbers of its vertices; cells without vertices by their
-    /// own number.
+    /// The same error with the cells at fault, each by the numbers of its vertices; a cell without vertices by its own
+    /// number.
     ///
     /// # Examples
     /// ```
@@ -289,16 +289,7 @@ impl Error {
         self
     }
 
-    /// The same error with another message and another cure: its kind, place, cells and typed fault stay.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn reworded(mut self, message: impl Into<String>) -> Self {
-        self.0.message = message.into();
-        self.0.cure = None;
-        self
-    }
-
-    /// The same error at a line of a text file, counted from 1. A line already known is kept.
+    /// The same error at a line of a text file, counted from 1. A line that is set already is kept.
     ///
     /// # Examples
     /// ```
@@ -311,7 +302,7 @@ impl Error {
         self
     }
 
-    /// The same error at a byte of a binary file, counted from 0. A byte already known is kept.
+    /// The same error at a byte of a binary file, counted from 0. A byte that is set already is kept.
     ///
     /// # Examples
     /// ```
@@ -324,7 +315,7 @@ impl Error {
         self
     }
 
-    /// The same error in the file of this name. A file already known is kept.
+    /// The same error in the file of this name. A file that is set already is kept.
     ///
     /// # Examples
     /// ```
@@ -337,7 +328,7 @@ impl Error {
         self
     }
 
-    /// What sort of fault this is.
+    /// The kind of the fault.
     ///
     /// # Examples
     /// ```
@@ -349,7 +340,7 @@ impl Error {
         self.0.kind
     }
 
-    /// The fault alone, without place and cure.
+    /// The message alone, without place and cure.
     ///
     /// # Examples
     /// ```
@@ -361,7 +352,7 @@ impl Error {
         &self.0.message
     }
 
-    /// What to do about it.
+    /// The cure: what to do about the fault.
     ///
     /// # Examples
     /// ```
@@ -372,8 +363,8 @@ impl Error {
         self.0.cure.as_deref()
     }
 
-    /// The cells it is about, each by the numbers of its vertices, so that a program can show them; none where it is
-    /// about no cells.
+    /// The cells at fault, each by the numbers of its vertices, so that a program can show them; empty if no cells are
+    /// at fault.
     ///
     /// # Examples
     /// ```
@@ -397,7 +388,7 @@ impl Error {
         self.0.fault.as_ref()
     }
 
-    /// The file it is in.
+    /// The file of the fault.
     ///
     /// # Examples
     /// ```
@@ -408,7 +399,7 @@ impl Error {
         self.0.place.file.as_deref()
     }
 
-    /// The line it is at, from 1.
+    /// The line of the fault, counted from 1.
     ///
     /// # Examples
     /// ```
@@ -419,7 +410,7 @@ impl Error {
         self.0.place.line
     }
 
-    /// The byte it is at, from 0.
+    /// The byte of the fault, counted from 0.
     ///
     /// # Examples
     /// ```
@@ -486,8 +477,6 @@ mod tests {
         assert_eq!(error.cells(), [[11]]);
         let fans = vec![vec![FaceId::new(1)]; 2];
         assert_eq!(error.fault(), Some(&Fault::VertexWithFans { vertex: VertexId::new(11), fans }));
-        let reworded = error.with_cure("split it").reworded("no surface");
-        assert_eq!((reworded.to_string(), reworded.fault().is_some()), ("no surface".to_owned(), true));
     }
 
     #[test]

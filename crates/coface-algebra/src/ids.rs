@@ -18,6 +18,18 @@ pub trait Id: Copy + Eq + Ord + fmt::Debug {
     fn index(self) -> usize;
 }
 
+/// The position in a list as a 32-bit number.
+///
+/// The constructors of lists, matrices and complexes refuse $2^{32}$ and more items, so that positions in them fit;
+/// debug builds check it again.
+#[doc(hidden)]
+#[inline]
+#[allow(clippy::cast_possible_truncation, reason = "lists of 2^32 items are refused when they are made")]
+pub fn narrow(position: usize) -> u32 {
+    debug_assert!(u32::try_from(position).is_ok(), "a list has fewer than 2^32 items");
+    position as u32
+}
+
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident, $letter:literal) => {
         $(#[$doc])*

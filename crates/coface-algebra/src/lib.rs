@@ -44,6 +44,8 @@
 //! ```
 //!
 #![doc = include_str!("../README.md")]
+#![warn(clippy::cast_possible_truncation, clippy::iter_over_hash_type, missing_debug_implementations)]
+#![cfg_attr(test, allow(clippy::cast_possible_truncation, reason = "the numbers of tests are small"))]
 
 pub mod chains;
 mod combinatorics;
@@ -71,6 +73,8 @@ pub use normal_forms::{
 // What the crates above share; not for users.
 #[doc(hidden)]
 pub use combinatorics::least_rotation;
+#[doc(hidden)]
+pub use ids::narrow;
 #[doc(hidden)]
 pub use integers::{Binary, Field, Odd, is_prime, large_primes};
 #[doc(hidden)]

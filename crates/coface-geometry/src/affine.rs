@@ -134,7 +134,8 @@ impl AffineMap {
         Ok(map)
     }
 
-    /// The rotation of space about an axis through the origin, counterclockwise for who is looked at by the axis.
+    /// The rotation of space about an axis through the origin, counterclockwise when seen against the direction of the
+    /// axis.
     ///
     /// $R x = \cos\varphi\, x + \sin\varphi\, u \times x + (1 - \cos\varphi)\, (u \cdot x)\, u$ for the unit vector u
     /// along the axis.
@@ -340,7 +341,7 @@ impl AffineMap {
         Some(if last.signum() < 0 { sign.opposite() } else { sign })
     }
 
-    /// The map that takes images back.
+    /// The inverse map.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] if the determinant is zero, or so small that the inverse has no finite numbers.

@@ -1,4 +1,4 @@
-//! Angles by their sine and cosine, exact where these are.
+//! Angles, given by their cosine and sine.
 
 use coface_algebra::Error;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
@@ -43,7 +43,8 @@ impl Angle {
         // The nearest multiple of a quarter, and what is left of d to it.
         let quadrant = (2 * quarters + d).div_euclid(2 * d);
         let rest = quarters - quadrant * d;
-        Self::of_quadrant(quadrant as i64, rest as f64 / d as f64)
+        let quadrant = i64::try_from(quadrant).expect("a part of a turn has at most four quadrants");
+        Self::of_quadrant(quadrant, rest as f64 / d as f64)
     }
 
     /// An angle in degrees.
@@ -59,6 +60,10 @@ impl Angle {
     /// assert!(Angle::degrees(f64::NAN).is_err());
     /// # Ok(()) }
     /// ```
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a remainder of 360 degrees has at most four quadrants"
+    )]
     pub fn degrees(degrees: f64) -> Result<Self, Error> {
         if !degrees.is_finite() {
             return Err(

@@ -1,11 +1,12 @@
-//! Boxes in a tree: which of many boxes overlap.
+//! A tree of boxes: finds the boxes that overlap.
 
+use coface_algebra::narrow;
 use rayon::prelude::*;
 
 /// A box with its faces along the axes: the least and the greatest coordinate on each axis.
 pub type AxisBox = [[f64; 2]; 3];
 
-/// The box that is in every other box.
+/// The empty box: it is in every other box.
 pub(crate) const EMPTY_BOX: AxisBox = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
 
 /// The smallest box around two.
@@ -86,8 +87,7 @@ impl Four {
     }
 }
 
-/// Boxes sorted along a space-filling curve, with the boxes around each four of them, around each four of those, and so
-/// on.
+/// A tree of boxes with faces along the axes: boxes sorted along a space-filling curve, four boxes to a node.
 ///
 /// The order of answers depends on the boxes alone.
 ///
@@ -127,13 +127,17 @@ impl BoxTree {
         Self::of(boxes.len(), |i| boxes[i])
     }
 
-    /// The same for boxes that a function tells.
+    /// The tree of the boxes that a function gives.
     pub(crate) fn of(count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> Self {
         Self::in_frame(frame_around(count, &box_at), count, box_at)
     }
 
-    /// The same for boxes that are in this frame, or mostly: what is outside is sorted as if it were on the boundary.
+    /// The tree of boxes within a frame; boxes outside of it are sorted as if they were on its boundary.
     #[doc(hidden)]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a cast of a coordinate outside of the frame is clamped"
+    )]
     pub fn in_frame(whole: AxisBox, count: usize, box_at: impl Fn(usize) -> AxisBox + Sync) -> Self {
         // Halved, so that no difference leaves the range.
         let origin = whole.map(|ends| ends[0] / 2.0);
@@ -149,7 +153,7 @@ impl BoxTree {
             code
         };
         let mut order: Vec<(u64, u32)> =
-            (0..count).into_par_iter().map(|i| (place(box_at(i)), i as u32)).collect();
+            (0..count).into_par_iter().map(|i| (place(box_at(i)), narrow(i))).collect();
         order.par_sort_unstable();
         let order: Vec<u32> = order.into_iter().map(|(_, i)| i).collect();
         let lowest = order.par_chunks(WIDTH).map(|own| Four::new(own.iter().map(|&i| box_at(i as usize))));
@@ -178,7 +182,7 @@ impl BoxTree {
         let level = self.group_level();
         let around = self.levels[level][group].around();
         let mut others = Vec::new();
-        self.visit_nodes(&around, level, group, |node| others.push(node as u32));
+        self.visit_nodes(&around, level, group, |node| others.push(narrow(node)));
         self.join(level, group, &others, &mut vec![Vec::new(); level], &mut visit);
     }
 
@@ -209,7 +213,7 @@ impl BoxTree {
                 continue;
             };
             list.clear();
-            list.extend(found.map(|other| other as u32));
+            list.extend(found.map(narrow));
             if !list.is_empty() {
                 self.join(level - 1, inner, list, lower, visit);
             }

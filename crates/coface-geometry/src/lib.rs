@@ -36,6 +36,8 @@
 //! ```
 //!
 #![doc = include_str!("../README.md")]
+#![warn(clippy::cast_possible_truncation, clippy::iter_over_hash_type, missing_debug_implementations)]
+#![cfg_attr(test, allow(clippy::cast_possible_truncation, reason = "the numbers of tests are small"))]
 
 mod affine;
 mod angle;

@@ -1,7 +1,8 @@
 //! Measures: areas of polygons in any dimension, volumes that surfaces enclose.
 //!
 //! Coordinates are scaled by a power of two and differences are taken before products, so coordinates near the largest
-//! and smallest numbers lose nothing; sums are compensated. Results are rounded numbers: no topology hangs on them.
+//! and smallest numbers lose nothing; sums are compensated. Results are rounded, and no topological answer depends on
+//! them.
 
 use super::Positions;
 use coface_algebra::RaggedArray;
@@ -72,7 +73,7 @@ impl Sum {
 }
 
 /// Positions scaled by a power of two into the cube from -1 to 1.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Scaled<'a> {
     positions: &'a Positions,
     /// The power of two that coordinates are multiplied by.
@@ -81,6 +82,7 @@ pub struct Scaled<'a> {
 
 impl<'a> Scaled<'a> {
     #[doc(hidden)]
+    #[allow(clippy::cast_possible_truncation, reason = "the exponent is clamped to 1000")]
     pub fn new(positions: &'a Positions) -> Self {
         let largest = positions.as_flat().par_iter().copied().map(f64::abs).reduce(|| 0.0, f64::max);
         // Infinite for zero; clamped, so that the factor and its inverse are ordinary numbers.
@@ -233,9 +235,9 @@ pub fn polygon_area(positions: &Positions, polygons: &RaggedArray) -> Option<f64
 /// `None` unless the positions have three coordinates.
 ///
 /// It is the sum of the signed volumes of the cones over the faces; for a closed coherent surface the apex does not
-/// matter. Positive when the faces run counterclockwise seen from outside. For other surfaces the number means nothing.
-/// A face of four or more vertices that is not flat is taken as the fan around the mean of its vertices. The result is
-/// infinite when it exceeds the largest number.
+/// matter. Positive when the faces run counterclockwise seen from outside. For other surfaces the number has no
+/// meaning. A face of four or more vertices that is not flat is taken as the fan around the mean of its vertices. The
+/// result is infinite when it exceeds the largest number.
 ///
 /// # Panics
 /// If a polygon names a vertex without position.

@@ -1,4 +1,4 @@
-//! Moments: integrals of monomials over curves, surfaces and solids, and the mass properties that come of them.
+//! Moments: integrals of monomials over curves, surfaces and solids, and mass properties of solids.
 
 use super::Positions;
 use super::measure::{Scaled, Sum, cross, determinant, dot};
@@ -126,7 +126,7 @@ pub fn surface_moment(positions: &Positions, polygons: &RaggedArray, exponents: 
 ///
 /// `exponents` are a, b, c. It is the sum of the integrals over the cones over the faces, with the signs of their
 /// volumes: positive where the faces run counterclockwise seen from outside. For surfaces that are not closed and
-/// coherent the number means nothing. A polygon of four or more vertices is a fan of triangles around the mean of its
+/// coherent the number has no meaning. A polygon of four or more vertices is a fan of triangles around the mean of its
 /// vertices.
 ///
 /// # Panics
@@ -188,8 +188,8 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// Those of the solid that a closed, coherently oriented surface encloses; `None` unless the positions have three
-    /// coordinates and the volume is a number other than zero.
+    /// The mass properties of the solid that a closed, coherently oriented surface encloses; `None` unless the
+    /// positions have three coordinates and the volume is a number other than zero.
     ///
     /// # Examples
     /// The cube with corners at 0 and 6: its inertia about the center is $V s^2 / 6 = 216 \\cdot 36 / 6$ on each axis.

@@ -1,6 +1,6 @@
 //! Points with coordinates in one flat array.
 
-use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_algebra::{Error, ErrorKind, Fault, VertexId};
 
 /// The positions of vertices: points of one dimension, flat.
 ///
@@ -130,11 +130,12 @@ impl Positions {
             return Err(Error::invalid("there are no positions to measure lengths with")
                 .with_cure("give positions, or take the length 1 for each edge"));
         }
-        if let Some(end) = ends.iter().find(|&&end| end as usize >= self.len()) {
+        if let Some(&end) = ends.iter().find(|&&end| end as usize >= self.len()) {
             return Err(Error::new(
                 ErrorKind::NotInComplex,
                 format!("there is no point v{end}; there are {}", self.len()),
-            ));
+            )
+            .with_fault(Fault::OutOfRange { index: end as usize, count: self.len() }));
         }
         let distance = |&[a, b]: &[u32; 2]| {
             let [a, b] = [a, b].map(|end| self.point(VertexId::from_u32(end)));

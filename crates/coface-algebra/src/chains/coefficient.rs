@@ -1,4 +1,4 @@
-//! What chains and cochains may have as coefficients.
+//! Coefficients of chains and cochains: integers, fractions, residues and real numbers.
 
 use crate::integers::{Integer, Rational, Residue};
 use crate::{Error, ErrorKind};
@@ -42,7 +42,7 @@ pub trait Coefficient: Clone + PartialEq + fmt::Debug + fmt::Display {
     #[must_use]
     fn negated(&self) -> Self;
 
-    /// The same value if it is a number.
+    /// The value itself if it is a finite number.
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] for an infinite or undefined floating-point value.

@@ -42,7 +42,7 @@ impl<C: Coefficient> Combination<C> {
         Self::from_terms(degree, checked)
     }
 
-    /// That all cells are there.
+    /// Checks that all cells exist.
     pub(super) fn check(&self, complex: &ChainComplex) -> Result<(), Error> {
         check_cells(complex, self.degree, self.terms.last().map(|&(cell, _)| cell))
     }
@@ -91,7 +91,7 @@ impl<C: Coefficient> Combination<C> {
     }
 }
 
-/// That the last cell, and so all of them, are there.
+/// Checks that the last cell, and so all of them, exist.
 fn check_cells(complex: &ChainComplex, degree: usize, last: Option<CellId>) -> Result<(), Error> {
     let count = complex.cell_count(degree);
     match last {
@@ -152,7 +152,7 @@ macro_rules! combination {
             /// # Errors
             /// [`ErrorKind::NotInComplex`](crate::ErrorKind::NotInComplex) for a cell that the complex does not have;
             /// [`ErrorKind::Coefficient`](crate::ErrorKind::Coefficient) for coefficients of different rings and for
-            /// floating-point values that are no numbers.
+            /// floating-point values that are not finite.
             ///
             /// # Complexity
             /// $O(m \log m)$ for m terms.

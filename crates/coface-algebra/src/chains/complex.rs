@@ -38,7 +38,8 @@ impl ChainComplex {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless each matrix has as many rows as the one before has columns, and for an empty list
-    /// (use [`Self::of_points`]); [`ErrorKind::BoundaryOfBoundary`] naming the first cell whose boundary is no cycle.
+    /// (use [`Self::of_points`]); [`ErrorKind::BoundaryOfBoundary`] naming the first cell whose boundary is not a
+    /// cycle.
     ///
     /// # Complexity
     /// Linear in the multiplications of the products of neighboring matrices, in parallel; no product is stored.
@@ -68,8 +69,7 @@ impl ChainComplex {
         Ok(Self { cell_counts, boundaries })
     }
 
-    /// The same for matrices, at least one, that fit together and whose products are zero by the way they were made:
-    /// only debug builds multiply them.
+    /// The complex with boundary matrices, at least one, that are known to be valid: only debug builds multiply them.
     #[doc(hidden)]
     pub fn from_trusted_boundaries(boundaries: Vec<SparseMatrix>) -> Self {
         debug_assert!(Self::new(boundaries.clone()).is_ok(), "the boundary of a boundary is zero");
@@ -153,8 +153,7 @@ fn no_cycle(cell: usize, degree: usize) -> Error {
 }
 
 impl<E: Entry> ChainComplex<E> {
-    /// The complex of this many vertices and these matrices, which fit together and whose products are zero by the way
-    /// they were made.
+    /// The complex of this many vertices and these matrices, which are known to be valid.
     pub(super) fn from_trusted(vertex_count: usize, boundaries: Vec<SparseMatrix<E>>) -> Self {
         let has_no_degree = vertex_count == 0 && boundaries.is_empty();
         let counts = cell_counts_of(vertex_count, &boundaries).expect("the matrices fit together");
@@ -291,5 +290,22 @@ mod tests {
         let error = ChainComplex::new(vec![edges, face]).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::BoundaryOfBoundary);
         assert!(error.message().contains("cell 0 of degree 2"));
+        assert_eq!(error.fault(), Some(&Fault::BoundaryNotCycle { degree: 2, cell: CellId::new(0) }));
+    }
+
+    #[test]
+    fn faults_carry_their_cells_and_numbers() {
+        let edge = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)]).unwrap();
+        let product = edge.product(&edge).unwrap_err();
+        assert_eq!(product.fault(), Some(&Fault::Shape { found: [2, 1], expected: [Some(1), None] }));
+        let faces = SparseMatrix::identity(3).unwrap();
+        let misfit = ChainComplex::new(vec![edge.clone(), faces]).unwrap_err();
+        assert_eq!(misfit.fault(), Some(&Fault::Shape { found: [3, 3], expected: [Some(1), None] }));
+        let complex = ChainComplex::new(vec![edge]).unwrap();
+        let (end, whole) = (CellId::new(1), CellId::new(0));
+        let open = complex.subcomplex(&[vec![whole], vec![whole]]).unwrap_err();
+        assert_eq!(open.fault(), Some(&Fault::MissingFace { degree: 1, cell: whole, face: end }));
+        let absent = complex.subcomplex(&[vec![CellId::new(7)]]).unwrap_err();
+        assert_eq!(absent.fault(), Some(&Fault::OutOfRange { index: 7, count: 2 }));
     }
 }

@@ -1,6 +1,7 @@
 //! The gradient flow of an acyclic matching: elimination of matched faces from chains, and the dual sweep on cochains.
 
 use crate::chains::{AcyclicMatching, ChainComplex, MatchedPair};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::{Entry, SparseMatrix, SparseVector};
 use crate::progress::{Steps, stage};
@@ -92,7 +93,7 @@ impl<'a, E: Entry> Flow<'a, E> {
         let mut slot_of_face = vec![NOWHERE; matrix.row_count()];
         let critical = matching.critical_cells(degree - 1);
         for (slot, face) in pairs.iter().map(|pair| pair.face).chain(critical.iter().copied()).enumerate() {
-            slot_of_face[face as usize] = slot as u32;
+            slot_of_face[face as usize] = narrow(slot);
         }
         let slot_count = pairs.len() + critical.len();
         let waiting = SlotQueue::new(pairs.len());
@@ -176,7 +177,7 @@ impl<'a, E: Entry> Flow<'a, E> {
         reached.dedup();
         let on_critical = reached.iter().filter(|&&slot| !values[slot as usize].is_zero());
         let on_critical = on_critical
-            .map(|&slot| (slot - self.pairs.len() as u32, values[slot as usize].to_integer()))
+            .map(|&slot| (slot - narrow(self.pairs.len()), values[slot as usize].to_integer()))
             .collect();
         for &slot in &reached {
             values[slot as usize] = N::default();
@@ -275,9 +276,9 @@ impl Sweep {
     }
 
     fn store(&mut self, face: u32, list: SparseVector) {
-        let start = self.arena.len() as u32;
+        let start = narrow(self.arena.len());
         self.arena.extend(list);
-        self.spans[face as usize] = (start, self.arena.len() as u32);
+        self.spans[face as usize] = (start, narrow(self.arena.len()));
     }
 
     pub(super) fn list(&self, face: usize) -> &[(u32, Integer)] {

@@ -7,6 +7,7 @@
 use crate::CellId;
 use crate::chains::ChainComplex;
 use crate::combinatorics::UnionFind;
+use crate::ids::narrow;
 use crate::matrices::{Entry, SparseMatrix};
 use crate::progress::stage;
 use std::sync::OnceLock;
@@ -38,14 +39,14 @@ impl MatchedPair {
 
 /// An acyclic matching of the cells of a chain complex on unit incidences.
 ///
-/// Degree by degree from the top, a cell is taken away together with a face that no other remaining cell has; where no
+/// Degree by degree from the top, a cell is removed together with a face that no other remaining cell has; where no
 /// such face is left, one cell is set aside as critical. Between edges and vertices a spanning forest is the best
 /// matching there is, and is taken.
 ///
 /// # Complexity
 /// Linear in the entries of the boundary matrices, but for the nearly constant factor of union-find; 8 bytes a cell
 /// beside the complex. No coboundary is built: for each face the number of remaining cells on it and the exclusive-or
-/// of their ids tell which one is left when there is just one.
+/// of their ids are kept, which is the id of the last one when one is left.
 ///
 /// # References
 /// R. Forman, *Morse theory for cell complexes* (1998); E. Skoeldberg, *Morse theory from an algebraic viewpoint*
@@ -82,7 +83,7 @@ enum Pairs {
 
 /// Classes of cells such that pairs are only taken within one.
 ///
-/// The class of a cell must not change the choices within another, so that whoever sees a whole class finds the same
+/// The class of a cell must not change the choices within another, so that every part with a whole class finds the same
 /// pairs in it: a class is gone through by rising ids, as if it were alone.
 #[derive(Clone, Copy)]
 pub(super) struct CellClasses<'a> {
@@ -225,7 +226,7 @@ impl AcyclicMatching {
         }
     }
 
-    /// Whether the boundary of every critical cell of this degree is known to be zero without looking at it: so it is
+    /// Whether the boundary of every critical cell of this degree is known to be zero without computing it: so it is
     /// for edges when each component of the graph keeps one critical vertex.
     pub(crate) fn has_zero_boundary(&self, degree: usize) -> bool {
         matches!(degree.checked_sub(1).and_then(|below| self.pairs.get(below)), Some(Pairs::Forest(..)))
@@ -270,7 +271,7 @@ impl Remaining {
                 })
             })
             .take_while(|&cell| cell < self.count)
-            .map(|cell| cell as u32)
+            .map(narrow)
         })
     }
 }
@@ -310,7 +311,7 @@ fn span_or_collapse<E: Entry>(
     for edge in steps.each(remaining.iter()).filter(|&edge| !to_collapse.contains(edge)) {
         let is_between_trees = match end_of(matrix, edge, within) {
             End::Both(a, b) => trees.unite(a, b),
-            End::Outside(a) => trees.unite(a, (vertex_count + within.class_of(edge)) as u32),
+            End::Outside(a) => trees.unite(a, narrow(vertex_count + within.class_of(edge))),
             End::None | End::Other => false,
         };
         if is_between_trees { &mut forest } else { &mut *critical }.push(edge);
@@ -324,7 +325,7 @@ fn span_or_collapse<E: Entry>(
     critical.sort_unstable();
     // The first vertex of each tree stays; a tree with the vertex outside loses all.
     let mut is_rooted = vec![false; vertex_count + within.class_count()];
-    let outside = vertex_count as u32..(vertex_count + within.class_count()) as u32;
+    let outside = narrow(vertex_count)..narrow(vertex_count + within.class_count());
     outside.for_each(|vertex| is_rooted[trees.find(vertex) as usize] = true);
     let mut missing = trees.class_count() - within.class_count();
     let mut roots = Remaining::none(vertex_count);
@@ -345,7 +346,7 @@ fn span_or_collapse<E: Entry>(
     (roots, Pairs::Listed(collapsed))
 }
 
-/// What an edge runs between, as far as its class sees.
+/// The ends of an edge within its class.
 enum End {
     /// A loop, or an edge all of whose ends are elsewhere.
     None,
@@ -357,14 +358,14 @@ enum End {
 }
 
 fn end_of<E: Entry>(matrix: &SparseMatrix<E>, edge: u32, within: Within<'_>) -> End {
-    let mut ends = matrix.column(edge as usize).terms().filter(|&(row, _)| within.counts(row as u32, edge));
+    let mut ends = matrix.column(edge as usize).terms().filter(|&(row, _)| within.counts(narrow(row), edge));
     match (ends.next(), ends.next(), ends.next()) {
         (None, ..) => End::None,
-        (Some((a, x)), None, _) if x.is_unit() => End::Outside(a as u32),
+        (Some((a, x)), None, _) if x.is_unit() => End::Outside(narrow(a)),
         (Some((a, x)), Some((b, y)), None)
             if x.is_unit() && y.is_unit() && x.is_negative() != y.is_negative() =>
         {
-            End::Both(a as u32, b as u32)
+            End::Both(narrow(a), narrow(b))
         }
         _ => End::Other,
     }
@@ -436,8 +437,8 @@ struct Cofaces {
     mixed: u32,
 }
 
-/// Takes remaining cells away with a face that no other remaining cell has, as long as there is one; then sets the
-/// first remaining cell aside as critical, and so on. Gives the faces that are in no pair.
+/// Removes remaining cells together with a face that no other remaining cell has, as long as there is one; then sets
+/// the first remaining cell aside as critical, and so on. Gives the faces that are in no pair.
 fn collapse<E: Entry>(
     matrix: &SparseMatrix<E>,
     remaining: &Remaining,
@@ -461,7 +462,7 @@ fn collapse<E: Entry>(
     let has_units_only = matrix.entries().iter().all(E::is_unit);
     // First in, first out: breadth-first collapses have short gradient paths.
     let mut free: Vec<u32> =
-        (0..matrix.row_count() as u32).filter(|&face| cofaces[face as usize].count == 1).collect();
+        (0..narrow(matrix.row_count())).filter(|&face| cofaces[face as usize].count == 1).collect();
     let mut at = 0;
     let mut gone = Remaining::none(remaining.count);
     let mut faces = Remaining::all(matrix.row_count());

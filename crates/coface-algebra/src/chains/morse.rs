@@ -1,7 +1,8 @@
-//! The Morse complex: what is left of a chain complex when all pairs of an acyclic matching have cancelled.
+//! The Morse complex: the critical cells that remain when all pairs of an acyclic matching have cancelled.
 
 use super::flow::{Flow, Sweep, inclusions};
 use crate::chains::{AcyclicMatching, ChainComplex};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::{Entry, SparseVector, WideMatrix, linear_combination};
 use crate::progress::{Steps, stage};
@@ -14,7 +15,7 @@ use std::borrow::Cow;
 /// matched face, the cell of that pair is added with the coefficient that cancels the face. What remains on critical
 /// faces is the boundary in the Morse complex, and the grown chain is the image of c under the **inclusion** g, a chain
 /// map into the original complex. Elimination of matched faces from any chain z gives its **projection** f(z), on
-/// critical cells, and the **homotopy** h(z), the cells that were taken away: $f g = 1$ and
+/// critical cells, and the **homotopy** h(z), the cells that were added: $f g = 1$ and
 /// $1 - g f = \partial h + h \partial$. So f and g are inverse on homology, and no map is ever stored as a matrix.
 /// Cochains go the other way, by a sweep through the pairs in reverse: see [`Self::pullback`].
 ///
@@ -214,7 +215,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         self.inclusions_with_steps(degree, chains, &steps)
     }
 
-    /// The same, each chain a step.
+    /// As [`Self::inclusions`], and counts each chain as a step.
     pub(crate) fn inclusions_with_steps<'c>(
         &self,
         degree: usize,
@@ -275,7 +276,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
     ) -> (SparseVector, SparseVector) {
         if self.complex.boundary_matrix(degree + 1).is_none() {
             let critical = self.matching.critical_cells(degree);
-            let number = |cell: &u32| critical.binary_search(cell).ok().map(|i| i as u32);
+            let number = |cell: &u32| critical.binary_search(cell).ok().map(narrow);
             let kept = chain.iter().filter_map(|(cell, x)| Some((number(cell)?, x.clone())));
             return (kept.collect(), Vec::new());
         }
@@ -315,7 +316,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         let given = critical
             .iter()
             .zip(cochains.columns())
-            .map(|(&cell, column)| (cell, column.terms().map(|(row, x)| (row as u32, x.clone())).collect()));
+            .map(|(&cell, column)| (cell, column.terms().map(|(row, x)| (narrow(row), x.clone())).collect()));
         let mut sweep = Sweep::new(self.complex.cell_count(degree), given);
         sweep.run(&self.complex, &self.matching, degree + 1, None);
         self.to_matrix(degree, cochains.row_count(), &sweep)
@@ -344,11 +345,11 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         let homotopy = (degree > 0).then(|| self.cohomotopy(degree, cochains));
         let columns = critical.iter().map(|&cell| {
             let own: SparseVector =
-                cochains.column(cell as usize).terms().map(|(row, x)| (row as u32, x.clone())).collect();
+                cochains.column(cell as usize).terms().map(|(row, x)| (narrow(row), x.clone())).collect();
             let mut terms = vec![(Integer::ONE, own)];
             if let (Some(homotopy), Some(matrix)) = (&homotopy, self.complex.boundary_matrix(degree)) {
                 for (face, entry) in matrix.column(cell as usize).terms() {
-                    let list = homotopy.column(face).terms().map(|(row, x)| (row as u32, x.clone()));
+                    let list = homotopy.column(face).terms().map(|(row, x)| (narrow(row), x.clone()));
                     terms.push((-entry.to_integer(), list.collect()));
                 }
             }
@@ -386,7 +387,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         );
         let given = cochains.columns().enumerate().filter(|(_, column)| !column.rows().is_empty());
         let given = given.map(|(cell, column)| {
-            (cell as u32, column.terms().map(|(row, x)| (row as u32, x.clone())).collect())
+            (narrow(cell), column.terms().map(|(row, x)| (narrow(row), x.clone())).collect())
         });
         let source = Sweep::new(cochains.column_count(), given);
         let mut sweep = Sweep::new(self.complex.cell_count(degree - 1), []);

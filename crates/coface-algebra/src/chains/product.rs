@@ -1,6 +1,7 @@
 //! Products of chain complexes.
 
 use super::ChainComplex;
+use crate::ids::narrow;
 use crate::matrices::SparseMatrix;
 use crate::{CellId, Error, ErrorKind};
 
@@ -82,7 +83,7 @@ impl ProductComplex {
         &self.complex
     }
 
-    /// The product by itself.
+    /// The product as an owned chain complex.
     ///
     /// # Examples
     /// ```
@@ -177,19 +178,19 @@ fn boundary_matrix(
         ));
     }
     let mut starts = Vec::with_capacity(numbers.cell_count(degree) + 1);
-    let mut rows = Vec::with_capacity(entry_count as usize);
-    let mut entries = Vec::with_capacity(entry_count as usize);
+    let capacity = usize::try_from(entry_count).expect("the number of entries has 32 bits");
+    let (mut rows, mut entries) = (Vec::with_capacity(capacity), Vec::with_capacity(capacity));
     starts.push(0);
     for p in numbers.first_degrees(degree) {
         let q = degree - p;
         let first_matrix = first.boundary_matrix(p);
         let second_matrix = second.boundary_matrix(q);
         // The facets of the first factor move the number by whole rows of cells of the second.
-        let width = second.cell_count(q) as u32;
+        let width = narrow(second.cell_count(q));
         let sign = if p % 2 == 0 { 1 } else { -1 };
         for a in 0..first.cell_count(p) {
             let column = first_matrix.map(|matrix| matrix.column(a));
-            let second_base = second_matrix.map(|_| numbers.number(p, a as u32, q - 1, 0));
+            let second_base = second_matrix.map(|_| numbers.number(p, narrow(a), q - 1, 0));
             for b in 0..width {
                 // Both parts rise; those of the lower first degree have the lower numbers.
                 if let Some(column) = column {
@@ -202,7 +203,7 @@ fn boundary_matrix(
                     rows.extend(column.rows().iter().map(|face| base + face));
                     entries.extend(column.entries().iter().map(|entry| sign * entry));
                 }
-                starts.push(rows.len() as u32);
+                starts.push(narrow(rows.len()));
             }
         }
     }
@@ -269,7 +270,7 @@ impl ProductNumbers {
     /// The number of the product of cell a of degree p and cell b of degree q.
     #[doc(hidden)]
     pub fn number(&self, p: usize, a: u32, q: usize, b: u32) -> u32 {
-        self.starts[p + q][p] + a * self.counts[1][q] as u32 + b
+        self.starts[p + q][p] + a * narrow(self.counts[1][q]) + b
     }
 }
 

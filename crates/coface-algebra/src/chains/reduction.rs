@@ -6,13 +6,13 @@ use crate::matrices::{SparseMatrix, SparseVector, WideMatrix, linear_combination
 use crate::progress::{Steps, stage};
 use std::borrow::Cow;
 
-/// A chain complex reduced by acyclic matchings, each taken in the Morse complex of the one before, until none finds a
-/// pair. The reduced complex has the integral homology of the original, and the maps of [`MorseComplex`] compose:
-/// inclusion g, projection f and homotopy h with $f g = 1$ and $1 - g f = \partial h + h \partial$.
+/// A chain complex reduced by acyclic matchings, each in the Morse complex of the one before, until none finds a pair.
+/// The reduced complex has the integral homology of the original, and the maps of [`MorseComplex`] compose: inclusion
+/// g, projection f and homotopy h with $f g = 1$ and $1 - g f = \partial h + h \partial$.
 ///
-/// Cells of the reduced complex are critical cells of the last matching, by their numbers. A complex that no unit
-/// incidence is left in has been reduced as far as this goes; where the greedy matching leaves some, or where
-/// boundaries outgrow the 32 bits of a [`ChainComplex`], Smith normal form takes them as its first pivots.
+/// Cells of the reduced complex are critical cells of the last matching, by their numbers. A complex without unit
+/// incidences cannot be reduced further; where the greedy matching leaves some, or where boundaries outgrow the 32 bits
+/// of a [`ChainComplex`], Smith normal form takes them as its first pivots.
 ///
 /// # Complexity
 /// That of the first [`MorseComplex`]: the further ones are of what it leaves.
@@ -139,7 +139,7 @@ impl<'a> Reduction<'a> {
         self.inclusions_with_steps(degree, chains, &steps)
     }
 
-    /// The same, each chain a step for each matching.
+    /// As [`Self::inclusions`], and counts a step for each chain and matching.
     #[doc(hidden)]
     pub fn inclusions_with_steps(
         &self,

@@ -1,4 +1,4 @@
-//! Chains with the coefficients -1, 0 and 1: cells that are chosen, perhaps turned around, or not.
+//! Selections: chains with the coefficients -1, 0 and 1 only.
 
 use super::{Chain, ChainComplex, Coefficient};
 use crate::Sign;
@@ -155,7 +155,7 @@ impl Selection {
         Self { degree: self.degree, terms }
     }
 
-    /// The sum: cells chosen with opposite signs fall away.
+    /// The sum: cells chosen with opposite signs cancel.
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] naming the first cell that both choose with the same sign; [`ErrorKind::Shape`] if
@@ -220,7 +220,7 @@ impl Selection {
     /// ```
     ///
     /// # Errors
-    /// [`ErrorKind::Coefficient`] if `one` is no number.
+    /// [`ErrorKind::Coefficient`] if `one` is not a finite number.
     pub fn to_chain<C: Coefficient>(&self, one: &C) -> Result<Chain<C>, Error> {
         let one = one.clone().checked()?;
         let minus = one.negated();

@@ -1,6 +1,7 @@
 //! Subcomplexes, complexes relative to them, and direct sums.
 
 use super::ChainComplex;
+use crate::ids::narrow;
 use crate::matrices::SparseMatrix;
 use crate::{CellId, Error, ErrorKind, Fault};
 
@@ -101,10 +102,10 @@ impl ChainComplex {
                 let (mut starts, mut rows, mut entries) = (vec![0], Vec::new(), Vec::new());
                 for (complex, shift) in [(self, 0), (other, self.cell_count(degree - 1))] {
                     if let Some(matrix) = complex.boundary_matrix(degree) {
-                        let start = rows.len() as u32;
+                        let start = narrow(rows.len());
                         // Where these sums wrap, the counts are beyond 32 bits and the parts are refused for that.
                         starts.extend(matrix.column_starts()[1..].iter().map(|&end| end.wrapping_add(start)));
-                        rows.extend(matrix.rows().iter().map(|&row| row.wrapping_add(shift as u32)));
+                        rows.extend(matrix.rows().iter().map(|&row| row.wrapping_add(narrow(shift))));
                         entries.extend_from_slice(matrix.entries());
                     }
                 }

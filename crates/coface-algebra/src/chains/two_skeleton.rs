@@ -1,15 +1,16 @@
-//! Vertices, edges and faces with the paths that the faces are attached along.
+//! The 2-skeleton: vertices, edges, and faces with the closed paths that bound them.
 
 use crate::Sign;
 use crate::chains::ChainComplex;
 use crate::matrices::{RaggedArray, SparseMatrix};
 use crate::{EdgeId, Error, ErrorKind, FaceId, Fault, VertexId};
 
-/// The part of a cell complex that loops see: vertices, edges with their ends, and faces with the closed edge paths
-/// that their rims run along. A [`ChainComplex`] forgets the order of a rim; this does not.
+/// The part of a cell complex that determines its loops: vertices, edges with their ends, and faces with the closed
+/// edge paths of their boundaries. A [`ChainComplex`] forgets the order of the edges around a face; this does not.
 ///
-/// Any two-dimensional cell complex is welcome: loops, faces that touch themselves, faces whose rim is one point. The
-/// faces that the 3-cells are bounded by may stand beside it. They change no loop, but tell which faces nobody needs.
+/// Any two-dimensional cell complex is allowed: loops, faces that touch themselves, faces whose boundary is one point.
+/// The boundaries of 3-cells may be stored too: they do not change the fundamental group, but show which faces are
+/// redundant.
 ///
 /// # Conventions
 /// A step along edge e is stored as the number 2e, a step against it as 2e + 1. Edge e goes from `ends[2e]` to
@@ -380,7 +381,8 @@ fn check_rim(face: usize, rim: &[u32], ends: &[u32]) -> Result<(), Error> {
             named(),
             step(packed).0,
             ends.len() / 2
-        )));
+        ))
+        .with_fault(Fault::OutOfRange { index: packed as usize / 2, count: ends.len() / 2 }));
     }
     // The step 2e starts at ends[2e], the step 2e + 1 at ends[2e + 1]; each ends where its opposite starts.
     let mut at = ends[(last ^ 1) as usize];

@@ -1,7 +1,8 @@
 //! Permutations of `0..n`.
 
 use crate::Sign;
-use crate::error::{Error, ErrorKind};
+use crate::error::{Error, ErrorKind, Fault};
+use crate::ids::narrow;
 use std::fmt;
 
 /// A permutation of `0..n`: i goes to `image(i)`.
@@ -41,7 +42,7 @@ impl Permutation {
     /// The permutation with these images of 0, 1, ...
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] naming the first image that is out of range or there already.
+    /// [`ErrorKind::InvalidInput`] naming the first image that is out of range or repeated.
     ///
     /// # Examples
     /// ```
@@ -57,18 +58,17 @@ impl Permutation {
             match is_met.get_mut(image as usize) {
                 Some(met) if !*met => *met = true,
                 fault => {
-                    let reason = if fault.is_some() {
-                        "is the image of an earlier number too"
+                    let (count, is_repeated) = (images.len(), fault.is_some());
+                    let reason =
+                        if is_repeated { "is the image of an earlier number too" } else { "is out of range" };
+                    let message =
+                        format!("no permutation of {count} numbers: the image {image} of {i} {reason}");
+                    let error = Error::new(ErrorKind::InvalidInput, message);
+                    return Err(if is_repeated {
+                        error
                     } else {
-                        "is out of range"
-                    };
-                    return Err(Error::new(
-                        ErrorKind::InvalidInput,
-                        format!(
-                            "no permutation of {} numbers: the image {image} of {i} {reason}",
-                            images.len()
-                        ),
-                    ));
+                        error.with_fault(Fault::OutOfRange { index: image as usize, count })
+                    });
                 }
             }
         }
@@ -170,7 +170,7 @@ impl Permutation {
     pub fn inverse(&self) -> Self {
         let mut images = vec![0; self.len()];
         for (i, &image) in self.images.iter().enumerate() {
-            images[image as usize] = i as u32;
+            images[image as usize] = narrow(i);
         }
         Self { images }
     }
@@ -212,7 +212,7 @@ impl Permutation {
             let mut at = start;
             while !is_met[at] {
                 is_met[at] = true;
-                cycle.push(at as u32);
+                cycle.push(narrow(at));
                 at = self.image(at);
             }
             if cycle.len() > 1 {

@@ -1,4 +1,4 @@
-//! Orientations.
+//! Signs: orientations relative to a reference.
 
 use std::fmt;
 

@@ -1,6 +1,7 @@
-//! Partitions that only grow coarser, with and without a sign between members.
+//! Union-find: partitions that only grow coarser, with and without a sign between members.
 
 use crate::Sign;
+use crate::ids::narrow;
 
 /// A partition of `0..n` into classes that can be united.
 ///
@@ -142,7 +143,7 @@ impl UnionFind {
     pub fn class_numbers(&mut self) -> Vec<u32> {
         let mut number_of_root = vec![u32::MAX; self.len()];
         let mut next = 0;
-        (0..self.len() as u32)
+        (0..narrow(self.len()))
             .map(|member| {
                 let number = &mut number_of_root[self.find(member) as usize];
                 if *number == u32::MAX {
@@ -200,7 +201,7 @@ impl ParityUnionFind {
     /// ```
     pub fn new(count: usize) -> Self {
         assert!(count < ROOT as usize, "a union-find holds fewer than 2^31 members");
-        Self { link: (0..count as u32).map(|i| i << 1).collect(), rank: vec![0; count], class_count: count }
+        Self { link: (0..narrow(count)).map(|i| i << 1).collect(), rank: vec![0; count], class_count: count }
     }
 
     /// The number of classes.

@@ -175,7 +175,7 @@ impl Word {
         self.times(other).times(&self.inverse()).times(&other.inverse())
     }
 
-    /// The shortest conjugate that is left when inverse letters at both ends are taken away.
+    /// The cyclically reduced conjugate: what is left when inverse letters at both ends are removed.
     ///
     /// # Examples
     /// ```
@@ -190,7 +190,7 @@ impl Word {
     }
 
     /// One word for all cyclic conjugates of this word and its inverse: the least rotation of the cyclically reduced
-    /// word or of its inverse. Two relators with the same form say the same.
+    /// word or of its inverse. Two relators with the same form are equivalent.
     ///
     /// # Complexity
     /// Linear.

@@ -1,4 +1,4 @@
-//! Integers that widen instead of wrapping.
+//! Integers of any size, fast as long as they fit in 64 bits.
 
 use dashu_int::IBig;
 use dashu_int::ops::{DivRem, ExtendedGcd, Gcd};

@@ -1,5 +1,6 @@
 //! Rank and a determinant of an integer matrix from its residues modulo many primes.
 
+use crate::ids::narrow;
 use crate::integers::integer::Integer;
 use crate::integers::prime_field::{Field, Odd};
 use crate::integers::primes::large_primes;
@@ -11,7 +12,7 @@ use rayon::prelude::*;
 ///
 /// The matrix is eliminated modulo primes of 31 bits until their product exceeds twice the bound of Hadamard for minors
 /// of one more than the rank: a larger minor would vanish modulo all of them, so it is zero, and the minor is known
-/// from its residues. Nothing is left to chance; a prime that sees a larger rank starts the search anew.
+/// from its residues. The result is certain: a prime with a larger rank restarts the search.
 ///
 /// # Complexity
 /// With b the bits of that bound, b / 30 dense eliminations of 32-bit residues, in parallel.
@@ -88,9 +89,10 @@ impl Residues {
     }
 
     /// Each column is a step.
+    #[allow(clippy::cast_possible_truncation, reason = "residues are below the prime, which has 31 bits")]
     fn eliminate(&mut self, steps: &Steps) -> Eliminated {
         let (field, prime) = (Odd::new(self.prime), u64::from(self.prime));
-        let mut order: Vec<u32> = (0..self.rows.len() as u32).collect();
+        let mut order: Vec<u32> = (0..narrow(self.rows.len())).collect();
         let (mut pivot_columns, mut determinant) = (Vec::new(), 1u64);
         for column in 0..self.column_count {
             steps.advance(1);
@@ -115,7 +117,7 @@ impl Residues {
                     *entry = ((u64::from(*entry) + factor * u64::from(above)) % prime) as u32;
                 }
             }
-            pivot_columns.push(column as u32);
+            pivot_columns.push(narrow(column));
         }
         if pivot_columns.len() < self.rows.len() {
             determinant = 0;
@@ -129,7 +131,7 @@ impl Residues {
 fn submatrix(rows: &[SparseVector], row_numbers: &[u32], columns: &[u32]) -> Vec<SparseVector> {
     let pick = |&i: &u32| {
         let terms = rows[i as usize].iter();
-        terms.filter_map(|(j, entry)| Some((columns.binary_search(j).ok()? as u32, entry.clone()))).collect()
+        terms.filter_map(|(j, entry)| Some((narrow(columns.binary_search(j).ok()?), entry.clone()))).collect()
     };
     row_numbers.iter().map(pick).collect()
 }

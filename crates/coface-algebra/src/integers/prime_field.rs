@@ -21,6 +21,7 @@ pub trait Field {
 }
 
 /// The field of two elements.
+#[derive(Clone, Copy, Debug)]
 pub struct Binary;
 
 impl Field for Binary {
@@ -40,6 +41,7 @@ impl Field for Binary {
 }
 
 /// The field of p elements, p an odd prime below 2^31.
+#[derive(Clone, Copy, Debug)]
 pub struct Odd {
     prime: u32,
 }
@@ -53,12 +55,14 @@ impl Odd {
 
     /// The class of an integer of any size; `None` for zero.
     #[doc(hidden)]
+    #[allow(clippy::cast_possible_truncation, reason = "residues are below the prime, which has 31 bits")]
     pub fn class(&self, value: &Integer) -> Option<u32> {
         let rest = value.div_rem_floor(&Integer::from(i64::from(self.prime))).1.to_i64();
         rest.map(|rest| rest as u32).filter(|&rest| rest != 0)
     }
 
     /// The inverse.
+    #[allow(clippy::cast_possible_truncation, reason = "residues are below the prime, which has 31 bits")]
     pub(crate) fn inverse(&self, a: u32) -> u32 {
         // Almost all entries of boundary matrices are units of Z.
         if a == 1 || a == self.prime - 1 {
@@ -79,6 +83,7 @@ impl Odd {
 impl Field for Odd {
     type Unit = u32;
 
+    #[allow(clippy::cast_possible_truncation, reason = "residues are below the prime, which has 31 bits")]
     fn unit(&self, value: i32) -> Option<u32> {
         let rest = i64::from(value).rem_euclid(i64::from(self.prime));
         (rest != 0).then_some(rest as u32)
@@ -91,6 +96,7 @@ impl Field for Odd {
         (sum != 0).then_some(sum)
     }
 
+    #[allow(clippy::cast_possible_truncation, reason = "residues are below the prime, which has 31 bits")]
     fn product(&self, a: u32, b: u32) -> u32 {
         (u64::from(a) * u64::from(b) % u64::from(self.prime)) as u32
     }

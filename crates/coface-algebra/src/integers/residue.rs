@@ -103,8 +103,8 @@ impl Residue {
         self.value == 0
     }
 
+    #[allow(clippy::cast_possible_truncation, reason = "a remainder modulo a 32-bit number has 32 bits")]
     fn with(self, value: u64) -> Self {
-        // A remainder modulo a 32-bit number fits in 32 bits.
         Self { value: (value % u64::from(self.modulus)) as u32, ..self }
     }
 

@@ -1,4 +1,4 @@
-//! What a sparse matrix may hold.
+//! The entries of sparse matrices.
 
 use crate::integers::Integer;
 use std::fmt;

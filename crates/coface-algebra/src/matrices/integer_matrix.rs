@@ -1,4 +1,4 @@
-//! The result of matrix arithmetic: as narrow as its entries allow.
+//! The result of matrix arithmetic: entries of 32 bits if they suffice, of any size if not.
 
 use crate::error::Error;
 use crate::matrices::sparse_matrix::{SparseMatrix, WideMatrix};

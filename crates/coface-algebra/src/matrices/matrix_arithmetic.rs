@@ -2,6 +2,7 @@
 
 use crate::combinatorics::Permutation;
 use crate::error::{Error, ErrorKind, Fault};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
 use crate::matrices::integer_matrix::IntegerMatrix;
@@ -147,10 +148,10 @@ impl<E: Entry> SparseMatrix<E> {
         self.with_entries(|entry| if entry.is_negative() { entry.negated() } else { entry.clone() })
     }
 
-    /// The matrix of these columns, in this order; one may stand there more than once.
+    /// The matrix of these columns, in this order; a column may be listed more than once.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] for a column that is not there; [`ErrorKind::TooLarge`] beyond 2^32 entries.
+    /// [`ErrorKind::Shape`] for a column that does not exist; [`ErrorKind::TooLarge`] beyond 2^32 entries.
     ///
     /// # Complexity
     /// Linear in the entries of the columns taken.
@@ -175,10 +176,10 @@ impl<E: Entry> SparseMatrix<E> {
         Self::checked(self.row_count(), starts, rows, entries)
     }
 
-    /// The matrix of these rows, in this order; one may stand there more than once.
+    /// The matrix of these rows, in this order; a row may be listed more than once.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] for a row that is not there; [`ErrorKind::TooLarge`] beyond 2^32 entries.
+    /// [`ErrorKind::Shape`] for a row that does not exist; [`ErrorKind::TooLarge`] beyond 2^32 entries.
     ///
     /// # Complexity
     /// Linear in the matrix and the result.
@@ -253,7 +254,7 @@ impl<E: Entry> SparseMatrix<E> {
 }
 
 fn integer_terms<'a, E: Entry + 'a>(terms: impl Iterator<Item = (usize, &'a E)>) -> Vec<(u32, Integer)> {
-    terms.map(|(i, entry)| (i as u32, entry.to_integer())).collect()
+    terms.map(|(i, entry)| (narrow(i), entry.to_integer())).collect()
 }
 
 fn check_numbers(numbers: &[usize], count: usize, what: &str) -> Result<(), Error> {

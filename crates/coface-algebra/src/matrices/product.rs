@@ -1,6 +1,7 @@
 //! Products of sparse matrices with matrices and vectors.
 
 use crate::error::{Error, ErrorKind};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
 use crate::matrices::integer_matrix::IntegerMatrix;
@@ -152,7 +153,7 @@ impl<E: Entry> SparseMatrix<E> {
                         }
                     }
                     // Longer than 2^32 - 1 is impossible: a column has no more entries than there are rows.
-                    lengths.push((rows.len() - start) as u32);
+                    lengths.push(narrow(rows.len() - start));
                 }
                 Some((lengths, rows, entries))
             })
@@ -174,7 +175,7 @@ impl<E: Entry> SparseMatrix<E> {
                 for (k, factor) in other.column(j).terms() {
                     let factor = factor.to_integer();
                     terms.extend(
-                        self.column(k).terms().map(|(i, entry)| (i as u32, &entry.to_integer() * &factor)),
+                        self.column(k).terms().map(|(i, entry)| (narrow(i), &entry.to_integer() * &factor)),
                     );
                 }
                 terms

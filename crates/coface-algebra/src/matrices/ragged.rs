@@ -1,12 +1,13 @@
 //! Lists of lists in one flat array.
 
 use crate::error::{Error, ErrorKind};
+use crate::ids::narrow;
 use crate::progress::stage_of_many;
 use rayon::prelude::*;
 
 /// A list of lists of 32-bit numbers, flat: all items in one array and where each list starts.
 ///
-/// Lists of one common length (all triangles) need no starts and take no room for them.
+/// Lists of one common length (all triangles) need no starts, and none are stored.
 ///
 /// # Examples
 /// ```
@@ -147,15 +148,15 @@ impl RaggedArray {
         let steps = stage_of_many("grouping", items.len());
         for (position, key) in steps.each(keys.enumerate()) {
             let place = &mut starts[key as usize + 1];
-            items[*place as usize] = position as u32;
+            items[*place as usize] = narrow(position);
             *place += 1;
         }
         starts.pop();
         Self { items, starts: Starts::Listed(starts) }
     }
 
-    /// The lists in which each item below `item_count` stands: list x has the positions of the lists with x, rising,
-    /// once for each time it stands there.
+    /// The lists that contain each item below `item_count`: list x has the positions of the lists that contain x,
+    /// rising, each as often as it contains x.
     ///
     /// # Panics
     /// If an item is not below `item_count`.
@@ -186,7 +187,7 @@ impl RaggedArray {
             for &item in list {
                 let next = &mut starts[item as usize];
                 *next -= 1;
-                lists[*next as usize] = position as u32;
+                lists[*next as usize] = narrow(position);
             }
         }
         Self { items: lists, starts: Starts::Listed(starts) }
@@ -309,7 +310,7 @@ impl RaggedArray {
         &mut self.items
     }
 
-    /// Changes all lists, many at a time. `change` may keep what it needs in its second argument.
+    /// Changes all lists in place and in parallel. The second argument of `change` is scratch space.
     #[doc(hidden)]
     pub fn change_lists<Scratch: Default + Send>(
         &mut self,
@@ -340,7 +341,7 @@ impl RaggedArray {
         });
     }
 
-    /// The flat items, given away.
+    /// The items of all lists as a vector.
     ///
     /// # Examples
     /// ```
@@ -398,14 +399,14 @@ impl RaggedArray {
         }
     }
 
-    /// Writes the starts out and appends the one after a list of length `added`.
+    /// Stores the starts explicitly, and appends the one after a list of length `added`.
     fn listed_starts(&mut self, added: usize) {
         if let Starts::Uniform(width) = self.starts {
             let count = self.items.len() / width;
-            self.starts = Starts::Listed((0..=count).map(|i| (i * width) as u32).collect());
+            self.starts = Starts::Listed((0..=count).map(|i| narrow(i * width)).collect());
         }
         if let Starts::Listed(starts) = &mut self.starts {
-            starts.push((self.items.len() + added) as u32);
+            starts.push(narrow(self.items.len() + added));
         }
     }
 }

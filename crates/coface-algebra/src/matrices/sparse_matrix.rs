@@ -1,6 +1,7 @@
 //! Sparse integer matrices in compressed columns.
 
 use crate::error::{Error, ErrorKind, Fault};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
 use rayon::prelude::*;
@@ -188,8 +189,8 @@ impl SparseMatrix {
         Self::checked(row_count, column_starts, rows, entries)
     }
 
-    /// The matrix with parts that a producer has just made right: only the counts are looked at, and in debug builds
-    /// everything that [`Self::from_parts`] checks.
+    /// The matrix with parts that are known to be valid: release builds check the counts only, debug builds everything
+    /// that [`Self::from_parts`] checks.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 32 bits.
@@ -246,7 +247,7 @@ impl SparseMatrix {
                     Fault::OutOfRange { index: column, count: column_count }
                 }));
             }
-            sorted.push((column as u32, row as u32, entry));
+            sorted.push((narrow(column), narrow(row), entry));
         }
         sorted.sort_unstable_by_key(|&(column, row, _)| (column, row));
         let mut column_starts = vec![0u32; column_count + 1];
@@ -342,7 +343,7 @@ impl WideMatrix {
     }
 }
 
-/// Takes the last entry away if it is zero and belongs to the column that begins at `start`.
+/// Removes the last entry if it is zero and belongs to the column that begins at `start`.
 fn drop_last_zero(start: usize, rows: &mut Vec<u32>, entries: &mut Vec<Integer>) {
     if rows.len() > start && entries.last().is_some_and(Integer::is_zero) {
         rows.pop();
@@ -391,7 +392,7 @@ impl<E: Entry> SparseMatrix<E> {
         Ok(Self { row_count, column_starts, rows, entries })
     }
 
-    /// The same matrix with 32-bit entries.
+    /// The matrix with 32-bit entries.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] naming the first entry beyond 32 bits.
@@ -410,7 +411,7 @@ impl<E: Entry> SparseMatrix<E> {
             for (i, entry) in column.terms() {
                 match entry.to_i64().and_then(|value| i32::try_from(value).ok()) {
                     Some(value) if value != i32::MIN => entries.push(value),
-                    _ => return Err(too_wide(i as u32, j as u32, entry)),
+                    _ => return Err(too_wide(narrow(i), narrow(j), entry)),
                 }
             }
         }
@@ -422,7 +423,7 @@ impl<E: Entry> SparseMatrix<E> {
         })
     }
 
-    /// The same places with entries made from the present ones; none may become zero.
+    /// The matrix with each entry replaced by its image, which must not be zero.
     pub(super) fn with_entries<F: Entry>(&self, entry: impl Fn(&E) -> F) -> SparseMatrix<F> {
         SparseMatrix {
             row_count: self.row_count,
@@ -432,7 +433,7 @@ impl<E: Entry> SparseMatrix<E> {
         }
     }
 
-    /// The same matrix with entries of any size.
+    /// The matrix with entries of any size.
     ///
     /// # Examples
     /// ```
@@ -605,12 +606,12 @@ impl<E: Entry> SparseMatrix<E> {
             let range = self.column_starts[j] as usize..self.column_starts[j + 1] as usize;
             for (&row, entry) in self.rows[range.clone()].iter().zip(&self.entries[range]) {
                 let at = &mut next[row as usize];
-                rows[*at as usize] = j as u32;
+                rows[*at as usize] = narrow(j);
                 entries[*at as usize] = entry.clone();
                 *at += 1;
             }
         }
-        Self { row_count: self.column_count() as u32, column_starts: starts, rows, entries }
+        Self { row_count: narrow(self.column_count()), column_starts: starts, rows, entries }
     }
 }
 
@@ -664,7 +665,7 @@ impl SparseMatrix {
                     if sums.len() == 32 {
                         return self.sorted_combination_is_zero(coefficients);
                     }
-                    sums.push((row as u32, product));
+                    sums.push((narrow(row), product));
                     continue;
                 };
                 match sums[at].1.checked_add(product) {

@@ -1,5 +1,6 @@
 //! Elimination of a sparse integer matrix down to a diagonal, over the integers or modulo one integer.
 
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::sparse_vector::entry_of;
 use crate::matrices::{Entry, SparseMatrix, SparseVector};
@@ -56,7 +57,7 @@ pub(super) struct Transforms {
 
 impl Transforms {
     fn identity(row_count: usize, column_count: usize) -> Self {
-        let unit = |count: usize| (0..count as u32).map(|i| vec![(i, Integer::ONE)]).collect::<Vec<_>>();
+        let unit = |count: usize| (0..narrow(count)).map(|i| vec![(i, Integer::ONE)]).collect::<Vec<_>>();
         Self {
             left_rows: unit(row_count),
             left_inverse_columns: unit(row_count),
@@ -100,7 +101,7 @@ impl Elimination {
         let mut rows = vec![SparseVector::new(); matrix.row_count()];
         for (j, column) in matrix.columns().enumerate() {
             for (i, entry) in column.terms() {
-                rows[i].push((j as u32, entry.to_integer()));
+                rows[i].push((narrow(j), entry.to_integer()));
             }
         }
         let transforms =
@@ -130,11 +131,11 @@ impl Elimination {
         let mut is_wide = false;
         for (i, row) in rows.iter().enumerate() {
             for (j, entry) in row {
-                columns[*j as usize].push(i as u32);
+                columns[*j as usize].push(narrow(i));
                 is_wide |= entry.to_i64().is_none();
             }
         }
-        let column_counts = columns.iter().map(|column| column.len() as u32).collect();
+        let column_counts = columns.iter().map(|column| narrow(column.len())).collect();
         let steps = stage("eliminating rows", rows.iter().filter(|row| !row.is_empty()).count());
         let mut elimination = Self {
             steps,
@@ -148,7 +149,7 @@ impl Elimination {
             spare: Vec::new(),
             pivots: Vec::new(),
         };
-        for i in 0..elimination.rows.len() as u32 {
+        for i in 0..narrow(elimination.rows.len()) {
             elimination.offer(i);
         }
         elimination
@@ -189,7 +190,7 @@ impl Elimination {
     /// Brings what is left to echelon form by operations on one side, then takes the units among its pivots.
     fn triangulate(&mut self, side: Side) {
         let rows: Vec<u32> =
-            (0..self.rows.len() as u32).filter(|&i| !self.rows[i as usize].is_empty()).collect();
+            (0..narrow(self.rows.len())).filter(|&i| !self.rows[i as usize].is_empty()).collect();
         let mut columns: Vec<u32> =
             rows.iter().flat_map(|&i| self.rows[i as usize].iter().map(|&(j, _)| j)).collect();
         columns.sort_unstable();
@@ -277,7 +278,7 @@ impl Elimination {
         (rows, count as usize)
     }
 
-    /// The pivots and the transforms, which are there if they were asked for.
+    /// The pivots, and the transforms if they were requested.
     pub(super) fn into_parts(self) -> (Vec<Pivot>, Option<Transforms>) {
         (self.pivots, self.transforms)
     }

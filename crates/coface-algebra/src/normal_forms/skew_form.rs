@@ -117,7 +117,7 @@ impl SkewForm {
     }
 
     /// The elementary divisors $d_1 | d_2 | \dots$: in some basis the form is a sum of blocks with $d_i$ and $-d_i$ off
-    /// the diagonal, and zeros. They tell the form up to a change of basis.
+    /// the diagonal, and zeros. They determine the form up to a change of basis.
     ///
     /// # References
     /// N. Bourbaki, *Algebra II* (1981), chapter IX, section 5, theorem 1.

@@ -1,5 +1,6 @@
 //! The Smith normal form of a sparse integer matrix.
 
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::integers::modular::rank_and_minor;
 use crate::matrices::combination;
@@ -119,7 +120,7 @@ impl SmithForm {
     /// ```
     pub fn to_matrix(&self) -> WideMatrix {
         let columns = (0..self.column_count)
-            .map(|j| self.diagonal.get(j).map(|factor| (j as u32, factor.clone())).into_iter().collect());
+            .map(|j| self.diagonal.get(j).map(|factor| (narrow(j), factor.clone())).into_iter().collect());
         WideMatrix::from_integer_columns(self.row_count, columns)
             .expect("the diagonal fits where the matrix did")
     }
@@ -466,7 +467,7 @@ fn pivots_first(pivots: impl Iterator<Item = u32>, count: usize) -> Vec<u32> {
     for &pivot in &order {
         is_pivot[pivot as usize] = true;
     }
-    order.extend((0..count as u32).filter(|&i| !is_pivot[i as usize]));
+    order.extend((0..narrow(count)).filter(|&i| !is_pivot[i as usize]));
     order
 }
 

@@ -1,6 +1,7 @@
 //! Symmetric bilinear forms over the integers: rank, signature, parity, determinant, radical.
 
-use crate::error::{Error, ErrorKind};
+use crate::error::{Error, ErrorKind, Fault};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::WideMatrix;
 use crate::normal_forms::smith::smith_form_with_transforms;
@@ -465,14 +466,15 @@ pub(super) fn check_square(rows: &[Vec<Integer>]) -> Result<(), Error> {
         Some(i) => Err(Error::new(
             ErrorKind::Shape,
             format!("row {i} has {} entries; a form with {} rows needs as many", rows[i].len(), rows.len()),
-        )),
+        )
+        .with_fault(Fault::Length { found: rows[i].len(), expected: rows.len() })),
         None => Ok(()),
     }
 }
 
 pub(super) fn matrix(rows: &[Vec<Integer>]) -> WideMatrix {
     let column = |j: usize| {
-        (0..rows.len()).filter(|&i| !rows[i][j].is_zero()).map(|i| (i as u32, rows[i][j].clone())).collect()
+        (0..rows.len()).filter(|&i| !rows[i][j].is_zero()).map(|i| (narrow(i), rows[i][j].clone())).collect()
     };
     WideMatrix::from_integer_columns(rows.len(), (0..rows.len()).map(column))
         .expect("a square matrix has its rows in range")
@@ -487,7 +489,8 @@ pub(super) fn evaluate(
         return Err(Error::new(
             ErrorKind::Shape,
             format!("a vector of length {length} has no value under a form of size {}", rows.len()),
-        ));
+        )
+        .with_fault(Fault::Length { found: length, expected: rows.len() }));
     }
     let mut sum = Integer::ZERO;
     for (x, row) in first.iter().zip(rows).filter(|(x, _)| !x.is_zero()) {

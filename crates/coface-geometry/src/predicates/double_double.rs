@@ -1,4 +1,4 @@
-//! Numbers of twice the usual precision that know how wrong they can be.
+//! Numbers of twice the usual precision with a bound on their error.
 
 /// Whether products of four differences of such numbers, and the errors of those products, stay in the range of
 /// ordinary numbers.

@@ -23,14 +23,15 @@ impl Dyadic {
 
     /// The mantissa that goes with a lower exponent.
     fn aligned(&self, exponent: i64) -> IBig {
-        &self.mantissa << (self.exponent - exponent) as usize
+        &self.mantissa << usize::try_from(self.exponent - exponent).expect("the exponent is lower")
     }
 
     /// The fraction `self / divisor`. The divisor is positive.
     #[doc(hidden)]
     pub fn quotient(&self, divisor: &Self) -> Rational {
         let shift = self.exponent - divisor.exponent;
-        let [up, down] = [shift.max(0), (-shift).max(0)].map(|shift| shift as usize);
+        let [up, down] = [shift.max(0), (-shift).max(0)]
+            .map(|shift| usize::try_from(shift).expect("shifts are not negative"));
         let fraction = RBig::from_parts_signed(&self.mantissa << up, &divisor.mantissa << down);
         Rational::from_big(fraction)
     }
@@ -50,7 +51,7 @@ impl Dyadic {
         // The quotient has at least 66 bits; as many are kept as a number of this size has.
         let bits = quotient.bit_len() as i64;
         let precision = 53 - (SMALLEST - (unit + bits - 1)).max(0);
-        let dropped = (bits - precision) as usize;
+        let dropped = usize::try_from(bits - precision).expect("more bits are computed than are kept");
         let kept = &quotient >> dropped;
         let half = quotient.bit(dropped - 1);
         let below_half =
@@ -69,7 +70,7 @@ impl Dyadic {
 
 /// A number of 53 bits times a power of two no smaller than $2^{-1074}$; infinite beyond the range.
 fn times_power_of_two(mantissa: f64, exponent: i64) -> f64 {
-    let power = |e: i64| 2f64.powi(e.clamp(-2000, 2000) as i32);
+    let power = |e: i64| 2f64.powi(i32::try_from(e.clamp(-2000, 2000)).expect("the exponent is clamped"));
     match exponent {
         // 2^e is no normal number below -1022, and powi goes through its reciprocal.
         ..-1000 => mantissa * power(exponent + 500) * power(-500),

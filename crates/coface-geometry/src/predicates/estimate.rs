@@ -1,4 +1,4 @@
-//! Floating-point numbers that know how wrong they can be.
+//! Floating-point numbers with a bound on their error.
 
 use std::cmp::Ordering;
 

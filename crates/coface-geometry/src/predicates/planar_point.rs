@@ -1,4 +1,4 @@
-//! Points that are given, and crossings of two lines that are never computed.
+//! Points in the plane: given points, and crossings of two lines that are never computed.
 
 use super::double_double::{Approximation, is_ordinary, widened};
 use super::{Dyadic, PlanarLine, direction_turn};
@@ -77,7 +77,7 @@ impl PlanarPoint {
         Some(Self { lines: Some([s, t]), rounded: [x, y], residues: [Some(x_residue), Some(y_residue)] })
     }
 
-    /// The same crossing when what [`Self::rounded`] and [`Self::residues`] said of it is known already.
+    /// The crossing of two lines with the known results of [`Self::rounded`] and [`Self::residues`].
     #[doc(hidden)]
     pub fn known_crossing(
         lines: [PlanarLine; 2],

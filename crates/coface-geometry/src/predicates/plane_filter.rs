@@ -5,7 +5,7 @@ use super::arithmetic::normal;
 use super::estimate::Estimate;
 use std::cmp::Ordering;
 
-/// What is worth keeping of a plane to tell at once, for nearly all points, on which side of it they lie.
+/// A plane with precomputed bounds, which decide for nearly all points at once on which side of it they lie.
 ///
 /// # Examples
 /// ```
@@ -27,7 +27,7 @@ pub struct PlaneFilter {
 }
 
 impl PlaneFilter {
-    /// The filter of a plane. Three points on one line give one that leaves all points open.
+    /// The filter of a plane. The filter of three points on one line decides no point.
     ///
     /// # Examples
     /// ```

@@ -1,4 +1,4 @@
-//! Binary fractions of bounded length, quicker than those of any size.
+//! Binary fractions of bounded length, which are faster than those of any size.
 
 use std::cmp::Ordering;
 
@@ -27,6 +27,7 @@ impl ShortDyadic {
     }
 
     /// The number with this magnitude of at most 128 bits.
+    #[allow(clippy::cast_possible_truncation, reason = "the low half of a 128-bit number is taken")]
     fn from_magnitude(magnitude: u128, exponent: i64, negative: bool) -> Self {
         let [low, high] = [magnitude as u64, (magnitude >> 64) as u64];
         let length = usize::from(magnitude != 0) + usize::from(high != 0);
@@ -36,6 +37,7 @@ impl ShortDyadic {
     }
 
     /// The sum of two numbers, the second with the sign that is given.
+    #[allow(clippy::cast_possible_truncation, reason = "a remainder of 64 fits")]
     fn sum(&self, other: &Self, other_negative: bool) -> Self {
         if self.is_lost() || other.is_lost() {
             return LOST;
@@ -53,7 +55,7 @@ impl ShortDyadic {
             ((other, other_negative), (self, self.negative))
         };
         let shift = moved.exponent - still.exponent;
-        let (whole, bits) = ((shift / 64) as usize, (shift % 64) as u32);
+        let (whole, bits) = (usize::try_from(shift / 64).unwrap_or(LIMBS), (shift % 64) as u32);
         let length = still.length.max(moved.length.saturating_add(whole + usize::from(bits > 0)));
         if length > LIMBS {
             return LOST;
@@ -83,6 +85,7 @@ impl ShortDyadic {
     }
 
     /// Adds shifted limbs to the first `length`; whether a one is carried out of these.
+    #[allow(clippy::cast_possible_truncation, reason = "the low half of a 128-bit number is taken")]
     fn add(&mut self, limbs: &[u64], whole: usize, bits: u32) -> bool {
         let (mut carry, mut left_over) = (false, 0);
         let rest = &mut self.limbs[whole..self.length];
@@ -96,6 +99,7 @@ impl ShortDyadic {
     }
 
     /// Subtracts shifted limbs from the first `length`; whether one is borrowed from beyond these.
+    #[allow(clippy::cast_possible_truncation, reason = "the low half of a 128-bit number is taken")]
     fn subtract(&mut self, limbs: &[u64], whole: usize, bits: u32) -> bool {
         let (mut borrow, mut left_over) = (false, 0);
         let rest = &mut self.limbs[whole..self.length];
@@ -164,6 +168,7 @@ impl ShortDyadic {
         self.sum(other, !other.negative)
     }
 
+    #[allow(clippy::cast_possible_truncation, reason = "the low half of a 128-bit number is taken")]
     pub(super) fn times(&self, other: &Self) -> Self {
         if self.is_lost() || other.is_lost() {
             return LOST;

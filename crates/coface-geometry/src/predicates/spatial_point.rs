@@ -1,4 +1,4 @@
-//! Points in space that are given, and points where lines and planes meet that are never computed.
+//! Points in space: given points, and intersections of lines and planes that are never computed.
 
 use super::arithmetic::{Arithmetic, cross, dot, normal, vector};
 use super::double_double::{Approximation, widened};
@@ -9,7 +9,7 @@ use super::{Dyadic, SpatialLine, SpatialPlane, spatial_orientation};
 use coface_algebra::Rational;
 use std::cmp::Ordering;
 
-/// A point of space: given by coordinates, or the place where a line and a plane, three planes or two lines meet.
+/// A point of space: given by coordinates, or the intersection of a line and a plane, of three planes or of two lines.
 ///
 /// Decisions about it are exact, whatever its coordinates. The point remembers them to about 106 bits, which settles
 /// nearly all of them; integers of any size settle the rest.

@@ -1,4 +1,4 @@
-//! How triangles and tetrahedra of points in space run, whether the points are given or not.
+//! Orientations of triangles and tetrahedra of points in space, given or defined by intersections.
 
 use super::arithmetic::{Arithmetic, cross, cross_coordinate, dot};
 use super::common_line::CommonLine;

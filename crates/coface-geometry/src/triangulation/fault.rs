@@ -1,20 +1,20 @@
-//! Why sides are not those of a polygon.
+//! Why sides do not bound a polygon.
 
 use coface_algebra::Error;
 use std::fmt;
 
-/// Why walks are not those of a polygon, with the vertices and sides where that shows.
+/// Why walks do not bound a polygon, with the vertices and sides at fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriangulationFault {
-    /// Two vertices with different numbers are at one place.
+    /// Two vertices with different numbers have the same place.
     SamePlace([u32; 2]),
     /// A side begins and ends at one vertex.
     NoLength(u32),
-    /// A side is there twice in one direction.
+    /// A side is listed twice in one direction.
     RepeatedSide([u32; 2]),
     /// Two sides cross, or lie on each other.
     Crossing([[u32; 2]; 2]),
-    /// A vertex is on the inside of a side.
+    /// A vertex lies in the interior of a side.
     OnSide {
         /// The vertex.
         vertex: u32,
@@ -26,7 +26,7 @@ pub enum TriangulationFault {
 }
 
 impl TriangulationFault {
-    /// The fault with its vertices numbered as a function says.
+    /// The fault with other numbers for its vertices.
     ///
     /// # Examples
     /// ```
@@ -46,7 +46,7 @@ impl TriangulationFault {
         }
     }
 
-    /// What to do about it.
+    /// The cure: what to do about the fault.
     ///
     /// # Examples
     /// ```

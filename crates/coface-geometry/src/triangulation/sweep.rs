@@ -3,9 +3,10 @@
 use super::TriangulationFault;
 use super::status::{NONE, Status};
 use coface_algebra::RaggedArray;
+use coface_algebra::narrow;
 use std::cmp::Ordering;
 
-/// The triangles of a polygon with these walks around it, counterclockwise, on its own vertices.
+/// Triangulates the polygon with these walks, on its own vertices; triangles run counterclockwise.
 ///
 /// `compare` is the lexicographic order of vertices, `turn` the way that three of them turn: `Greater` for
 /// counterclockwise. Each side of a walk is a side of one triangle; all other sides of triangles come in pairs. So a
@@ -14,15 +15,15 @@ use std::cmp::Ordering;
 ///
 /// # Errors
 /// The [`TriangulationFault`] that is met first: sides that cross or touch outside of vertices, or have the inside to
-/// their right. Whatever is not a polygon is found.
+/// their right. Every input that is not a polygon is refused.
 ///
 /// # Complexity
 /// $O(n \log n)$ for n sides.
 ///
 /// # Algorithm
-/// A line sweeps over the vertices in lexicographic order. Of each stretch of the inside that it crosses what lies
-/// behind is triangulated up to a chain that bulges forward; a new vertex sees a part of it. Edges that become
-/// neighbors on the line are checked against each other.
+/// A line sweeps over the vertices in lexicographic order. The part of the polygon behind the line is triangulated up
+/// to one chain for each stretch of the inside that the line crosses; the chain bulges forward, and a new vertex makes
+/// triangles with the part that is visible from it. Edges that become neighbors on the line are tested for a crossing.
 ///
 /// # References
 /// S. Hertel, K. Mehlhorn, *Fast triangulation of simple polygons* (1983); M. I. Shamos, D. Hoey, *Geometric
@@ -72,7 +73,7 @@ pub fn triangulate<W: AsRef<[u32]>>(
     triangulate_sides(&sides, compare, turn)
 }
 
-/// The same for a polygon that is given by its sides, in any order.
+/// Triangulates the polygon with these sides, in any order; see [`triangulate`].
 ///
 /// # Errors
 /// As [`triangulate`].
@@ -107,13 +108,13 @@ pub fn triangulate_sides(
     let place = |number: u32| numbers.binary_search(&number).expect("ends of sides are vertices");
     let mut rank = vec![0; numbers.len()];
     for (order, &vertex) in vertices.iter().enumerate() {
-        rank[place(vertex)] = order as u32;
+        rank[place(vertex)] = narrow(order);
     }
     let edges = Edges::new(sides, |number| rank[place(number)])?;
     let turn = |[a, b, c]: [u32; 3]| turn(vertices[a as usize], vertices[b as usize], vertices[c as usize]);
     let run = |fills: bool| {
         let mut sweep = Sweep::new(&edges, vertices.len(), &turn, fills);
-        for vertex in 0..vertices.len() as u32 {
+        for vertex in 0..narrow(vertices.len()) {
             sweep.pass(vertex, &edges)?;
         }
         Ok(sweep.triangles)
@@ -443,7 +444,7 @@ impl<T: Fn([u32; 3]) -> Ordering> Sweep<T> {
 
     fn link(&mut self, vertex: u32) -> u32 {
         self.links.push(Link { vertex, lower: NONE, upper: NONE });
-        self.links.len() as u32 - 1
+        narrow(self.links.len()) - 1
     }
 
     fn join(&mut self, lower: u32, upper: u32) {

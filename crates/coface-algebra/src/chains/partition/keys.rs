@@ -1,6 +1,7 @@
-//! Which parts have each cell.
+//! Keys: the set of parts that contain each cell.
 
 use crate::chains::ChainComplex;
+use crate::ids::narrow;
 use crate::matrices::{Entry, RaggedArray};
 use std::collections::BTreeMap;
 
@@ -27,7 +28,7 @@ impl Keys {
             let (below, from_here) = of_cell.split_at_mut(degree);
             let own = &mut from_here[0];
             for (cell, key) in own.iter_mut().enumerate().filter(|(_, key)| **key == NONE) {
-                *key = sets.number(vec![owner(degree, cell as u32)]);
+                *key = sets.number(vec![owner(degree, narrow(cell))]);
             }
             let (Some(faces), Some(matrix)) = (below.last_mut(), complex.boundary_matrix(degree)) else {
                 continue;
@@ -94,7 +95,7 @@ impl Keys {
 
     /// Where each face's key contains its cell's, how large each key is: then pairs within keys go by rising size.
     pub(super) fn sizes(&self) -> Vec<u32> {
-        self.sets.iter().map(|set| set.len() as u32).collect()
+        self.sets.iter().map(|set| narrow(set.len())).collect()
     }
 }
 
@@ -112,7 +113,7 @@ impl Sets {
         if let Some(&number) = self.numbers.get(&set) {
             return number;
         }
-        let number = self.sets.len() as u32;
+        let number = narrow(self.sets.len());
         self.sets.push(set.clone());
         self.numbers.insert(set, number);
         number
@@ -139,7 +140,7 @@ impl Sets {
         let mut position = vec![0; self.sets.len()];
         let mut sets = RaggedArray::new();
         for (set, &number) in self.numbers.iter().filter(|&(_, &number)| occurs[number as usize]) {
-            position[number as usize] = sets.len() as u32;
+            position[number as usize] = narrow(sets.len());
             sets.push(set);
         }
         of_cell.iter_mut().flatten().for_each(|number| *number = position[*number as usize]);

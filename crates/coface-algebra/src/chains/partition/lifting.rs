@@ -1,7 +1,8 @@
-//! Chains taken down from what is left of a part to its cells.
+//! Chains on the critical cells of a part as chains on its cells.
 
 use super::part::Part;
 use crate::Error;
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::{Entry, SparseVector};
 
@@ -9,8 +10,8 @@ use crate::matrices::{Entry, SparseVector};
 pub type ChainById = Vec<(u64, Integer)>;
 
 impl<E: Entry> Part<E> {
-    /// Chains on the critical cells of all parts, by ids, as far as this part is the first to have these cells: the
-    /// same chains on the cells of the part. What all parts give adds up to the chains on the cells of the whole; see
+    /// Chains on critical cells of all parts, given by ids, as chains on the cells of this part; only terms on its own
+    /// critical cells count. The sum of the results of all parts are the chains on the cells of the whole; see
     /// [`sum_of_chains`].
     ///
     /// # Errors
@@ -49,7 +50,7 @@ impl<E: Entry> Part<E> {
         let own = chains.iter().map(|chain| {
             let terms = chain.iter().filter(is_own).map(|(id, x)| {
                 let place = critical.binary_search_by_key(id, |&cell| ids[cell as usize]);
-                place.map(|place| (place as u32, x.clone())).map_err(|_| {
+                place.map(|place| (narrow(place), x.clone())).map_err(|_| {
                     Error::invalid(format!(
                         "cell {id} of degree {degree} is not critical in part {}",
                         self.number()

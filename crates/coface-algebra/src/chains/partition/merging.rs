@@ -1,9 +1,10 @@
-//! Parts joined to larger ones.
+//! Merges parts into larger parts.
 
 use super::keys::{Keys, Sets};
 use super::part::{Part, ReducedPart, StratumHash};
 use crate::Error;
 use crate::chains::ChainComplex;
+use crate::ids::narrow;
 use crate::matrices::{SparseVector, WideMatrix};
 
 impl ReducedPart {
@@ -87,7 +88,7 @@ fn places(all: &[u64], some: &[u64]) -> Vec<u32> {
     let mut at = 0;
     let place = |&id: &u64| {
         at += all[at..].partition_point(|&other| other < id);
-        at as u32
+        narrow(at)
     };
     some.iter().map(place).collect()
 }
@@ -144,7 +145,8 @@ fn joined_keys(
 /// Compares what parts found in their common strata.
 ///
 /// # Errors
-/// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming two parts and the stratum on which they do not agree.
+/// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) naming two parts and the stratum on which they do not
+/// agree.
 pub(super) fn check_strata<'h>(
     hashes: impl IntoIterator<Item = (u32, &'h [StratumHash])>,
 ) -> Result<(), Error> {

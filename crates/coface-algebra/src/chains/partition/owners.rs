@@ -1,21 +1,22 @@
-//! A complex in memory, cut into parts.
+//! Partitions of a complex in memory into parts.
 
 use super::keys::Keys;
 use super::part::Part;
 use crate::chains::ChainComplex;
+use crate::ids::narrow;
 use crate::matrices::RaggedArray;
 use crate::{Error, ErrorKind};
 use std::collections::VecDeque;
 
-/// The parts of one complex, made when they are asked for.
+/// The parts of one complex, computed on demand.
 pub trait Parts: Sync {
     /// The number of parts, 1 at least; some may be empty.
     fn part_count(&self) -> u32;
 
-    /// The part of this number. It is the same each time.
+    /// The part of this number. Each call gives the same part.
     ///
     /// # Errors
-    /// Where it cannot be made: it is too large, or cannot be read.
+    /// If the part cannot be made: it is too large, or its source cannot be read.
     ///
     /// # Panics
     /// If there is no such part.
@@ -49,8 +50,8 @@ impl<'a> Partition<'a> {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] for 0 parts, and for an owner that is not below `part_count`;
-    /// [`ErrorKind::TooLarge`] where the parts have more than 2^32 - 1 cells of one degree together, those in shared strata
-    /// counted once for each part.
+    /// [`ErrorKind::TooLarge`] where the parts have more than 2^32 - 1 cells of one degree together, those in shared
+    /// strata counted once for each part.
     ///
     /// # Complexity
     /// Linear in the boundary matrices and the sizes of the parts.
@@ -92,7 +93,7 @@ impl<'a> Partition<'a> {
                 }
                 let with_parts = || {
                     of_cell.iter().enumerate().flat_map(|(cell, &key)| {
-                        keys.sets.list(key as usize).iter().map(move |&part| (part, cell as u32))
+                        keys.sets.list(key as usize).iter().map(move |&part| (part, narrow(cell)))
                     })
                 };
                 let places = RaggedArray::grouped(part_count as usize, with_parts().map(|(part, _)| part));
@@ -106,8 +107,8 @@ impl<'a> Partition<'a> {
         Ok(Self { complex, keys, part_count, cells })
     }
 
-    /// A partition into so many parts of nearly equal numbers of maximal cells, cut off a walk breadth first through
-    /// cells that share faces: parts are connected, as far as what is left is.
+    /// A partition into `part_count` parts with nearly equal numbers of maximal cells, along a breadth-first walk
+    /// through cells that share faces. Parts are connected where the remaining cells are.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -227,7 +228,7 @@ fn walk_owners(complex: &ChainComplex, part_count: u32) -> Vec<Vec<u32>> {
             queue.push_back((start_degree, start));
             while let Some((degree, cell)) = queue.pop_front() {
                 if is_maximal(degree, cell) {
-                    owners[degree][cell] = (given / per_part) as u32;
+                    owners[degree][cell] = narrow(given / per_part);
                     given += 1;
                 }
                 let mut visit = |degree: usize, cells: &[u32]| {

@@ -1,18 +1,19 @@
-//! The closure of what one part owns, and what is left of it.
+//! A part of a complex, and its reduction.
 
 use super::keys::Keys;
 use crate::chains::flow::inclusions;
 use crate::chains::matching::CellClasses;
 use crate::chains::{AcyclicMatching, ChainComplex, MorseComplex};
+use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::{Entry, RaggedArray, SparseMatrix, SparseVector};
 use crate::{Error, ErrorKind, progress};
 use std::borrow::Cow;
 use xxhash_rust::xxh3::xxh3_64_with_seed;
 
-/// All cells of a complex that one part has in its closure, with their ids and keys.
+/// The closure of one part of a complex: its cells with their ids and keys.
 ///
-/// Over 32-bit incidences it is a piece of a cell complex; over [`Integer`]s it is what is left of pieces, a
+/// With 32-bit incidences it is a piece of a cell complex; with [`Integer`] incidences it is a reduction of pieces, a
 /// [`ReducedPart`].
 ///
 /// # Examples
@@ -38,7 +39,7 @@ pub struct Part<E: Entry = i32> {
     keys: Keys,
 }
 
-/// What is left of a part, or of several: critical cells with their exact boundaries in the Morse complex of the whole.
+/// The reduction of a part or of several: critical cells with their exact boundaries in the Morse complex of the whole.
 pub type ReducedPart = Part<Integer>;
 
 /// A stratum that several parts share, and a hash of the pairs and critical cells that the matching has in it.
@@ -134,10 +135,10 @@ impl<E: Entry> Part<E> {
         Ok(part)
     }
 
-    /// The same for lists that are right by the way they were made: only debug builds look.
+    /// The part with lists that are known to be valid: only debug builds check them.
     ///
     /// # Errors
-    /// None that a right list has.
+    /// None for valid lists.
     #[doc(hidden)]
     pub fn of_trusted_cells(
         number: u32,
@@ -152,7 +153,7 @@ impl<E: Entry> Part<E> {
         Ok(Self { number, complex, ids, keys: Keys::of_sets(key_sets, keys) })
     }
 
-    /// The same for lists that are right by the way they were made.
+    /// The part with lists that are known to be valid.
     pub(super) fn from_trusted(
         number: u32,
         complex: ChainComplex<E>,
@@ -264,7 +265,7 @@ impl<E: Entry> Part<E> {
     /// # Ok(()) }
     /// ```
     pub fn key(&self, degree: usize, cell: usize) -> &[u32] {
-        self.keys.of(degree, cell as u32)
+        self.keys.of(degree, narrow(cell))
     }
 
     /// The keys that occur, rising, and for each degree which of them each cell has.
@@ -289,7 +290,7 @@ impl<E: Entry> Part<E> {
         &self.keys
     }
 
-    /// How many strata the part sees.
+    /// The number of strata of the part.
     ///
     /// # Examples
     /// ```
@@ -305,8 +306,8 @@ impl<E: Entry> Part<E> {
         self.keys.sets.len()
     }
 
-    /// How many cells of each degree are the part's own: those of which it is the first in the key. Each cell of the
-    /// whole is own to one part.
+    /// The numbers of cells of each degree that the part counts as its own: those of whose key it is the first. Each
+    /// cell of the whole is the own cell of exactly one part.
     ///
     /// # Examples
     /// ```
@@ -326,8 +327,8 @@ impl<E: Entry> Part<E> {
         self.keys.of_cell.iter().map(own).collect()
     }
 
-    /// How many strata are the part's own: those of which it is the first in the key. Each stratum of the whole is own
-    /// to one part.
+    /// The number of strata that the part counts as its own: those of whose key it is the first. Each stratum of the
+    /// whole is the own stratum of exactly one part.
     ///
     /// # Examples
     /// ```
@@ -343,7 +344,7 @@ impl<E: Entry> Part<E> {
         self.keys.sets.iter().filter(|set| set[0] == self.number).count()
     }
 
-    /// Whether an incidence is 1 or -1, so that a further pair could cancel in a larger stratum.
+    /// Whether an incidence is 1 or -1, so that more pairs can cancel after parts are merged.
     ///
     /// # Examples
     /// ```
@@ -380,8 +381,7 @@ impl<E: Entry> Part<E> {
         AcyclicMatching::within(&self.complex, CellClasses { of_cell: &self.keys.of_cell, ranks: &ranks })
     }
 
-    /// What is left when all pairs inside the strata have cancelled: the critical cells of the strata that the part
-    /// sees.
+    /// The part without the pairs that cancel within its strata: the critical cells that are left.
     ///
     /// # Complexity
     /// As of [`MorseComplex`].
@@ -401,7 +401,7 @@ impl<E: Entry> Part<E> {
         self.reduced_by(self.matching())
     }
 
-    /// The same for a matching that is at hand.
+    /// As [`Self::reduced`], with the result of [`Self::matching`].
     ///
     /// # Examples
     /// ```
@@ -429,7 +429,8 @@ impl<E: Entry> Part<E> {
     }
 
     /// Chains on the critical cells of the matching as chains on the cells of the part; see
-    /// [`MorseComplex::inclusion`]. Both go by numbers in the part, that of a critical cell being its place among them.
+    /// [`MorseComplex::inclusion`]. Cells are numbered in the part; the number of a critical cell is its position among
+    /// the critical cells of its degree.
     ///
     /// # Panics
     /// If a number is not below the count of critical cells.
@@ -507,14 +508,14 @@ impl Part {
         place: &mut [u32],
     ) -> Result<SparseMatrix, Error> {
         for (at, &face) in faces.iter().enumerate() {
-            place[face as usize] = at as u32;
+            place[face as usize] = narrow(at);
         }
         let (mut starts, mut rows, mut entries) = (vec![0], Vec::new(), Vec::new());
         for &cell in cells {
             let column = matrix.column(cell as usize);
             rows.extend(column.rows().iter().map(|&row| place[row as usize]));
             entries.extend_from_slice(column.entries());
-            starts.push(rows.len() as u32);
+            starts.push(narrow(rows.len()));
         }
         SparseMatrix::from_trusted_parts(faces.len(), starts, rows, entries)
     }

@@ -1,10 +1,11 @@
-//! Parts merged up a tree, and cycles taken down it again.
+//! A tree of merged parts; cycles of the root as cycles on the cells of the complex.
 
 use super::lifting::{ChainById, sum_of_chains};
 use super::merging::check_strata;
 use super::owners::Parts;
 use super::part::{Part, ReducedPart, StratumHash};
 use crate::Error;
+use crate::ids::narrow;
 use crate::matrices::{Entry, SparseVector};
 use crate::progress;
 use rayon::prelude::*;
@@ -40,7 +41,7 @@ impl<'p, P: Parts> PartTree<'p, P> {
     /// Reduces and merges; part p goes to part p / `fan_in` of the next level.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a fan-in below 2; what [`Parts::part`] says.
+    /// [`ErrorKind::InvalidInput`](crate::ErrorKind::InvalidInput) for a fan-in below 2; those of [`Parts::part`].
     ///
     /// # Examples
     /// ```
@@ -77,7 +78,7 @@ impl<'p, P: Parts> PartTree<'p, P> {
                 .par_chunks(fan_in as usize)
                 .enumerate()
                 .map(|(number, parts)| {
-                    let merged = ReducedPart::merged(number as u32, parts, |part| part / fan_in)?;
+                    let merged = ReducedPart::merged(narrow(number), parts, |part| part / fan_in)?;
                     Ok(reduced_with_hashes(&merged))
                 })
                 .collect::<Result<_, Error>>()?;
@@ -99,7 +100,7 @@ impl<'p, P: Parts> PartTree<'p, P> {
         self.parts
     }
 
-    /// What is left of the whole.
+    /// The reduction of the whole.
     ///
     /// # Examples
     /// ```
@@ -114,7 +115,7 @@ impl<'p, P: Parts> PartTree<'p, P> {
         self.levels.last().and_then(|level| level.first()).expect("the last level has one part")
     }
 
-    /// How many critical cells there are on each level: all of its parts together, each cell counted once.
+    /// The numbers of critical cells of each level, for each degree: those of all its parts, each cell counted once.
     ///
     /// # Examples
     /// ```
@@ -133,7 +134,7 @@ impl<'p, P: Parts> PartTree<'p, P> {
     /// Chains on the cells of the root as chains on the cells of the complex, by rising ids. Cycles go to cycles.
     ///
     /// # Errors
-    /// What [`Parts::part`] says.
+    /// Those of [`Parts::part`].
     ///
     /// # Complexity
     /// Matchings are made once more for the parts that a chain meets.
