@@ -193,7 +193,7 @@ impl LarModel {
             }
         };
         let positions = given.as_ref().or(self.positions.as_ref());
-        run(py, progress, || self.lar.chain_complex(top, positions)).map(ChainComplex::bare)
+        run(py, progress, || self.lar.oriented_chain_complex(top, positions)).map(ChainComplex::bare)
     }
 
     /// The product: cells are pairs of cells; also ``*``.

@@ -291,7 +291,7 @@ pub(crate) fn matching<'py>(
         let pairs: Vec<i64> = match degree + 1 < complex.complex.degree_count() {
             true => {
                 let pairs = matching.pairs(&complex.complex, degree + 1).iter();
-                pairs.flat_map(|pair| [i64::from(pair.face), i64::from(pair.cell)]).collect()
+                pairs.flat_map(|pair| [pair.face().index() as i64, pair.cell().index() as i64]).collect()
             }
             false => Vec::new(),
         };

@@ -224,7 +224,7 @@ fn components_have_covers_of_their_own() {
     let (torus, plane) =
         (cover_of(&map, 0, CoverExtent::Copies(6)), cover_of(&map, 1, CoverExtent::Copies(2)));
     check(&map, &torus);
-    assert_eq!((torus.copy_count(), plane.f_vector()), (6, [12, 30, 20]));
+    assert_eq!((torus.copy_count(), plane.f_vector()), (6, vec![12, 30, 20]));
     assert!(plane.vertex_below(VertexId::new(0)).index() > 6);
 }
 
