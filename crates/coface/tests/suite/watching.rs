@@ -99,7 +99,10 @@ fn works() -> Vec<Work> {
             format!("{:?}", found.unwrap().class_of())
         }),
     ));
-    found.push(("report", Box::new(|| serde_json::to_string(&Report::of(model(30)).unwrap().answer(9)).unwrap())));
+    found.push((
+        "report",
+        Box::new(|| serde_json::to_string(&Report::of(model(30)).unwrap().answer(9)).unwrap()),
+    ));
     found.push((
         "drawing",
         Box::new(move || {
