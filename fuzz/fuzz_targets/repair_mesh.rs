@@ -1,4 +1,4 @@
-//! Any soup of polygons is repaired to a surface on the same corners.
+//! Any list of polygons is repaired to a surface on the same corners.
 #![no_main]
 
 use coface::algebra::RaggedArray;
@@ -24,7 +24,8 @@ fuzz_target!(|bytes: &[u8]| {
             repair.mesh().face(face).iter().map(|&v| repair.vertex_sources()[VertexId::from_u32(v)].to_u32());
         assert!(corners.eq(given.face(face).iter().copied()));
     }
-    GeneralizedMap::new(repair.mesh().two_skeleton()).expect("a repaired mesh is a surface");
+    let skeleton = repair.mesh().two_skeleton().expect("a mesh has edges and faces");
+    GeneralizedMap::new(skeleton).expect("a repaired mesh is a surface");
     let is_orientable = repair.mesh().orientation().is_orientable() == Some(true);
     assert_eq!(repair.orient().is_ok(), is_orientable);
     assert_eq!(repair.mesh().halfedges().is_ok(), is_orientable);

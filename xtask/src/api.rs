@@ -201,11 +201,16 @@ fn fields(tokens: &[String], name: &str, found: &mut Vec<String>) {
 /// The words of an item up to its body, or with its body (without bodies within it), and the place after them.
 fn signature(tokens: &[String], start: usize, is_whole: bool) -> (String, usize) {
     let mut depth = 0_usize;
-    let mut words = Vec::new();
+    let mut angles = 0_usize;
+    let mut words: Vec<String> = Vec::new();
     let mut i = start;
     while let Some(token) = tokens.get(i) {
         match token.as_str() {
-            ";" | "=" if depth == 0 => break,
+            ";" if depth == 0 => break,
+            // The value of a constant, or what a type is short for; not `Iterator<Item = ..>`.
+            "=" if depth == 0 && angles == 0 => break,
+            "<" => angles += 1,
+            ">" if words.last().is_none_or(|last| last != "-") => angles = angles.saturating_sub(1),
             "{" if depth == 0 && !is_whole => break,
             "#" => {
                 i = closing(tokens, i + 1);
@@ -305,7 +310,8 @@ mod tests {
             pub enum Sign { Plus, Minus }
             pub use self::x::{A, B};
             #[cfg(test)] mod tests { pub fn f() {} }
-            pub fn last() {}
+            pub fn last() -> impl Iterator<Item = u8> {}
+            pub type Pairs = Vec<(u8, u8)>;
         ";
         assert_eq!(
             items(text),
@@ -318,7 +324,8 @@ mod tests {
                 "trait Cells{fn count(&self)->usize; fn is_empty(&self)->bool; }",
                 "enum Sign{Plus, Minus}",
                 "use self::x::{A, B}",
-                "fn last()",
+                "fn last()->impl Iterator<Item=u8>",
+                "type Pairs",
             ]
         );
     }
