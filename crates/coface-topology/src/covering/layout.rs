@@ -28,11 +28,41 @@ pub struct CoverLayout {
 
 impl CoverLayout {
     /// The plane that it is in.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CoverPlane, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// let layout = cover.layout(&torus, None)?;
+    /// assert_eq!(layout.plane(), CoverPlane::Flat);
+    /// # Ok(()) }
+    /// ```
     pub fn plane(&self) -> CoverPlane {
         self.plane
     }
 
     /// The points in the order of the vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// let layout = cover.layout(&torus, None)?;
+    /// assert_eq!(layout.points().len(), 12);
+    /// # Ok(()) }
+    /// ```
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
@@ -41,6 +71,25 @@ impl CoverLayout {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// let layout = cover.layout(&torus, None)?;
+    /// // All four sides of the first square are of one length.
+    /// let sides = [0, 1].map(|edge| cover.skeleton().edge(EdgeId::new(edge)));
+    /// let [a, b] = sides.map(|[from, to]| layout.distance(from, to));
+    /// assert!(a > 0.0 && (a - b).abs() < 1e-9 * a);
+    /// # Ok(()) }
+    /// ```
     pub fn distance(&self, a: VertexId, b: VertexId) -> f64 {
         let [p, q] = [a, b].map(|vertex| self.points[vertex.index()]);
         let chord = (p[0] - q[0]).hypot(p[1] - q[1]);

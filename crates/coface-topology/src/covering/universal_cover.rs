@@ -111,42 +111,154 @@ impl UniversalCover {
     }
 
     /// The vertices, edges and faces. Give it to [`GeneralizedMap::new`] to walk on it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.skeleton().face_count(), 5);
+    /// # Ok(()) }
+    /// ```
     pub fn skeleton(&self) -> &TwoSkeleton {
         &self.skeleton
     }
 
     /// The numbers of vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.f_vector(), [12, 16, 5]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         self.skeleton.f_vector()
     }
 
     /// Vertices minus edges plus faces: 2 for the whole cover of a sphere or projective plane, else 1, a disk.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         let skeleton = &self.skeleton;
         skeleton.vertex_count() as i64 - skeleton.edge_count() as i64 + skeleton.face_count() as i64
     }
 
     /// The fundamental group of the component. Its generators are the loops of the fundamental domain.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.group().name().to_string(), "Z^2");
+    /// # Ok(()) }
+    /// ```
     pub fn group(&self) -> &SurfaceGroup {
         &self.domain.group
     }
 
     /// Whether this is the whole cover.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert!(!cover.is_complete(), "the plane goes on");
+    /// # Ok(()) }
+    /// ```
     pub fn is_complete(&self) -> bool {
         self.is_complete
     }
 
     /// The number of copies.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.copy_count(), 5);
+    /// # Ok(()) }
+    /// ```
     pub fn copy_count(&self) -> usize {
         self.ball.len()
     }
 
     /// The number of copies for each length of their words; the last sphere need not be whole.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.sphere_sizes(), [1, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn sphere_sizes(&self) -> Vec<usize> {
         self.ball.sphere_sizes()
     }
 
     /// The edge of the surface that each letter crosses: letter i is entry i - 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.letters().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn letters(&self) -> Vec<EdgeId> {
         self.domain.letters.iter().map(|&position| self.domain.sides[position as usize].edge).collect()
     }
@@ -155,26 +267,99 @@ impl UniversalCover {
     ///
     /// # Panics
     /// If there is no such copy. Likewise the functions that follow panic where there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert!(cover.copy_word(0).is_empty());
+    /// assert_eq!(cover.copy_word(1).letters(), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn copy_word(&self, copy: usize) -> Word {
         self.ball.word(copy)
     }
 
     /// The element of the fundamental group that a copy belongs to: its deck transformation takes copy 0 there.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert!(cover.copy_element(0).is_identity());
+    /// # Ok(()) }
+    /// ```
     pub fn copy_element(&self, copy: usize) -> &NormalForm {
         &self.ball.elements()[copy]
     }
 
     /// The copies with their words and elements.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.copies().len(), 5);
+    /// # Ok(()) }
+    /// ```
     pub fn copies(&self) -> &Ball {
         &self.ball
     }
 
     /// The vertex of the surface below a vertex of the cover.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.vertex_below(VertexId::new(11)), VertexId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_below(&self, vertex: VertexId) -> VertexId {
         self.vertex_sources[vertex.index()]
     }
 
     /// The first copy that a vertex is in.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.vertex_copy(VertexId::new(0)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_copy(&self, vertex: VertexId) -> usize {
         self.vertex_corners[vertex.index()][0] as usize
     }
@@ -199,16 +384,62 @@ impl UniversalCover {
     }
 
     /// The edge of the surface below an edge of the cover.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// let above = (0..16).filter(|&edge| cover.edge_below(EdgeId::new(edge)) == EdgeId::new(0));
+    /// assert_eq!(above.count(), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_below(&self, edge: EdgeId) -> EdgeId {
         self.edge_sources[edge.index()]
     }
 
     /// The face of the surface below a face of the cover.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.face_below(FaceId::new(4)), FaceId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn face_below(&self, face: FaceId) -> FaceId {
         self.domain.faces[face.index() % self.domain.faces.len()]
     }
 
     /// The copy that a face is in.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.face_copy(FaceId::new(4)), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn face_copy(&self, face: FaceId) -> usize {
         face.index() / self.domain.faces.len()
     }
@@ -232,6 +463,20 @@ impl UniversalCover {
     }
 
     /// The vertices around each face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // A square of the plane and the four squares around it.
+    /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
+    /// assert_eq!(cover.polygons().iter().map(<[u32]>::len).collect::<Vec<_>>(), [4; 5]);
+    /// # Ok(()) }
+    /// ```
     pub fn polygons(&self) -> RaggedArray {
         let ends = self.skeleton.edge_ends();
         let faces = self.skeleton.faces();

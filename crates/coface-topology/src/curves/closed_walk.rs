@@ -38,6 +38,19 @@ impl ClosedWalk {
     /// [`ErrorKind::NotInComplex`] naming an edge that is not there; [`ErrorKind::InvalidInput`] for no steps and
     /// naming the first step that does not start where the one before ends, or the last one if it does not close the
     /// walk.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// // Along 01, along 12, back along 02.
+    /// assert_eq!(ClosedWalk::new(&skeleton, vec![0, 4, 3])?.len(), 3);
+    /// assert!(ClosedWalk::new(&skeleton, vec![0, 4]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(skeleton: &TwoSkeleton, steps: Vec<u32>) -> Result<Self, Error> {
         let ends = skeleton.edge_ends();
         if let Some(step) = steps.iter().find(|&&step| step as usize >= ends.len()) {
@@ -75,6 +88,14 @@ impl ClosedWalk {
     }
 
     /// The walk without steps that stays at a vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_topology::ClosedWalk;
+    /// let stay = ClosedWalk::constant(VertexId::new(2));
+    /// assert_eq!((stay.start(), stay.len()), (VertexId::new(2), 0));
+    /// ```
     pub fn constant(vertex: VertexId) -> Self {
         Self { start: vertex, steps: Vec::new() }
     }
@@ -88,6 +109,19 @@ impl ClosedWalk {
     ///
     /// # Complexity
     /// Linear in the edges and, times the degrees met, in the walks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let walks = ClosedWalk::from_vertices(&skeleton, &[[0, 1, 2, 0].map(VertexId::new)])?;
+    /// assert_eq!(walks[0].steps(), [0, 4, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn from_vertices<L: AsRef<[VertexId]>>(
         skeleton: &TwoSkeleton,
         lists: &[L],
@@ -130,38 +164,119 @@ impl ClosedWalk {
     }
 
     /// The vertex where the walk starts and ends.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let around = ClosedWalk::new(&skeleton, vec![0, 4, 3])?;
+    /// assert_eq!(around.start(), VertexId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn start(&self) -> VertexId {
         self.start
     }
 
     /// The steps: 2e along edge e, 2e + 1 against it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let around = ClosedWalk::new(&skeleton, vec![0, 4, 3])?;
+    /// assert_eq!(around.steps(), [0, 4, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn steps(&self) -> &[u32] {
         &self.steps
     }
 
     /// The number of steps.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let around = ClosedWalk::new(&skeleton, vec![0, 4, 3])?;
+    /// assert_eq!(around.len(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn len(&self) -> usize {
         self.steps.len()
     }
 
     /// Whether the walk stays where it is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_topology::ClosedWalk;
+    /// assert!(ClosedWalk::constant(VertexId::new(0)).is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.steps.is_empty()
     }
 
     /// The vertices that are met, from the start back to it: one more than there are steps.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let around = ClosedWalk::new(&skeleton, vec![0, 4, 3])?;
+    /// assert_eq!(around.vertices(&skeleton)[1], VertexId::new(1));
+    /// # Ok(()) }
+    /// ```
     pub fn vertices(&self, skeleton: &TwoSkeleton) -> Vec<VertexId> {
         let target = |&step: &u32| VertexId::from_u32(skeleton.edge_ends()[(step ^ 1) as usize]);
         std::iter::once(self.start).chain(self.steps.iter().map(target)).collect()
     }
 
     /// The walk backwards.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let around = ClosedWalk::new(&skeleton, vec![0, 4, 3])?;
+    /// assert_eq!(around.reversed().steps(), [2, 5, 1]);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn reversed(&self) -> Self {
         Self { start: self.start, steps: self.steps.iter().rev().map(|step| step ^ 1).collect() }
     }
 
     /// The sum of the steps as a chain: a cycle of degree 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::ClosedWalk;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with the edges 01, 02, 12.
+    /// let skeleton = known_spaces::simplex(2)?.freeze().two_skeleton()?;
+    /// let around = ClosedWalk::new(&skeleton, vec![0, 4, 3])?;
+    /// assert_eq!(around.chain().to_string(), "c0 - c1 + c2");
+    /// # Ok(()) }
+    /// ```
     pub fn chain(&self) -> Chain<Integer> {
         let term =
             |&step: &u32| (CellId::from_u32(step >> 1), Integer::from(if step & 1 == 0 { 1 } else { -1 }));

@@ -46,6 +46,20 @@ impl CocycleBasis {
     ///
     /// # Complexity
     /// Linear in the values that are not zero and the lengths of the loops, and the matrix of values.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_crossing(&homology);
+    /// assert_eq!(basis.pairing(), [[1, 0], [0, 1]]);
+    /// # Ok(()) }
+    /// ```
     pub fn by_crossing(homology: &SurfaceHomology<'_>) -> Self {
         let (cocycles, values) = homology.cocycles();
         let free = homology.free_generators();
@@ -66,6 +80,22 @@ impl CocycleBasis {
     /// # Complexity
     /// Linear in the edges, in the edges at the loops, and, for each loop, in the lengths of all loops; and the matrix
     /// of values.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_slicing(&torus, homology.loops())?;
+    /// // The loops cross once; the sign depends on their order.
+    /// let pairing = basis.pairing();
+    /// assert_eq!((pairing[0][0], pairing[0][1].abs(), pairing[0][1] + pairing[1][0]), (0, 1, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn by_slicing(map: &GeneralizedMap, loops: Vec<ClosedWalk>) -> Result<Self, Error> {
         let slicing = Slicing::new(map);
         let values: Vec<Vec<(u32, i64)>> =
@@ -102,6 +132,20 @@ impl CocycleBasis {
     ///
     /// # Complexity
     /// That of a Smith form with transforms of the matrix, and of the combinations.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_slicing(&torus, homology.loops())?;
+    /// assert_eq!(basis.dual()?.pairing(), [[1, 0], [0, 1]]);
+    /// # Ok(()) }
+    /// ```
     pub fn dual(&self) -> Result<Self, Error> {
         let count = self.loops.len();
         let entries = self.pairing.iter().enumerate();
@@ -139,22 +183,78 @@ impl CocycleBasis {
     }
 
     /// The loops.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_crossing(&homology);
+    /// assert_eq!(basis.loops()[1].steps(), [2]);
+    /// # Ok(()) }
+    /// ```
     pub fn loops(&self) -> &[ClosedWalk] {
         &self.loops
     }
 
     /// The cocycles.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_crossing(&homology);
+    /// assert_eq!(basis.cocycles()[0].to_string(), "c0");
+    /// # Ok(()) }
+    /// ```
     pub fn cocycles(&self) -> &[Cochain<Integer>] {
         &self.cocycles
     }
 
     /// The matrix of values: row i has the values of cocycle i on all loops.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_crossing(&homology);
+    /// assert_eq!(basis.pairing()[1], [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn pairing(&self) -> &[Vec<i64>] {
         &self.pairing
     }
 
     /// The determinant of the matrix of values; `None` if it is not square, or of loops for which left and right have
     /// no common meaning.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homology = SurfaceHomology::new(&torus, &trees);
+    /// let basis = CocycleBasis::by_slicing(&torus, homology.loops())?;
+    /// assert_eq!(basis.determinant(), Some(&1.into()));
+    /// # Ok(()) }
+    /// ```
     pub fn determinant(&self) -> Option<&Integer> {
         self.determinant.as_ref()
     }

@@ -83,21 +83,74 @@ pub struct Seam {
 
 impl Seam {
     /// The steps: 2e along edge e, 2e + 1 against it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.seams()[0].steps(), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn steps(&self) -> &[u32] {
         &self.steps
     }
 
     /// The corners where it starts and ends. A seam without corners is a cycle; these are its first vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.seams()[0].ends(), [VertexId::new(0); 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn ends(&self) -> [VertexId; 2] {
         self.ends
     }
 
     /// What is opened there.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, SeamKind, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.seams()[0].kind(), SeamKind::Handle);
+    /// # Ok(()) }
+    /// ```
     pub fn kind(&self) -> SeamKind {
         self.kind
     }
 
     /// The sum of the lengths of its edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.seams()[1].length(), 3.0);
+    /// # Ok(()) }
+    /// ```
     pub fn length(&self) -> f64 {
         self.length
     }
@@ -116,6 +169,19 @@ impl CutGraph {
     ///
     /// # Panics
     /// If the trees are not of this surface.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.seams().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn new(map: &GeneralizedMap, trees: &TreeCotree, lengths: Option<&[f64]>) -> Result<Self, Error> {
         let lengths = checked_lengths(map, lengths)?;
         let is_inner = |edge: usize| map.mate(map.first_side(EdgeId::new(edge))).is_some();
@@ -177,7 +243,18 @@ impl CutGraph {
     /// If the graph is not of this surface.
     ///
     /// # Examples
-    /// See [`CutGraph`].
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// // There is nothing shorter.
+    /// assert_eq!(graph.shortened(&torus, Some(&[2.0, 3.0]), 5)?.length(), 5.0);
+    /// # Ok(()) }
+    /// ```
     pub fn shortened(
         &self,
         map: &GeneralizedMap,
@@ -206,16 +283,57 @@ impl CutGraph {
     }
 
     /// The seams.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.seams().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
 
     /// The edges, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.edges(), [EdgeId::new(0), EdgeId::new(1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn edges(&self) -> Vec<EdgeId> {
         edges_of(&self.is_cut)
     }
 
     /// The ends of seams, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.corners(), [VertexId::new(0)]);
+    /// # Ok(()) }
+    /// ```
     pub fn corners(&self) -> Vec<VertexId> {
         let mut corners: Vec<VertexId> = self.seams.iter().flat_map(|seam| seam.ends).collect();
         corners.sort_unstable();
@@ -224,6 +342,19 @@ impl CutGraph {
     }
 
     /// The sum of the lengths of all edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
+    /// assert_eq!(graph.length(), 5.0);
+    /// # Ok(()) }
+    /// ```
     pub fn length(&self) -> f64 {
         self.seams.iter().fold(0.0, |sum, seam| sum + seam.length)
     }

@@ -69,12 +69,39 @@ pub struct FundamentalDomain {
 
 impl FundamentalDomain {
     /// The number of sides of the polygon: two for each cut edge, one for each edge of the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.side_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn side_count(&self) -> usize {
         self.sides.len()
     }
 
     /// The sides of the polygon in the order of the walk: sides of faces, and the sign minus where the walk runs against
     /// the rim of the face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Sign;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert!(domain.sides().all(|(_, sign)| sign == Sign::Plus));
+    /// # Ok(()) }
+    /// ```
     pub fn sides(&self) -> impl ExactSizeIterator<Item = (HalfedgeId, Sign)> + '_ {
         self.sides.iter().map(|&packed| {
             (HalfedgeId::from_u32(packed >> 1), Sign::power_of_minus_one((packed & 1) as usize))
@@ -83,22 +110,74 @@ impl FundamentalDomain {
 
     /// The letter that each side reads: i for generator i, -i for it backwards, 0 on the tree. In a component with
     /// boundary the last side is the boundary edge that belongs to the cotree; it reads 0 as well.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.letters(), [1, 2, -1, -2]);
+    /// # Ok(()) }
+    /// ```
     pub fn letters(&self) -> &[i32] {
         &self.letters
     }
 
     /// The number of cut edges in the interior of the surface.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.cut_edge_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn cut_edge_count(&self) -> usize {
         self.cut_edge_count
     }
 
     /// The numbers of vertices, edges and faces of the domain.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.f_vector(), [4, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> [usize; 3] {
         self.f_vector
     }
 
     /// Vertices minus edges plus faces: 1, since it is a disk. A sphere with a single vertex has a cut graph without
     /// edges; there it is 2.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         let [v, e, f] = self.f_vector;
         v as i64 - e as i64 + f as i64
@@ -106,11 +185,37 @@ impl FundamentalDomain {
 
     /// The word around the boundary, in which each generator occurs twice: the relator of the fundamental group. `None` for
     /// components with boundary, whose generators are free.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.relator().expect("the torus is closed").letters(), [1, 2, -1, -2]);
+    /// # Ok(()) }
+    /// ```
     pub fn relator(&self) -> Option<Word> {
         self.is_closed.then(|| Word::from_letters(self.word.iter().copied()))
     }
 
     /// The number of letters before a position.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.letters_before(3), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn letters_before(&self, position: usize) -> usize {
         self.letters_before[position] as usize
     }
@@ -119,6 +224,20 @@ impl FundamentalDomain {
     ///
     /// # Panics
     /// If a position is above the number of sides.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// let domain = &cut.domains()[0];
+    /// assert_eq!(domain.word_between(0, 2).letters(), [1, 2]);
+    /// assert_eq!(domain.word_between(2, 0).letters(), [-2, -1]);
+    /// # Ok(()) }
+    /// ```
     pub fn word_between(&self, from: usize, to: usize) -> Word {
         let [a, b] = [from, to].map(|position| self.letters_before[position] as usize);
         if a <= b {
@@ -137,6 +256,18 @@ impl CutSurface {
     ///
     /// # Panics
     /// If the trees are not of this surface.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.domains().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(map: &GeneralizedMap, trees: &TreeCotree) -> Self {
         let signs = trees.face_signs(map);
         let mut cut = Self {
@@ -180,6 +311,18 @@ impl CutSurface {
     }
 
     /// The domains, one for each component of the trees.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.domains()[0].f_vector(), [4, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn domains(&self) -> &[FundamentalDomain] {
         &self.domains
     }
@@ -188,22 +331,74 @@ impl CutSurface {
     ///
     /// # Panics
     /// If there is no such side. Likewise the functions that follow panic where there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.component(&torus, HalfedgeId::new(3)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn component(&self, map: &GeneralizedMap, side: HalfedgeId) -> usize {
         self.components[map.face(side).index()] as usize
     }
 
     /// The position on the boundary of its domain of the corner where a side starts.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.corner_position(HalfedgeId::new(0)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn corner_position(&self, side: HalfedgeId) -> usize {
         self.corner_positions[side.index()] as usize
     }
 
     /// The position of a side on the boundary of its domain; `None` if the cotree crosses it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.side_position(HalfedgeId::new(0)), Some(0));
+    /// # Ok(()) }
+    /// ```
     pub fn side_position(&self, side: HalfedgeId) -> Option<usize> {
         let position = self.side_positions[side.index()];
         (position != NONE).then_some(position as usize)
     }
 
     /// The word of a side, run through in the direction of the rim of its face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.side_word(&torus, HalfedgeId::new(0)).letters(), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn side_word(&self, map: &GeneralizedMap, side: HalfedgeId) -> Word {
         let domain = &self.domains[self.component(map, side)];
         let walked = self.side_position(side).map(|position| (position, domain.letters[position]));
@@ -255,6 +450,21 @@ impl CutSurface {
     /// The corner of copy x at position i is the base moved by x P(i), P(i) being the word of the first i sides. Side i of
     /// copy x is side j of copy x g: their corners agree, x P(i) = x g P(j + 1), or x P(i) = x g P(j) if both run
     /// along their edge in the same direction.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// // Across a side of the first loop lies the copy that the second loop leads to.
+    /// let word = cut.crossing(&torus, HalfedgeId::new(0)).expect("a cut side");
+    /// assert_eq!(word.exponent_sums(2).iter().map(|x| x.abs()).collect::<Vec<_>>(), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn crossing(&self, map: &GeneralizedMap, side: HalfedgeId) -> Option<Word> {
         let mate = map.mate(side)?;
         let [here, there] = [self.side_position(side)?, self.side_position(mate)?];
@@ -266,6 +476,18 @@ impl CutSurface {
 
     /// The edges of the cut graph: all that the cotree does not cross from face to face, those of the boundary among
     /// them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CutSurface, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
+    /// assert_eq!(cut.cut_graph(&torus).len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn cut_graph(&self, map: &GeneralizedMap) -> Vec<EdgeId> {
         let edges = (0..map.skeleton().edge_count()).map(EdgeId::new);
         edges.filter(|&edge| self.side_position(map.first_side(edge)).is_some()).collect()

@@ -19,22 +19,79 @@ pub struct HarmonicForm {
 
 impl HarmonicForm {
     /// The value on each edge, in its direction. On closed walks the sums are those of the integral class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
+    /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
+    /// assert_eq!(forms[1].values().as_slice(), [0.0, 1.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn values(&self) -> &IdVec<EdgeId, f64> {
         &self.values
     }
 
     /// A function on the vertices whose coboundary is the integral cochain less this form; zero at the first vertex of
     /// each component.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
+    /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
+    /// // One vertex: there is nothing to correct.
+    /// assert_eq!(forms[0].potential(), [0.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn potential(&self) -> &[f64] {
         &self.potential
     }
 
     /// The largest absolute value of a sum around a face, zero but for rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
+    /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
+    /// assert_eq!(forms[0].closed_residual(), 0.0);
+    /// # Ok(()) }
+    /// ```
     pub fn closed_residual(&self) -> f64 {
         self.closed_residual
     }
 
     /// The largest absolute value of a weighted sum over the edges out of a vertex, zero but for rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
+    /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
+    /// assert_eq!(forms[0].coclosed_residual(), 0.0);
+    /// # Ok(()) }
+    /// ```
     pub fn coclosed_residual(&self) -> f64 {
         self.coclosed_residual
     }

@@ -111,6 +111,18 @@ impl<'a> Slicing<'a> {
     ///
     /// # Complexity
     /// Linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, Slicing};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert!(Slicing::new(&torus).cocycle(&walk(&[0])?).is_ok());
+    /// # Ok(()) }
+    /// ```
     pub fn new(map: &'a GeneralizedMap) -> Self {
         Self { map, orientation: map.orientation() }
     }
@@ -119,6 +131,20 @@ impl<'a> Slicing<'a> {
     ///
     /// # Errors
     /// As [`slicing_cocycle`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, Slicing};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// // The other loop crosses this one once.
+    /// let cocycle = Slicing::new(&torus).cocycle(&walk(&[0])?)?;
+    /// assert_eq!(cocycle.pairing(&walk(&[2])?.chain())?.map(|x| x.abs()), Some(1.into()));
+    /// # Ok(()) }
+    /// ```
     pub fn cocycle(&self, walk: &ClosedWalk) -> Result<Cochain<Integer>, Error> {
         let terms = self.values(walk)?;
         let terms = terms.into_iter().map(|(edge, value)| (CellId::from_u32(edge), Integer::from(value)));

@@ -51,6 +51,19 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Panics
     /// If the trees are not of this surface.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// assert_eq!(homotopy.groups().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(map: &'a GeneralizedMap, trees: &'a TreeCotree) -> Result<Self, Error> {
         let cut = CutSurface::new(map, trees);
         let group = |(component, found): (usize, &super::TreeCotreeComponent)| match cut.domains()[component]
@@ -64,11 +77,37 @@ impl<'a> SurfaceHomotopy<'a> {
     }
 
     /// The surface cut open.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// assert_eq!(homotopy.cut().domains()[0].side_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn cut(&self) -> &CutSurface {
         &self.cut
     }
 
     /// The fundamental groups, one for each component of the trees.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// assert_eq!(homotopy.groups()[0].name().to_string(), "Z^2");
+    /// # Ok(()) }
+    /// ```
     pub fn groups(&self) -> &[SurfaceGroup] {
         &self.groups
     }
@@ -77,6 +116,20 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] for a walk that is not of this surface.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert_eq!(homotopy.component(&walk(&[0])?)?, Some(0));
+    /// # Ok(()) }
+    /// ```
     pub fn component(&self, walk: &ClosedWalk) -> Result<Option<usize>, Error> {
         let (vertex_count, edge_count) = (self.map.vertex_count(), self.map.edge_count());
         if let Some(step) = walk.steps().iter().find(|&&step| (step >> 1) as usize >= edge_count) {
@@ -101,6 +154,20 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Complexity
     /// The length of the walk times the number of generators of its component; linear while that is bounded.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert_eq!(homotopy.word(&walk(&[0, 2])?)?.letters(), [1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn word(&self, walk: &ClosedWalk) -> Result<Word, Error> {
         self.component(walk)?;
         Ok(self.cut.path_word(self.map, walk.steps()))
@@ -114,6 +181,20 @@ impl<'a> SurfaceHomotopy<'a> {
     /// # Complexity
     /// Linear in the length of the walk on closed components, whatever their genus: a step leads from one corner of the
     /// fundamental polygon to another, which is two edges of the system of quadrangles. With a boundary as [`Self::word`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert_eq!(homotopy.element(&walk(&[0, 2])?)?, homotopy.element(&walk(&[2, 0])?)?);
+    /// # Ok(()) }
+    /// ```
     pub fn element(&self, walk: &ClosedWalk) -> Result<Option<NormalForm>, Error> {
         let Some(component) = self.component(walk)? else { return Ok(None) };
         let (group, domain) = (&self.groups[component], &self.cut.domains()[component]);
@@ -136,6 +217,21 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Complexity
     /// As [`Self::element`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert!(homotopy.is_contractible(&walk(&[0, 2, 1, 3])?)?);
+    /// assert!(!homotopy.is_contractible(&walk(&[0])?)?);
+    /// # Ok(()) }
+    /// ```
     pub fn is_contractible(&self, walk: &ClosedWalk) -> Result<bool, Error> {
         Ok(self.element(walk)?.is_none_or(|element| element.is_identity()))
     }
@@ -147,6 +243,20 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Complexity
     /// As [`Self::element`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert!(homotopy.are_homotopic(&walk(&[0, 2])?, &walk(&[2, 0])?)?);
+    /// # Ok(()) }
+    /// ```
     pub fn are_homotopic(&self, a: &ClosedWalk, b: &ClosedWalk) -> Result<bool, Error> {
         if a.start() != b.start() {
             return Err(Error::invalid(format!(
@@ -166,6 +276,20 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Complexity
     /// As [`Self::element`] and [`SurfaceGroup::conjugacy_form`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
+    /// assert!(homotopy.are_freely_homotopic(&walk(&[2, 0, 3])?, &walk(&[0])?)?);
+    /// # Ok(()) }
+    /// ```
     pub fn are_freely_homotopic(&self, a: &ClosedWalk, b: &ClosedWalk) -> Result<bool, Error> {
         match (self.component(a)?, self.component(b)?) {
             (Some(i), Some(j)) if i == j => {
@@ -184,6 +308,21 @@ impl<'a> SurfaceHomotopy<'a> {
     ///
     /// # Panics
     /// If there is no such component or generator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{SurfaceHomotopy, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
+    /// let walk = homotopy.walk_of_word(0, &Word::from_letters([1, 2]));
+    /// assert_eq!(walk.steps(), [0, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn walk_of_word(&self, component: usize, word: &Word) -> ClosedWalk {
         let found = &self.trees.components()[component];
         let mut steps: Vec<u32> = Vec::new();

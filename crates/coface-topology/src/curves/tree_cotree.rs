@@ -70,21 +70,76 @@ pub struct TreeCotreeComponent {
 
 impl TreeCotreeComponent {
     /// The root of the tree, where the loops start and end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let component = &trees.components()[0];
+    /// assert_eq!(component.base(), VertexId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn base(&self) -> VertexId {
         self.base
     }
 
     /// The root of the cotree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let component = &trees.components()[0];
+    /// assert_eq!(component.root(), FaceId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn root(&self) -> FaceId {
         self.root
     }
 
     /// Whether the component has a boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let component = &trees.components()[0];
+    /// assert!(!component.has_boundary());
+    /// # Ok(()) }
+    /// ```
     pub fn has_boundary(&self) -> bool {
         self.has_boundary
     }
 
     /// The generators, rising. Letter i of a word, counted from 1, is generator i - 1, run through as its edge runs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// let component = &trees.components()[0];
+    /// assert_eq!(component.generators(), [EdgeId::new(0), EdgeId::new(1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn generators(&self) -> &[EdgeId] {
         &self.generators
     }
@@ -96,6 +151,18 @@ impl TreeCotree {
     ///
     /// # Complexity
     /// Linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::{EdgeRole, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// assert_eq!(trees.roles(), [EdgeRole::Generator; 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(map: &GeneralizedMap) -> Self {
         let roots = roots(map);
         let mut is_crossed = vec![false; map.skeleton().edge_count()];
@@ -140,6 +207,21 @@ impl TreeCotree {
     ///
     /// # Complexity
     /// $O(n \log n)$.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_complexes::surface::GeneralizedMap;
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // One triangle, with edges 01, 02 and 12.
+    /// let triangle = GeneralizedMap::new(known_spaces::simplex(2)?.freeze().two_skeleton()?)?;
+    /// let trees = TreeCotree::new(&triangle);
+    /// let near = TreeCotree::greedy(&triangle, Some(VertexId::new(1)), None)?;
+    /// assert_eq!(near.components()[0].base(), VertexId::new(1));
+    /// # Ok(()) }
+    /// ```
     pub fn greedy(
         map: &GeneralizedMap,
         base: Option<VertexId>,
@@ -294,11 +376,38 @@ impl TreeCotree {
     }
 
     /// The role of each edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_complexes::surface::GeneralizedMap;
+    /// use coface_topology::{EdgeRole, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // One triangle, with edges 01, 02 and 12.
+    /// let triangle = GeneralizedMap::new(known_spaces::simplex(2)?.freeze().two_skeleton()?)?;
+    /// let trees = TreeCotree::new(&triangle);
+    /// // One boundary edge belongs to the cotree, which reaches the outside through it.
+    /// let cotree = trees.roles().iter().filter(|&&role| role == EdgeRole::Cotree);
+    /// assert_eq!(cotree.count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn roles(&self) -> &[EdgeRole] {
         &self.roles
     }
 
     /// The components with faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// assert_eq!(trees.components().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn components(&self) -> &[TreeCotreeComponent] {
         &self.components
     }
@@ -307,27 +416,95 @@ impl TreeCotree {
     ///
     /// # Panics
     /// If there is no such vertex. Likewise the functions that follow panic where there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// assert_eq!(trees.component_of_vertex(VertexId::new(0)), Some(0));
+    /// # Ok(()) }
+    /// ```
     pub fn component_of_vertex(&self, vertex: VertexId) -> Option<usize> {
         let component = self.vertex_components[vertex.index()];
         (component != NONE).then_some(component as usize)
     }
 
     /// The component that a face is in.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// assert_eq!(trees.component_of_face(FaceId::new(0)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn component_of_face(&self, face: FaceId) -> usize {
         self.face_components[face.index()] as usize
     }
 
     /// The last step of the way in the tree from the base to a vertex; `None` for a base and an isolated vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_complexes::surface::GeneralizedMap;
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // One triangle, with edges 01, 02 and 12.
+    /// let triangle = GeneralizedMap::new(known_spaces::simplex(2)?.freeze().two_skeleton()?)?;
+    /// let trees = TreeCotree::new(&triangle);
+    /// assert_eq!(trees.tree_step(VertexId::new(0)), None);
+    /// assert!(trees.tree_step(VertexId::new(1)).is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn tree_step(&self, vertex: VertexId) -> Option<u32> {
         Some(self.steps[vertex.index()]).filter(|&step| step != NONE)
     }
 
     /// The side by which the cotree leaves a face towards its root, or the outside; `None` for the root of a closed component.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// assert_eq!(trees.exit(FaceId::new(0)), None);
+    /// # Ok(()) }
+    /// ```
     pub fn exit(&self, face: FaceId) -> Option<HalfedgeId> {
         Some(self.exits[face.index()]).filter(|&side| side != NONE).map(HalfedgeId::from_u32)
     }
 
     /// The steps in the tree from the base of its component to a vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_complexes::surface::GeneralizedMap;
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // One triangle, with edges 01, 02 and 12.
+    /// let triangle = GeneralizedMap::new(known_spaces::simplex(2)?.freeze().two_skeleton()?)?;
+    /// let trees = TreeCotree::new(&triangle);
+    /// assert!(trees.path_to(&triangle, VertexId::new(0)).is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn path_to(&self, map: &GeneralizedMap, vertex: VertexId) -> Vec<u32> {
         let mut path = Vec::new();
         let mut at = vertex;
@@ -364,6 +541,19 @@ impl TreeCotree {
 
     /// The loop of a generator without the way that it goes forth and back: a closed path that meets no vertex twice. It
     /// starts with the edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// assert_eq!(trees.simple_loop(&torus, EdgeId::new(1)), [2]);
+    /// # Ok(()) }
+    /// ```
     pub fn simple_loop(&self, map: &GeneralizedMap, edge: EdgeId) -> Vec<u32> {
         let [source, target] = map.skeleton().edge(edge);
         let [to_source, to_target] = [self.path_to(map, source), self.path_to(map, target)];
@@ -377,6 +567,21 @@ impl TreeCotree {
     /// The closed chain of faces that crosses a generator and no other edge that the cotree does not cross: the sides by which
     /// one face is left for the next. It starts in the face of `first`, a side of the generator, and crosses it. `None` for
     /// a generator on the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// use coface_topology::TreeCotree;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus made of one square.
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let trees = TreeCotree::new(&torus);
+    /// // The square is left through the first edge and entered again on its other side.
+    /// let side = HalfedgeId::new(0);
+    /// assert_eq!(trees.dual_loop(&torus, side), Some(vec![side]));
+    /// # Ok(()) }
+    /// ```
     pub fn dual_loop(&self, map: &GeneralizedMap, first: HalfedgeId) -> Option<Vec<HalfedgeId>> {
         let mate = map.mate(first)?;
         let [from_second, from_first] = [map.face(mate), map.face(first)].map(|face| self.way_out(map, face));

@@ -21,21 +21,87 @@ pub struct HarmonicCochain {
 
 impl HarmonicCochain {
     /// The harmonic cochain. On cycles it has the values of [`Self::class`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let harmonic = &space.harmonic_basis()[0];
+    /// // It has the value 1/2 along one edge and -1/2 along the other.
+    /// let values = harmonic.cochain().terms().iter().map(|(_, x)| x.abs());
+    /// assert!(values.into_iter().all(|x| (x - 0.5).abs() < 1e-12));
+    /// # Ok(()) }
+    /// ```
     pub fn cochain(&self) -> &Cochain<f64> {
         &self.cochain
     }
 
     /// A closed integral cochain of the same class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let harmonic = &space.harmonic_basis()[0];
+    /// assert!(circle.is_closed(harmonic.class())?);
+    /// # Ok(()) }
+    /// ```
     pub fn class(&self) -> &Cochain<Integer> {
         &self.class
     }
 
     /// The norm of the coboundary, zero but for rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let harmonic = &space.harmonic_basis()[0];
+    /// assert!(harmonic.closed_residual() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn closed_residual(&self) -> f64 {
         self.closed_residual
     }
 
     /// The norm of the codifferential, zero but for rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let harmonic = &space.harmonic_basis()[0];
+    /// assert!(harmonic.coclosed_residual() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn coclosed_residual(&self) -> f64 {
         self.coclosed_residual
     }
@@ -55,31 +121,139 @@ pub struct HodgeDecomposition {
 
 impl HodgeDecomposition {
     /// The exact part: a coboundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// let value = |cochain: &Cochain<f64>, edge| cochain.coefficient(CellId::new(edge)).copied().unwrap_or(0.0);
+    /// assert!([0, 1].iter().all(|&edge| (value(parts.exact(), edge) - 0.5).abs() < 1e-12));
+    /// # Ok(()) }
+    /// ```
     pub fn exact(&self) -> &Cochain<f64> {
         &self.exact
     }
 
     /// The coexact part: a codifferential.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// // There are no faces.
+    /// assert!(metric.norm(parts.coexact())? < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn coexact(&self) -> &Cochain<f64> {
         &self.coexact
     }
 
     /// The harmonic part: closed and coclosed.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// let value = |cochain: &Cochain<f64>, edge| cochain.coefficient(CellId::new(edge)).copied().unwrap_or(0.0);
+    /// assert!((value(parts.harmonic(), 0) - 0.5).abs() < 1e-12);
+    /// assert!((value(parts.harmonic(), 1) + 0.5).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn harmonic(&self) -> &Cochain<f64> {
         &self.harmonic
     }
 
     /// A cochain one degree below whose coboundary is the exact part; `None` in degree 0, where nothing is exact.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// let value = |cochain: &Cochain<f64>, edge| cochain.coefficient(CellId::new(edge)).copied().unwrap_or(0.0);
+    /// let potential = parts.potential().expect("the degree is 1");
+    /// assert!((value(potential, 1) - value(potential, 0) - 0.5).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn potential(&self) -> Option<&Cochain<f64>> {
         self.potential.as_ref()
     }
 
     /// The norm of the coboundary of the exact and harmonic parts together, zero but for rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// assert!(parts.closed_residual() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn closed_residual(&self) -> f64 {
         self.closed_residual
     }
 
     /// The norm of the codifferential of the coexact and harmonic parts together, zero but for rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// assert!(parts.coclosed_residual() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn coclosed_residual(&self) -> f64 {
         self.coclosed_residual
     }
@@ -130,7 +304,19 @@ impl<'a> HodgeSpace<'a> {
     /// That of the basis and of [`Self::with_basis`].
     ///
     /// # Examples
-    /// See [`HodgeSpace`].
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// assert_eq!(space.harmonic_basis().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(metric: &'a MetricComplex<'a>, degree: usize) -> Result<Self, Error> {
         Self::with_basis(metric, degree, &HomologyBasis::unshortened(metric.complex()))
     }
@@ -216,11 +402,41 @@ impl<'a> HodgeSpace<'a> {
     }
 
     /// The degree of the cochains.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// assert_eq!(space.degree(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn degree(&self) -> usize {
         self.degree
     }
 
     /// The harmonic cochains of a basis of the integral classes modulo torsion: as many as the Betti number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// assert_eq!(space.harmonic_basis().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn harmonic_basis(&self) -> &[HarmonicCochain] {
         &self.basis
     }
@@ -235,7 +451,23 @@ impl<'a> HodgeSpace<'a> {
     /// A few solutions with the factor, and two products for each harmonic cochain.
     ///
     /// # Examples
-    /// See [`HodgeSpace`].
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::{HodgeSpace, MetricComplex};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let space = HodgeSpace::new(&metric, 1)?;
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// let parts = space.decomposition(&first)?;
+    /// // The harmonic part is half of the flow around.
+    /// let size = metric.norm(parts.harmonic())?;
+    /// assert!((size * size - 0.5).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn decomposition(&self, cochain: &Cochain<f64>) -> Result<HodgeDecomposition, Error> {
         let (metric, degree) = (self.metric, self.degree);
         if cochain.degree() != degree {

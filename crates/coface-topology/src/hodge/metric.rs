@@ -32,6 +32,14 @@ pub struct MetricComplex<'a> {
 
 impl<'a> MetricComplex<'a> {
     /// The complex with all weights 1: cells are orthonormal.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::MetricComplex;
+    /// let points = ChainComplex::of_points(2);
+    /// assert_eq!(MetricComplex::new(&points).weights(0), [1.0, 1.0]);
+    /// ```
     pub fn new(complex: &'a ChainComplex) -> Self {
         Self { complex, weights: complex.f_vector().iter().map(|&count| vec![1.0; count]).collect() }
     }
@@ -75,11 +83,31 @@ impl<'a> MetricComplex<'a> {
     }
 
     /// The complex without its weights.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::MetricComplex;
+    /// let points = ChainComplex::of_points(2);
+    /// assert_eq!(MetricComplex::new(&points).complex().f_vector(), [2]);
+    /// ```
     pub fn complex(&self) -> &'a ChainComplex {
         self.complex
     }
 
     /// The weight of each cell of this degree; empty beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::MetricComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let metric = MetricComplex::with_weights(&points, vec![vec![1.0, 0.5]])?;
+    /// assert_eq!(metric.weights(0), [1.0, 0.5]);
+    /// assert!(metric.weights(1).is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn weights(&self, degree: usize) -> &[f64] {
         self.weights.get(degree).map_or(&[], Vec::as_slice)
     }
@@ -88,6 +116,20 @@ impl<'a> MetricComplex<'a> {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] if the degrees differ; [`ErrorKind::NotInComplex`] for a cell that is not here.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::MetricComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let metric = MetricComplex::with_weights(&points, vec![vec![1.0, 0.5]])?;
+    /// let values = Cochain::new(&points, 0, [(CellId::new(0), 3.0), (CellId::new(1), 4.0)])?;
+    /// // 1 * 3 * 3 + 0.5 * 4 * 4
+    /// assert_eq!(metric.inner_product(&values, &values)?, 17.0);
+    /// # Ok(()) }
+    /// ```
     pub fn inner_product(&self, a: &Cochain<f64>, b: &Cochain<f64>) -> Result<f64, Error> {
         if a.degree() != b.degree() {
             return Err(Error::new(
@@ -102,6 +144,18 @@ impl<'a> MetricComplex<'a> {
     ///
     /// # Errors
     /// As [`Self::inner_product`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::MetricComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(2);
+    /// let values = Cochain::new(&points, 0, [(CellId::new(0), 3.0), (CellId::new(1), 4.0)])?;
+    /// assert_eq!(MetricComplex::new(&points).norm(&values)?, 5.0);
+    /// # Ok(()) }
+    /// ```
     pub fn norm(&self, cochain: &Cochain<f64>) -> Result<f64, Error> {
         Ok(self.length(cochain.degree(), &self.dense(cochain)?))
     }
@@ -115,6 +169,22 @@ impl<'a> MetricComplex<'a> {
     ///
     /// # Complexity
     /// Linear in the boundary matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::MetricComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// // Edge 0 runs from vertex 0 to vertex 1.
+    /// assert_eq!(metric.codifferential(&first)?.to_string(), "-c0 + c1");
+    /// # Ok(()) }
+    /// ```
     pub fn codifferential(&self, cochain: &Cochain<f64>) -> Result<Cochain<f64>, Error> {
         let values = self.dense(cochain)?;
         match cochain.degree().checked_sub(1) {
@@ -132,7 +202,19 @@ impl<'a> MetricComplex<'a> {
     /// Linear in the boundary matrices of the degree and of the one above.
     ///
     /// # Examples
-    /// See [`MetricComplex`].
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::MetricComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A circle of two edges from vertex 0 to vertex 1.
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let metric = MetricComplex::new(&circle);
+    /// let first = Cochain::new(&circle, 1, [(CellId::new(0), 1.0)])?;
+    /// assert_eq!(metric.laplacian(&first)?.to_string(), "2 c0 + 2 c1");
+    /// # Ok(()) }
+    /// ```
     pub fn laplacian(&self, cochain: &Cochain<f64>) -> Result<Cochain<f64>, Error> {
         let (degree, values) = (cochain.degree(), self.dense(cochain)?);
         let mut sum = self.down(degree + 1, &self.up(degree, &values));

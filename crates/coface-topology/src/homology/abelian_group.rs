@@ -22,6 +22,14 @@ pub struct AbelianGroup {
 impl AbelianGroup {
     /// The group with this rank and cyclic summands of these orders, which need not divide each other; orders 1 are
     /// dropped, an order 0 is an infinite cyclic summand.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::AbelianGroup;
+    /// // Z/2 + Z/3 is cyclic.
+    /// let group = AbelianGroup::new(1, vec![2.into(), 3.into()]);
+    /// assert_eq!(group.to_string(), "Z + Z/6");
+    /// ```
     pub fn new(betti: usize, orders: Vec<Integer>) -> Self {
         let (mut betti, mut torsion) = (betti, Vec::new());
         for order in orders {
@@ -35,16 +43,35 @@ impl AbelianGroup {
     }
 
     /// The rank of the free part: the Betti number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::AbelianGroup;
+    /// assert_eq!(AbelianGroup::new(2, vec![4.into()]).betti(), 2);
+    /// ```
     pub fn betti(&self) -> usize {
         self.betti
     }
 
     /// The invariant factors of the torsion part, each dividing the next, none 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::AbelianGroup;
+    /// assert_eq!(AbelianGroup::new(2, vec![2.into(), 3.into()]).torsion(), [6.into()]);
+    /// ```
     pub fn torsion(&self) -> &[Integer] {
         &self.torsion
     }
 
     /// Whether the group is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::AbelianGroup;
+    /// assert!(AbelianGroup::new(0, vec![1.into()]).is_trivial());
+    /// assert!(!AbelianGroup::new(1, vec![]).is_trivial());
+    /// ```
     pub fn is_trivial(&self) -> bool {
         self.betti == 0 && self.torsion.is_empty()
     }

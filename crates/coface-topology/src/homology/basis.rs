@@ -55,6 +55,21 @@ pub struct HomologyBasis<'a> {
 
 impl<'a> HomologyBasis<'a> {
     /// The basis as the reduction finds it: quicker, with generators that may be long.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{HomologyBasis, homology};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// assert_eq!(HomologyBasis::unshortened(&plane).homology(), homology(&plane));
+    /// # Ok(()) }
+    /// ```
     pub fn unshortened(complex: &'a ChainComplex) -> Self {
         let reduction = Reduction::new(complex);
         let matrix = |degree| reduction.boundary_matrix(degree);
@@ -76,16 +91,66 @@ impl<'a> HomologyBasis<'a> {
     }
 
     /// The complex that this is a basis of.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// assert_eq!(basis.complex().f_vector(), [1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &'a ChainComplex {
         self.complex
     }
 
     /// The reduction that was used.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// // Nothing can be reduced: the entry 2 is no unit.
+    /// assert_eq!(basis.reduction().cell_count(1), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn reduction(&self) -> &Reduction<'a> {
         &self.reduction
     }
 
     /// The integral homology groups.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// let groups: Vec<String> = basis.homology().groups().iter().map(ToString::to_string).collect();
+    /// assert_eq!(groups, ["Z", "Z/2", "0"]);
+    /// # Ok(()) }
+    /// ```
     pub fn homology(&self) -> Homology {
         let group = |list: &Vec<Generator>| {
             let orders: Vec<Integer> = list.iter().filter_map(|generator| generator.order.clone()).collect();
@@ -95,16 +160,67 @@ impl<'a> HomologyBasis<'a> {
     }
 
     /// The generators of one degree: those of finite order, orders dividing along, then those of infinite order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// assert_eq!(basis.generators(1).len(), 1);
+    /// assert!(basis.generators(2).is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn generators(&self, degree: usize) -> &[Generator] {
         self.generators.get(degree).map_or(&[], Vec::as_slice)
     }
 
     /// The generators of all degrees, without the rest.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// let counts: Vec<usize> = basis.into_generators().iter().map(Vec::len).collect();
+    /// assert_eq!(counts, [1, 1, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn into_generators(self) -> Vec<Vec<Generator>> {
         self.generators
     }
 
     /// The orders of the generators of one degree; `None` is infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// assert_eq!(basis.orders(0), [None]);
+    /// assert_eq!(basis.orders(1), [Some(2.into())]);
+    /// # Ok(()) }
+    /// ```
     pub fn orders(&self, degree: usize) -> Vec<Option<Integer>> {
         self.generators(degree).iter().map(|generator| generator.order.clone()).collect()
     }
@@ -116,7 +232,21 @@ impl<'a> HomologyBasis<'a> {
     /// its boundary.
     ///
     /// # Examples
-    /// See [`HomologyBasis`].
+    /// ```
+    /// use coface_algebra::{CellId, Integer, SparseMatrix};
+    /// use coface_algebra::chains::{Chain, ChainComplex};
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// let five = Chain::new(&plane, 1, [(CellId::new(0), Integer::from(5))])?;
+    /// assert_eq!(basis.class_of(&five)?.coefficients(), [1.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn class_of(&self, cycle: &Chain<Integer>) -> Result<HomologyClass, Error> {
         self.check_cycle(cycle)?;
         let Some(basis) = self.degrees.get(cycle.degree()) else {
@@ -133,7 +263,22 @@ impl<'a> HomologyBasis<'a> {
     /// As [`Self::class_of`].
     ///
     /// # Examples
-    /// See [`HomologyBasis`].
+    /// ```
+    /// use coface_algebra::{CellId, Integer, SparseMatrix};
+    /// use coface_algebra::chains::{Chain, ChainComplex};
+    /// use coface_topology::{Bounding, HomologyBasis};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// let twice = Chain::new(&plane, 1, [(CellId::new(0), Integer::from(2))])?;
+    /// let Bounding::Bounds(disk) = basis.bounding(&twice)? else { panic!("twice the loop bounds the disk") };
+    /// assert_eq!(disk.to_string(), "c0");
+    /// # Ok(()) }
+    /// ```
     pub fn bounding(&self, cycle: &Chain<Integer>) -> Result<Bounding, Error> {
         self.check_cycle(cycle)?;
         let degree = cycle.degree();
@@ -178,6 +323,24 @@ impl<'a> HomologyBasis<'a> {
     ///
     /// # Panics
     /// If there is no such generator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// // The disk bounds twice the loop.
+    /// assert_eq!(basis.certificate(1, 0).expect("torsion").to_string(), "c0");
+    /// assert_eq!(basis.certificate(0, 0), None);
+    /// # Ok(()) }
+    /// ```
     pub fn certificate(&self, degree: usize, generator: usize) -> Option<Chain<Integer>> {
         let generator = &self.generators[degree][generator];
         generator.order.as_ref()?;
@@ -191,6 +354,24 @@ impl<'a> HomologyBasis<'a> {
     ///
     /// Over Q they are the free generators, over Z the generators. Over Z/n a generator of order m adds a summand of
     /// order gcd(m, n) twice: itself, and n / gcd(m, n) times the chain that m times it bounds, one degree above.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, HomologyBasis};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// let counts = |coefficients| [0, 1, 2].map(|degree| basis.generators_with(degree, coefficients).len());
+    /// assert_eq!(counts(Coefficients::Rationals), [1, 0, 0]);
+    /// assert_eq!(counts(Coefficients::Modulo(2)), [1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn generators_with(&self, degree: usize, coefficients: Coefficients) -> Vec<Generator> {
         let own = self.generators(degree).iter();
         let modulus = match coefficients {

@@ -95,6 +95,24 @@ impl HomologyBasis<'_> {
 
     /// Cocycles whose classes are a basis of cohomology with coefficients in one degree; over a field they are dual to
     /// [`Self::generators_with`]: the matrix of values is the identity.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, HomologyBasis};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let basis = HomologyBasis::new(&plane);
+    /// // Over F_2 there is a class in each degree.
+    /// let counts = [0, 1, 2].map(|degree| basis.cocycles_with(degree, Coefficients::Modulo(2)).len());
+    /// assert_eq!(counts, [1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn cocycles_with(&self, degree: usize, coefficients: Coefficients) -> Vec<Cocycle> {
         let Some(basis) = self.degrees.get(degree) else { return Vec::new() };
         let modulus = match coefficients {

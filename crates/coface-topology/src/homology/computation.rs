@@ -17,27 +17,104 @@ impl Homology {
     }
 
     /// The groups of degrees 0, 1, ..., up to the highest degree of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::homology;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// assert_eq!(homology(&plane).groups()[1].to_string(), "Z/2");
+    /// # Ok(()) }
+    /// ```
     pub fn groups(&self) -> &[AbelianGroup] {
         &self.groups
     }
 
     /// The Betti numbers of degrees 0, 1, ...
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::homology;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// assert_eq!(homology(&plane).betti_numbers(), [1, 0, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn betti_numbers(&self) -> Vec<usize> {
         self.groups.iter().map(AbelianGroup::betti).collect()
     }
 
     /// The torsion of each degree: invariant factors, each dividing the next.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::homology;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// assert_eq!(homology(&plane).torsion()[1], [2.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn torsion(&self) -> Vec<&[Integer]> {
         self.groups.iter().map(AbelianGroup::torsion).collect()
     }
 
     /// Of integral homology: homology with other coefficients; see [`homology_with`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, homology};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let over_f2 = homology(&plane).with_coefficients(Coefficients::Modulo(2));
+    /// assert_eq!(over_f2.betti_numbers(), [1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn with_coefficients(&self, coefficients: Coefficients) -> Self {
         change_coefficients(self, coefficients)
     }
 
     /// Of integral homology: cohomology with coefficients; see [`cohomology`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, homology};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let cohomology = homology(&plane).dual(Coefficients::Integers);
+    /// assert_eq!(cohomology.groups()[2].to_string(), "Z/2");
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn dual(&self, coefficients: Coefficients) -> Self {
         if coefficients != Coefficients::Integers {
@@ -52,6 +129,21 @@ impl Homology {
     }
 
     /// The alternating sum of the Betti numbers. Over Z, Q and prime fields it is the Euler characteristic.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::homology;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// assert_eq!(homology(&plane).euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         let signed = |(k, group): (usize, &AbelianGroup)| {
             if k % 2 == 0 { group.betti() as i64 } else { -(group.betti() as i64) }

@@ -47,17 +47,50 @@ impl CochainAlgebra {
     ///
     /// # Complexity
     /// Linear in the number of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::CochainAlgebra;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The circle of one edge, with both ends at the one vertex.
+    /// let circle = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0, 0]])?)?;
+    /// assert_eq!(circle.chains().f_vector(), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(complex: DeltaComplex) -> Result<Self, Error> {
         let chains = complex.chain_complex()?;
         Ok(Self { complex, chains })
     }
 
     /// The complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::CochainAlgebra;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The circle of one edge, with both ends at the one vertex.
+    /// let circle = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0, 0]])?)?;
+    /// assert_eq!(circle.complex().simplex_count(1), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &DeltaComplex {
         &self.complex
     }
 
     /// Its chain complex; cells have the same numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::CochainAlgebra;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The circle of one edge, with both ends at the one vertex.
+    /// let circle = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0, 0]])?)?;
+    /// assert_eq!(circle.chains().cell_count(0), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn chains(&self) -> &ChainComplex {
         &self.chains
     }
@@ -66,6 +99,18 @@ impl CochainAlgebra {
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] for a floating-point value that is no number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Integer;
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::CochainAlgebra;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The circle of one edge, with both ends at the one vertex.
+    /// let circle = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0, 0]])?)?;
+    /// assert_eq!(circle.constant(&Integer::from(3))?.to_string(), "3 c0");
+    /// # Ok(()) }
+    /// ```
     pub fn constant<C: Coefficient>(&self, value: &C) -> Result<Cochain<C>, Error> {
         let vertices = 0..self.complex.simplex_count(0);
         Cochain::new(&self.chains, 0, vertices.map(|vertex| (CellId::new(vertex), value.clone())))
@@ -80,7 +125,19 @@ impl CochainAlgebra {
     /// $O(n (p + q))$ for n simplices of degree p + q.
     ///
     /// # Examples
-    /// See [`CochainAlgebra`].
+    /// ```
+    /// use coface_algebra::{CellId, Integer};
+    /// use coface_algebra::chains::Cochain;
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::CochainAlgebra;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The circle of one edge, with both ends at the one vertex.
+    /// let circle = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0, 0]])?)?;
+    /// let unit = circle.constant(&Integer::ONE)?;
+    /// let loops = Cochain::new(circle.chains(), 1, [(CellId::new(0), Integer::from(2))])?;
+    /// assert_eq!(circle.cup(&unit, &loops)?, loops);
+    /// # Ok(()) }
+    /// ```
     pub fn cup<C: Coefficient>(&self, first: &Cochain<C>, second: &Cochain<C>) -> Result<Cochain<C>, Error> {
         let (p, q) = (first.degree(), second.degree());
         let (front, back) = (self.values(first)?, self.values(second)?);
@@ -153,7 +210,20 @@ impl CochainAlgebra {
     /// $O(m (p + q))$ for m simplices in the chain, and the products that are not zero.
     ///
     /// # Examples
-    /// See [`intersection_form`](crate::homology::intersection_form), which is made of them.
+    /// ```
+    /// use coface_algebra::{CellId, Integer};
+    /// use coface_algebra::chains::{Chain, Cochain};
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::CochainAlgebra;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The circle of one edge, with both ends at the one vertex.
+    /// let circle = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0, 0]])?)?;
+    /// let unit = circle.constant(&Integer::ONE)?;
+    /// let along = Cochain::new(circle.chains(), 1, [(CellId::new(0), Integer::ONE)])?;
+    /// let twice = Chain::new(circle.chains(), 1, [(CellId::new(0), Integer::from(2))])?;
+    /// assert_eq!(circle.products_on(&[unit], &[along], &twice)?, [[Some(2.into())]]);
+    /// # Ok(()) }
+    /// ```
     pub fn products_on<C: Coefficient>(
         &self,
         first: &[Cochain<C>],

@@ -24,32 +24,99 @@ pub struct CupProductTable {
 
 impl CupProductTable {
     /// The ring.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = CochainAlgebra::new(known_spaces::projective_plane()?.freeze().to_delta()?)?;
+    /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
+    /// assert_eq!(table.coefficients(), Coefficients::Modulo(2));
+    /// # Ok(()) }
+    /// ```
     pub fn coefficients(&self) -> Coefficients {
         self.coefficients
     }
 
     /// The first factors: a basis of cohomology in their degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = CochainAlgebra::new(known_spaces::projective_plane()?.freeze().to_delta()?)?;
+    /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
+    /// assert_eq!(table.first().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn first(&self) -> &[Cocycle] {
         &self.first
     }
 
     /// The second factors.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = CochainAlgebra::new(known_spaces::projective_plane()?.freeze().to_delta()?)?;
+    /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
+    /// assert_eq!(table.second()[0].cochain().degree(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn second(&self) -> &[Cocycle] {
         &self.second
     }
 
     /// The basis that products are expressed in.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = CochainAlgebra::new(known_spaces::projective_plane()?.freeze().to_delta()?)?;
+    /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
+    /// assert_eq!(table.target()[0].cochain().degree(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn target(&self) -> &[Cocycle] {
         &self.target
     }
 
     /// The coefficient of the product of factors i and j on cocycle k of the target is at `[i][j][k]`: from 0 to m - 1 for
     /// one of finite order m, and over Z/n from 0 to n - 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = CochainAlgebra::new(known_spaces::projective_plane()?.freeze().to_delta()?)?;
+    /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
+    /// // The square of the class of degree 1 is the class of degree 2.
+    /// assert_eq!(table.values()[0][0], [1.into()]);
+    /// # Ok(()) }
+    /// ```
     pub fn values(&self) -> &[Vec<Vec<Integer>>] {
         &self.values
     }
 
     /// Whether all products are zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::{CochainAlgebra, Coefficients, cup_product_table};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = CochainAlgebra::new(known_spaces::projective_plane()?.freeze().to_delta()?)?;
+    /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
+    /// assert!(!table.is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.values.iter().flatten().flatten().all(Integer::is_zero)
     }

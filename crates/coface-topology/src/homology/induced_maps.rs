@@ -32,6 +32,14 @@ impl HomologyMap {
     ///
     /// # Panics
     /// Unless there is a column for each generator of the source, with an entry for each of the target.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Coefficients, HomologyMap};
+    /// // Coefficients are reduced: 6 is 2 modulo 4.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![6.into()]]);
+    /// assert_eq!(map.columns(), [[2.into()]]);
+    /// ```
     pub fn new(
         source_orders: Vec<Option<Integer>>,
         target_orders: Vec<Option<Integer>>,
@@ -46,17 +54,41 @@ impl HomologyMap {
     }
 
     /// The orders of the generators of the source; `None` is infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // From Z to Z/4: the generator goes to twice the generator.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![2.into()]]);
+    /// assert_eq!(map.source_orders(), [None]);
+    /// ```
     pub fn source_orders(&self) -> &[Option<Integer>] {
         &self.source_orders
     }
 
     /// The orders of the generators of the target.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // From Z to Z/4: the generator goes to twice the generator.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![2.into()]]);
+    /// assert_eq!(map.target_orders(), [Some(4.into())]);
+    /// ```
     pub fn target_orders(&self) -> &[Option<Integer>] {
         &self.target_orders
     }
 
     /// The images of the generators of the source: one column each, coefficients on the generators of the target, from
     /// 0 to m - 1 for one of order m.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // From Z to Z/4: the generator goes to twice the generator.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![2.into()]]);
+    /// assert_eq!(map.columns(), [[2.into()]]);
+    /// ```
     pub fn columns(&self) -> &[Vec<Integer>] {
         &self.columns
     }
@@ -65,6 +97,14 @@ impl HomologyMap {
     ///
     /// # Panics
     /// Unless there is a coefficient for each of them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // From Z to Z/4: the generator goes to twice the generator.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![2.into()]]);
+    /// assert_eq!(map.image(&[3.into()]), [2.into()]);
+    /// ```
     pub fn image(&self, coefficients: &[Integer]) -> Vec<Integer> {
         assert_eq!(coefficients.len(), self.columns.len(), "a coefficient for each generator of the source");
         let mut image = vec![Integer::ZERO; self.target_orders.len()];
@@ -81,6 +121,13 @@ impl HomologyMap {
     ///
     /// # Panics
     /// Unless the source of the other has as many generators as the target of this.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// let double = HomologyMap::new(vec![None], vec![None], vec![vec![2.into()]]);
+    /// assert_eq!(double.then(&double).columns(), [[4.into()]]);
+    /// ```
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         let columns = self.columns.iter().map(|column| next.image(column)).collect();
@@ -88,11 +135,25 @@ impl HomologyMap {
     }
 
     /// Whether every element goes to zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// let zero = HomologyMap::new(vec![None], vec![Some(2.into())], vec![vec![4.into()]]);
+    /// assert!(zero.is_zero());
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.columns.iter().flatten().all(Integer::is_zero)
     }
 
     /// The kernel, up to isomorphism.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// let modulo_2 = HomologyMap::new(vec![Some(4.into())], vec![Some(2.into())], vec![vec![1.into()]]);
+    /// assert_eq!(modulo_2.kernel().to_string(), "Z/2");
+    /// ```
     pub fn kernel(&self) -> AbelianGroup {
         // Elements of the kernel generate it; their relations are what makes a combination a relation of the source.
         let kernel = self.kernel_elements();
@@ -107,16 +168,38 @@ impl HomologyMap {
     }
 
     /// The target modulo the image, up to isomorphism.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // From Z to Z/4: the generator goes to twice the generator.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![2.into()]]);
+    /// assert_eq!(map.cokernel().to_string(), "Z/2");
+    /// ```
     pub fn cokernel(&self) -> AbelianGroup {
         group(self.target_orders.len(), &self.image_and_relations())
     }
 
     /// Whether only zero goes to zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// let double = HomologyMap::new(vec![None], vec![None], vec![vec![2.into()]]);
+    /// assert!(double.is_injective());
+    /// ```
     pub fn is_injective(&self) -> bool {
         self.kernel().is_trivial()
     }
 
     /// Whether every element of the target is an image.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// let double = HomologyMap::new(vec![None], vec![None], vec![vec![2.into()]]);
+    /// assert!(!double.is_surjective());
+    /// ```
     pub fn is_surjective(&self) -> bool {
         self.cokernel().is_trivial()
     }
@@ -125,6 +208,15 @@ impl HomologyMap {
     ///
     /// # Panics
     /// Unless the source of the next map has as many generators as the target of this.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // 0 to Z to Z to Z/2 is exact in the middle: even numbers are zero modulo 2.
+    /// let double = HomologyMap::new(vec![None], vec![None], vec![vec![2.into()]]);
+    /// let modulo_2 = HomologyMap::new(vec![None], vec![Some(2.into())], vec![vec![1.into()]]);
+    /// assert!(double.is_exact_before(&modulo_2));
+    /// ```
     pub fn is_exact_before(&self, next: &Self) -> bool {
         // The image lies in the kernel; they agree when the kernel adds nothing to the lattice of the image.
         let image = self.image_and_relations();
@@ -195,7 +287,20 @@ fn group(generator_count: usize, relations: &[SparseVector]) -> AbelianGroup {
 /// For each generator of the source its image and the pairs that it reaches in the target.
 ///
 /// # Examples
-/// See [`ChainMap`].
+/// ```
+/// use coface_algebra::{CellId, SparseMatrix};
+/// use coface_algebra::chains::{ChainComplex, ChainMap};
+/// use coface_topology::{HomologyBasis, induced_maps};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// // The inclusion of a vertex into a segment with two ends.
+/// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+/// let first = vec![vec![CellId::new(0)]];
+/// let point = segment.subcomplex(&first)?;
+/// let inclusion = ChainMap::inclusion(&segment, &first)?;
+/// let maps = induced_maps(&inclusion, &HomologyBasis::new(&point), &HomologyBasis::new(&segment))?;
+/// assert!(maps[0].is_injective() && maps[0].is_surjective());
+/// # Ok(()) }
+/// ```
 pub fn induced_maps(
     map: &ChainMap,
     source: &HomologyBasis<'_>,

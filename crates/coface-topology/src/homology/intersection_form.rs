@@ -30,11 +30,35 @@ pub enum MiddlePairing {
 
 impl IntersectionForm {
     /// The form.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert!(matches!(form.pairing(), coface_topology::MiddlePairing::Skew(_)));
+    /// # Ok(()) }
+    /// ```
     pub fn pairing(&self) -> &MiddlePairing {
         &self.pairing
     }
 
     /// The form if it is symmetric.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert!(form.as_symmetric().is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn as_symmetric(&self) -> Option<&SymmetricForm> {
         match &self.pairing {
             MiddlePairing::Symmetric(form) => Some(form),
@@ -43,6 +67,18 @@ impl IntersectionForm {
     }
 
     /// The form if it is skew.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert_eq!(form.as_skew().expect("the middle degree is 1").rank(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn as_skew(&self) -> Option<&SkewForm> {
         match &self.pairing {
             MiddlePairing::Symmetric(_) => None,
@@ -51,6 +87,19 @@ impl IntersectionForm {
     }
 
     /// The rows of its matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// let rows = form.rows();
+    /// assert_eq!((rows[0][0].clone(), rows[0][1].abs()), (0.into(), 1.into()));
+    /// # Ok(()) }
+    /// ```
     pub fn rows(&self) -> &[Vec<Integer>] {
         match &self.pairing {
             MiddlePairing::Symmetric(form) => form.rows(),
@@ -59,6 +108,18 @@ impl IntersectionForm {
     }
 
     /// The rank.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert_eq!(form.rank(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn rank(&self) -> usize {
         match &self.pairing {
             MiddlePairing::Symmetric(form) => form.rank(),
@@ -67,6 +128,18 @@ impl IntersectionForm {
     }
 
     /// The determinant: 1 or -1 for manifolds.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert_eq!(form.determinant(), 1.into());
+    /// # Ok(()) }
+    /// ```
     pub fn determinant(&self) -> Integer {
         match &self.pairing {
             MiddlePairing::Symmetric(form) => form.determinant(),
@@ -75,11 +148,35 @@ impl IntersectionForm {
     }
 
     /// Cocycles whose classes are a basis of cohomology in the middle degree modulo torsion.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert_eq!(form.basis().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn basis(&self) -> &[Cochain<Integer>] {
         &self.basis
     }
 
     /// The cycle that all products are evaluated on.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::DeltaComplex;
+    /// use coface_topology::{CochainAlgebra, intersection_form};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The torus of two triangles: the product of its two loops counts their one crossing.
+    /// let torus = CochainAlgebra::new(DeltaComplex::new(1, vec![vec![0; 6], vec![1, 2, 0, 0, 2, 1]])?)?;
+    /// let form = intersection_form(&torus)?;
+    /// assert_eq!(form.fundamental_cycle().support().count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn fundamental_cycle(&self) -> &Chain<Integer> {
         &self.fundamental_cycle
     }

@@ -51,6 +51,20 @@ impl LongExactSequence {
     ///
     /// # Complexity
     /// Three times that of [`HomologyBasis`], and for each generator the class of its image.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// assert_eq!(sequence.pair().betti_numbers(), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(complex: &ChainComplex, cells: &[Vec<CellId>]) -> Result<Self, Error> {
         let part = complex.subcomplex(cells)?;
         let relative = complex.relative(cells)?;
@@ -93,32 +107,119 @@ impl LongExactSequence {
     }
 
     /// The homology of the subcomplex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// assert_eq!(sequence.part().betti_numbers(), [2]);
+    /// # Ok(()) }
+    /// ```
     pub fn part(&self) -> &Homology {
         &self.part
     }
 
     /// The homology of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// assert_eq!(sequence.whole().betti_numbers(), [1, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn whole(&self) -> &Homology {
         &self.whole
     }
 
     /// The homology of the pair.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// assert_eq!(sequence.pair().betti_numbers(), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn pair(&self) -> &Homology {
         &self.pair
     }
 
     /// The map from the subcomplex to the complex in this degree; `None` beyond the degrees of the subcomplex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// // Both ends go to the one component.
+    /// assert_eq!(sequence.inclusion(0).expect("degree 0").kernel().to_string(), "Z");
+    /// # Ok(()) }
+    /// ```
     pub fn inclusion(&self, degree: usize) -> Option<&HomologyMap> {
         self.inclusion.get(degree)
     }
 
     /// The map from the complex to the pair in this degree; `None` beyond the degrees of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// assert!(sequence.projection(0).expect("degree 0").is_zero());
+    /// # Ok(()) }
+    /// ```
     pub fn projection(&self, degree: usize) -> Option<&HomologyMap> {
         self.projection.get(degree)
     }
 
     /// The connecting map from this degree of the pair to the degree below of the subcomplex; `None` for degree 0 and
     /// beyond the degrees of the pair.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// // The segment goes to the difference of its ends.
+    /// assert!(sequence.connecting(1).expect("degree 1").is_injective());
+    /// assert!(sequence.connecting(0).is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn connecting(&self, degree: usize) -> Option<&HomologyMap> {
         self.connecting.get(degree.checked_sub(1)?)
     }
@@ -127,6 +228,20 @@ impl LongExactSequence {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming the first group where it is not.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::LongExactSequence;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment and its two ends.
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
+    /// let sequence = LongExactSequence::new(&segment, &ends)?;
+    /// sequence.check()?;
+    /// # Ok(()) }
+    /// ```
     pub fn check(&self) -> Result<(), Error> {
         // From the top: ..., pair(k + 1), part(k), whole(k), pair(k), part(k - 1), ...
         let top = self.pair.groups().len();

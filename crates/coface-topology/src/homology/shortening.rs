@@ -12,6 +12,21 @@ impl<'a> HomologyBasis<'a> {
     /// Generators are made short: loops are exchanged against shorter ones of breadth-first trees while they stay a
     /// basis, cycles of any degree lose cells by adding boundaries and each other. The search is bounded by steps, and
     /// the result need not be shortest.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The projective plane: one vertex, one loop, and a disk that runs twice along it.
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// assert_eq!(HomologyBasis::new(&plane).generators(1).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(complex: &'a ChainComplex) -> Self {
         let mut basis = Self::unshortened(complex);
         for degree in 0..complex.degree_count() {

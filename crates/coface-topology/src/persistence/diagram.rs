@@ -31,36 +31,151 @@ impl PersistencePair {
     }
 
     /// The degree of the class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert_eq!(valleys.pairs()[1].degree(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn degree(&self) -> usize {
         self.degree
     }
 
     /// The value at which the class is born.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert_eq!(valleys.pairs()[1].birth(), 1.0);
+    /// # Ok(()) }
+    /// ```
     pub fn birth(&self) -> f64 {
         self.birth
     }
 
     /// The value at which the class dies; `None` for an essential class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert_eq!(valleys.pairs()[1].death(), Some(2.0));
+    /// assert_eq!(valleys.pairs()[0].death(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn death(&self) -> Option<f64> {
         self.death
     }
 
     /// The cell, of the degree of the class, that brings it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert_eq!(valleys.pairs()[1].birth_cell(), CellId::new(2));
+    /// # Ok(()) }
+    /// ```
     pub fn birth_cell(&self) -> CellId {
         self.birth_cell
     }
 
     /// The cell, one degree higher, that takes it away; `None` for an essential class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert!(valleys.pairs()[1].death_cell().is_some());
+    /// assert_eq!(valleys.pairs()[0].death_cell(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn death_cell(&self) -> Option<CellId> {
         self.death_cell
     }
 
     /// Whether the class never dies.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert!(valleys.pairs()[0].is_essential());
+    /// # Ok(()) }
+    /// ```
     pub fn is_essential(&self) -> bool {
         self.death.is_none()
     }
 
     /// The distance between birth and death; infinite for an essential class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// let valleys = diagram.longer_than(0.0);
+    /// assert_eq!(valleys.pairs()[1].persistence(), 1.0);
+    /// assert_eq!(valleys.pairs()[0].persistence(), f64::INFINITY);
+    /// # Ok(()) }
+    /// ```
     pub fn persistence(&self) -> f64 {
         self.death.map_or(f64::INFINITY, |death| (death - self.birth).abs())
     }
@@ -90,26 +205,103 @@ impl PersistenceDiagram {
     }
 
     /// The number of elements of the field.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.prime(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn prime(&self) -> u32 {
         self.prime
     }
 
     /// Whether values fall along the filtration, so that no class dies above its birth.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert!(!diagram.is_falling());
+    /// # Ok(()) }
+    /// ```
     pub fn is_falling(&self) -> bool {
         self.is_falling
     }
 
     /// The number of degrees of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.degree_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn degree_count(&self) -> usize {
         self.starts.len() - 1
     }
 
     /// All pairs: by rising degree, then in the order of births.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// // Three components are born, two of them die.
+    /// assert_eq!(diagram.pairs().len(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn pairs(&self) -> &[PersistencePair] {
         &self.pairs
     }
 
     /// The pairs of this degree; empty beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.pairs_of_degree(0).len(), 3);
+    /// assert!(diagram.pairs_of_degree(1).is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn pairs_of_degree(&self, degree: usize) -> &[PersistencePair] {
         match self.starts.get(degree + 1) {
             Some(&end) => &self.pairs[self.starts[degree]..end],
@@ -118,6 +310,21 @@ impl PersistenceDiagram {
     }
 
     /// The Betti numbers of the whole complex over the field: the numbers of essential classes by degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.betti_numbers(), [1, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn betti_numbers(&self) -> Vec<usize> {
         let essential =
             |degree| self.pairs_of_degree(degree).iter().filter(|pair| pair.is_essential()).count();
@@ -126,6 +333,22 @@ impl PersistenceDiagram {
 
     /// The diagram without the pairs whose persistence is `length` or less: 0 takes the diagonal away, a negative length
     /// nothing. Essential classes stay.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.longer_than(0.0).pairs().len(), 2);
+    /// assert_eq!(diagram.longer_than(1.0).pairs().len(), 1);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn longer_than(&self, length: f64) -> Self {
         let kept = |degree| {

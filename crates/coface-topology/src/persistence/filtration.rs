@@ -42,7 +42,18 @@ impl Filtration {
     /// Linear in the entries of the boundary matrices.
     ///
     /// # Examples
-    /// See [`Filtration`].
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// let segment = ChainComplex::new(vec![edges])?;
+    /// assert!(Filtration::new(&segment, vec![vec![0.0, 2.0], vec![2.5]]).is_ok());
+    /// // The edge would enter before one of its ends.
+    /// assert!(Filtration::new(&segment, vec![vec![0.0, 2.0], vec![1.0]]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(complex: &ChainComplex, mut values: Vec<Vec<f64>>) -> Result<Self, Error> {
         check_shape(complex, &values)?;
         for (degree, values) in values.iter_mut().enumerate() {
@@ -67,7 +78,17 @@ impl Filtration {
     /// Linear in the entries of the boundary matrices.
     ///
     /// # Examples
-    /// See [`Filtration`].
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// let segment = ChainComplex::new(vec![edges])?;
+    /// // The edge enters with its higher end.
+    /// assert_eq!(Filtration::lower_star(&segment, &[0.0, 2.0])?.values(1), [2.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn lower_star(complex: &ChainComplex, vertex_values: &[f64]) -> Result<Self, Error> {
         Self::star(complex, vertex_values, false)
     }
@@ -180,11 +201,37 @@ impl Filtration {
     }
 
     /// The value of each cell of this degree; empty beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// let segment = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&segment, &[0.0, 2.0])?;
+    /// assert_eq!(filtration.values(0), [0.0, 2.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn values(&self, degree: usize) -> &[f64] {
         self.values.get(degree).map_or(&[], Vec::as_slice)
     }
 
     /// Whether cells enter from high values to low ones: so it is for an upper star.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// let segment = ChainComplex::new(vec![edges])?;
+    /// assert!(!Filtration::lower_star(&segment, &[0.0, 2.0])?.is_falling());
+    /// assert!(Filtration::upper_star(&segment, &[0.0, 2.0])?.is_falling());
+    /// # Ok(()) }
+    /// ```
     pub fn is_falling(&self) -> bool {
         self.is_falling
     }
@@ -193,6 +240,20 @@ impl Filtration {
     ///
     /// # Errors
     /// Those of [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?;
+    /// let segment = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&segment, &[0.0, 2.0])?;
+    /// filtration.check(&segment)?;
+    /// assert!(filtration.check(&ChainComplex::of_points(1)).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn check(&self, complex: &ChainComplex) -> Result<(), Error> {
         check_shape(complex, &self.values)?;
         for (below, matrix) in complex.boundary_matrices().iter().enumerate() {

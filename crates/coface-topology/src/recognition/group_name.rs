@@ -107,6 +107,13 @@ impl GroupName {
     }
 
     /// The number of elements, if it is finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{AbelianGroup, GroupName};
+    /// assert_eq!(GroupName::Abelian(AbelianGroup::new(0, vec![2.into(), 2.into()])).order(), Some("4".to_owned()));
+    /// assert_eq!(GroupName::Free(2).order(), None);
+    /// ```
     pub fn order(&self) -> Option<String> {
         match self {
             Self::Abelian(group) if group.betti() == 0 => {

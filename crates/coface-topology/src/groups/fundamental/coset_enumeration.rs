@@ -51,6 +51,21 @@ impl CosetTable {
     /// # References
     /// J. A. Todd, H. S. M. Coxeter, *A practical method for enumerating cosets of a finite abstract group* (1936); the
     /// strategy is that of C. B. Haselgrove, J. Leech and H. F. Trotter: every relator is closed at every coset.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{CosetTable, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The symmetric group of three things, with the cosets of a transposition.
+    /// let relators = [vec![1, 1], vec![2, 2, 2], vec![1, 2, 1, 2]].map(Word::from_letters);
+    /// let group = Presentation::new(2, relators.to_vec())?;
+    /// let swap = Word::from_letters([1]);
+    /// let cosets = CosetTable::new(&group, &[swap.clone()], 100).expect("there are three cosets");
+    /// assert_eq!(cosets.index(), 3);
+    /// assert!(CosetTable::new(&Presentation::new(1, vec![])?, &[], 100).is_none(), "Z is infinite");
+    /// # Ok(()) }
+    /// ```
     pub fn new(presentation: &Presentation, subgroup: &[Word], limit: usize) -> Option<Self> {
         let letters_fit = |word: &Word| word.highest_letter() <= presentation.generator_count();
         assert!(subgroup.iter().all(letters_fit), "letters are generators of the group");
@@ -89,11 +104,39 @@ impl CosetTable {
     }
 
     /// The number of cosets.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{CosetTable, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The symmetric group of three things, with the cosets of a transposition.
+    /// let relators = [vec![1, 1], vec![2, 2, 2], vec![1, 2, 1, 2]].map(Word::from_letters);
+    /// let group = Presentation::new(2, relators.to_vec())?;
+    /// let swap = Word::from_letters([1]);
+    /// let cosets = CosetTable::new(&group, &[swap.clone()], 100).expect("there are three cosets");
+    /// assert_eq!(cosets.index(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn index(&self) -> usize {
         if self.generator_count == 0 { 1 } else { self.images.len() / (2 * self.generator_count) }
     }
 
     /// The number of generators of the group.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{CosetTable, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The symmetric group of three things, with the cosets of a transposition.
+    /// let relators = [vec![1, 1], vec![2, 2, 2], vec![1, 2, 1, 2]].map(Word::from_letters);
+    /// let group = Presentation::new(2, relators.to_vec())?;
+    /// let swap = Word::from_letters([1]);
+    /// let cosets = CosetTable::new(&group, &[swap.clone()], 100).expect("there are three cosets");
+    /// assert_eq!(cosets.generator_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn generator_count(&self) -> usize {
         self.generator_count
     }
@@ -102,6 +145,22 @@ impl CosetTable {
     ///
     /// # Panics
     /// If there is no such coset or letter.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{CosetTable, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The symmetric group of three things, with the cosets of a transposition.
+    /// let relators = [vec![1, 1], vec![2, 2, 2], vec![1, 2, 1, 2]].map(Word::from_letters);
+    /// let group = Presentation::new(2, relators.to_vec())?;
+    /// let swap = Word::from_letters([1]);
+    /// let cosets = CosetTable::new(&group, &[swap.clone()], 100).expect("there are three cosets");
+    /// // The transposition keeps its own coset, three turns come back to it.
+    /// assert_eq!(cosets.image(0, 1), 0);
+    /// assert_eq!(cosets.image(cosets.image(cosets.image(0, 2), 2), 2), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn image(&self, coset: usize, letter: i32) -> usize {
         self.images[coset * 2 * self.generator_count + column(letter)] as usize
     }
@@ -110,11 +169,40 @@ impl CosetTable {
     ///
     /// # Panics
     /// If there is no such coset or letter.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{CosetTable, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The symmetric group of three things, with the cosets of a transposition.
+    /// let relators = [vec![1, 1], vec![2, 2, 2], vec![1, 2, 1, 2]].map(Word::from_letters);
+    /// let group = Presentation::new(2, relators.to_vec())?;
+    /// let swap = Word::from_letters([1]);
+    /// let cosets = CosetTable::new(&group, &[swap.clone()], 100).expect("there are three cosets");
+    /// assert_eq!(cosets.image_by(1, &Word::from_letters([2, 2, 2])), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn image_by(&self, coset: usize, word: &Word) -> usize {
         word.letters().iter().fold(coset, |at, &letter| self.image(at, letter))
     }
 
     /// A shortest word that takes coset 0 to each coset.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{CosetTable, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The symmetric group of three things, with the cosets of a transposition.
+    /// let relators = [vec![1, 1], vec![2, 2, 2], vec![1, 2, 1, 2]].map(Word::from_letters);
+    /// let group = Presentation::new(2, relators.to_vec())?;
+    /// let swap = Word::from_letters([1]);
+    /// let cosets = CosetTable::new(&group, &[swap.clone()], 100).expect("there are three cosets");
+    /// let words = cosets.representatives();
+    /// assert!((0..3).all(|coset| cosets.image_by(0, &words[coset]) == coset));
+    /// # Ok(()) }
+    /// ```
     pub fn representatives(&self) -> Vec<Word> {
         let mut words: Vec<Option<Word>> = vec![None; self.index()];
         words[0] = Some(Word::new());

@@ -339,6 +339,18 @@ impl<'a> Words<'a> {
 
 impl EdgePathGroups {
     /// The fundamental groups of the components, by the numbers of their smallest vertices, which are their bases.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.presentation(0).to_string(), "<x1 | >");
+    /// # Ok(()) }
+    /// ```
     pub fn new(skeleton: &TwoSkeleton) -> Self {
         Self::from_forest(skeleton, Forest::new(skeleton, None))
     }
@@ -412,6 +424,18 @@ impl EdgePathGroups {
     }
 
     /// The number of components.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         self.components.len()
     }
@@ -420,6 +444,19 @@ impl EdgePathGroups {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.component_of(VertexId::new(2)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn component_of(&self, vertex: VertexId) -> usize {
         self.forest.tree[vertex.index()] as usize
     }
@@ -428,16 +465,53 @@ impl EdgePathGroups {
     ///
     /// # Panics
     /// If there is no such component; so do the functions that follow.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.base(0), VertexId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn base(&self, component: usize) -> VertexId {
         self.components[component].base
     }
 
     /// The group of a component by generators and relators.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.presentation(0).generator_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn presentation(&self, component: usize) -> &Presentation {
         &self.components[component].presentation
     }
 
     /// The edge that each generator of a component runs through.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.generator_edges(0).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn generator_edges(&self, component: usize) -> &[EdgeId] {
         &self.components[component].generator_edges
     }
@@ -446,6 +520,20 @@ impl EdgePathGroups {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert!(groups.path_to(VertexId::new(0)).is_empty());
+    /// assert_eq!(groups.path_to(VertexId::new(1)).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn path_to(&self, vertex: VertexId) -> Vec<(EdgeId, Sign)> {
         signed(self.forest.path_to(vertex.to_u32(), &self.ends))
     }
@@ -455,6 +543,18 @@ impl EdgePathGroups {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.loop_through(groups.generator_edges(0)[0]).len(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn loop_through(&self, edge: EdgeId) -> Vec<(EdgeId, Sign)> {
         let [source, target] = [0, 1].map(|side| self.ends[2 * edge.index() + side]);
         let mut steps = self.forest.path_to(source, &self.ends);
@@ -468,6 +568,19 @@ impl EdgePathGroups {
     ///
     /// # Panics
     /// If a letter is no generator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.loop_of_word(0, &Word::from_letters([1, 1])).len(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn loop_of_word(&self, component: usize, word: &Word) -> Vec<(EdgeId, Sign)> {
         let edges = &self.components[component].generator_edges;
         let mut path: Vec<(EdgeId, Sign)> = Vec::new();
@@ -513,6 +626,18 @@ impl EdgePathGroups {
     }
 
     /// The abelianizations of all components together: H_1 of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// assert_eq!(groups.first_homology().to_string(), "Z");
+    /// # Ok(()) }
+    /// ```
     pub fn first_homology(&self) -> AbelianGroup {
         let groups = self.components.iter().map(|component| component.presentation.abelianization());
         let (mut betti, mut torsion) = (0, Vec::new());
@@ -532,6 +657,19 @@ impl EdgePathGroups {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The rim of a triangle.
+    /// let skeleton = known_spaces::circle(3)?.freeze().two_skeleton()?;
+    /// let groups = EdgePathGroups::new(&skeleton);
+    /// let edge = groups.generator_edges(0)[0];
+    /// assert_eq!(groups.word_of_edge(edge).letters(), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn word_of_edge(&self, edge: EdgeId) -> Word {
         word_of(&self.words, self.edge_words[edge.index()])
     }

@@ -15,16 +15,46 @@ pub struct SubgroupClass {
 
 impl SubgroupClass {
     /// The cosets of one subgroup of the class; those of the others are the same with another coset as the first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Effort, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The infinite cyclic group has one subgroup of each index.
+    /// let classes = Presentation::new(1, vec![])?.subgroups_up_to(3, Effort::default()).expect("there are three");
+    /// assert_eq!(classes[2].table().index(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn table(&self) -> &CosetTable {
         &self.table
     }
 
     /// The index of the subgroups.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Effort, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The infinite cyclic group has one subgroup of each index.
+    /// let classes = Presentation::new(1, vec![])?.subgroups_up_to(3, Effort::default()).expect("there are three");
+    /// assert_eq!(classes.iter().map(|class| class.index()).collect::<Vec<_>>(), [1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn index(&self) -> usize {
         self.table.index()
     }
 
     /// The number of subgroups in the class; 1 for a normal subgroup.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Effort, Presentation};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The infinite cyclic group has one subgroup of each index.
+    /// let classes = Presentation::new(1, vec![])?.subgroups_up_to(3, Effort::default()).expect("there are three");
+    /// assert!(classes.iter().all(|class| class.conjugate_count() == 1));
+    /// # Ok(()) }
+    /// ```
     pub fn conjugate_count(&self) -> usize {
         self.conjugate_count
     }

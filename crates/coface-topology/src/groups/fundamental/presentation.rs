@@ -29,6 +29,17 @@ impl Presentation {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming the first relator with a letter that is no generator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::Presentation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = Presentation::new(2, vec![Word::from_letters([1, 2, 1, -2])])?;
+    /// assert_eq!(klein.to_string(), "<x1, x2 | x1 x2 x1 x2^-1>");
+    /// assert!(Presentation::new(1, vec![Word::from_letters([2])]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(generator_count: usize, relators: Vec<Word>) -> Result<Self, Error> {
         match relators.iter().position(|relator| relator.highest_letter() > generator_count) {
             None => Ok(Self { generator_count, relators }),
@@ -43,21 +54,61 @@ impl Presentation {
     }
 
     /// The number of generators.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::Presentation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = Presentation::new(2, vec![Word::from_letters([1, 2, 1, -2])])?;
+    /// assert_eq!(klein.generator_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn generator_count(&self) -> usize {
         self.generator_count
     }
 
     /// The relators.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::Presentation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = Presentation::new(2, vec![Word::from_letters([1, 2, 1, -2])])?;
+    /// assert_eq!(klein.relators()[0].letters(), [1, 2, 1, -2]);
+    /// # Ok(()) }
+    /// ```
     pub fn relators(&self) -> &[Word] {
         &self.relators
     }
 
     /// The number of letters of all relators.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::Presentation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = Presentation::new(2, vec![Word::from_letters([1, 2, 1, -2])])?;
+    /// assert_eq!(klein.length(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn length(&self) -> usize {
         self.relators.iter().map(Word::len).sum()
     }
 
     /// The group made commutative, by Smith normal form of the exponent sums. For a fundamental group it is H_1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::Presentation;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = Presentation::new(2, vec![Word::from_letters([1, 2, 1, -2])])?;
+    /// assert_eq!(klein.abelianization().to_string(), "Z + Z/2");
+    /// # Ok(()) }
+    /// ```
     pub fn abelianization(&self) -> AbelianGroup {
         let entries = self.relators.iter().enumerate().flat_map(|(column, relator)| {
             let letters = relator.letters().iter();

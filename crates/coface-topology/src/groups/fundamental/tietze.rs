@@ -69,6 +69,19 @@ impl Simplification {
     /// # References
     /// H. Tietze, *Ueber die topologischen Invarianten mehrdimensionaler Mannigfaltigkeiten* (1908); G. Havas, P. E. Kenne,
     /// J. S. Richardson, E. F. Robertson, *A Tietze transformation program* (1984).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Effort, Presentation, Simplification};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x2 is the inverse of x1, so x1 x1 x2 x1 x1 is the third power of x1.
+    /// let relators = vec![Word::from_letters([1, 2]), Word::from_letters([1, 1, 2, 1, 1])];
+    /// let group = Presentation::new(2, relators)?;
+    /// let simple = Simplification::new(&group, Effort::default());
+    /// assert_eq!(simple.presentation().to_string(), "<x1 | x1^3>");
+    /// # Ok(()) }
+    /// ```
     pub fn new(presentation: &Presentation, effort: Effort) -> Self {
         let mut search = Search {
             work: Work::new(presentation.generator_count(), presentation.relators()),
@@ -84,11 +97,37 @@ impl Simplification {
     }
 
     /// The simpler presentation.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Effort, Presentation, Simplification};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x2 is the inverse of x1, so x1 x1 x2 x1 x1 is the third power of x1.
+    /// let relators = vec![Word::from_letters([1, 2]), Word::from_letters([1, 1, 2, 1, 1])];
+    /// let group = Presentation::new(2, relators)?;
+    /// let simple = Simplification::new(&group, Effort::default());
+    /// assert_eq!(simple.presentation().generator_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn presentation(&self) -> &Presentation {
         &self.presentation
     }
 
     /// The moves that lead to it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Effort, Presentation, Simplification};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x2 is the inverse of x1, so x1 x1 x2 x1 x1 is the third power of x1.
+    /// let relators = vec![Word::from_letters([1, 2]), Word::from_letters([1, 1, 2, 1, 1])];
+    /// let group = Presentation::new(2, relators)?;
+    /// let simple = Simplification::new(&group, Effort::default());
+    /// assert!(!simple.moves().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn moves(&self) -> &[TietzeMove] {
         &self.moves
     }
@@ -97,6 +136,19 @@ impl Simplification {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] naming a move that does not fit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Effort, Presentation, Simplification};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x2 is the inverse of x1, so x1 x1 x2 x1 x1 is the third power of x1.
+    /// let relators = vec![Word::from_letters([1, 2]), Word::from_letters([1, 1, 2, 1, 1])];
+    /// let group = Presentation::new(2, relators)?;
+    /// let simple = Simplification::new(&group, Effort::default());
+    /// assert_eq!(&simple.replay(&group)?, simple.presentation());
+    /// # Ok(()) }
+    /// ```
     pub fn replay(&self, presentation: &Presentation) -> Result<Presentation, Error> {
         let mut work = Work::new(presentation.generator_count(), presentation.relators());
         for step in &self.moves {
@@ -112,6 +164,20 @@ impl Simplification {
     ///
     /// # Complexity
     /// Linear in the words between the moves, which may be much longer than the first and the last.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Effort, Presentation, Simplification};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x2 is the inverse of x1, so x1 x1 x2 x1 x1 is the third power of x1.
+    /// let relators = vec![Word::from_letters([1, 2]), Word::from_letters([1, 1, 2, 1, 1])];
+    /// let group = Presentation::new(2, relators)?;
+    /// let simple = Simplification::new(&group, Effort::default());
+    /// let both = Word::from_letters([1, 2]);
+    /// assert!(simple.to_simplified(&both).is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn to_simplified(&self, word: &Word) -> Word {
         assert!(word.highest_letter() <= self.generator_count, "letters are generators of the group");
         let mut word = word.clone();
@@ -132,6 +198,20 @@ impl Simplification {
     ///
     /// # Panics
     /// If a letter is no generator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Effort, Presentation, Simplification};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // x2 is the inverse of x1, so x1 x1 x2 x1 x1 is the third power of x1.
+    /// let relators = vec![Word::from_letters([1, 2]), Word::from_letters([1, 1, 2, 1, 1])];
+    /// let group = Presentation::new(2, relators)?;
+    /// let simple = Simplification::new(&group, Effort::default());
+    /// let old = simple.to_original(&Word::from_letters([1]));
+    /// assert_eq!(simple.to_simplified(&old).letters(), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn to_original(&self, word: &Word) -> Word {
         let old = |letter: i32| self.kept[letter.unsigned_abs() as usize - 1] as i32 * letter.signum();
         let mut word = Word::from_letters(word.letters().iter().map(|&letter| old(letter)));

@@ -51,6 +51,18 @@ impl Ball {
     ///
     /// # Complexity
     /// $O(m n r)$ for m elements, n generators and the radius r, and $O(m (n + r))$ space.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// // 1 + 4 + 12 reduced words of at most two letters.
+    /// assert_eq!(ball.len(), 17);
+    /// assert!(Ball::new(&group, 2, 16).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(group: &SurfaceGroup, radius: usize, most: usize) -> Result<Self, Error> {
         let most = most.min(NONE as usize - 1);
         match group.ball_size(radius, most) {
@@ -66,6 +78,13 @@ impl Ball {
     ///
     /// # Complexity
     /// As [`Self::new`] with the greatest length that occurs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// let ball = Ball::first(&SurfaceGroup::free(2), 3);
+    /// assert_eq!(ball.word(2).to_string(), "x1^-1");
+    /// ```
     pub fn first(group: &SurfaceGroup, count: usize) -> Self {
         let letters: Vec<Word> =
             (1..=group.generator_count() as i32).map(|letter| Word::from_letters([letter])).collect();
@@ -149,26 +168,78 @@ impl Ball {
     }
 
     /// The number of elements.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert_eq!(ball.len(), 17);
+    /// # Ok(()) }
+    /// ```
     pub fn len(&self) -> usize {
         self.elements.len()
     }
 
     /// Whether there is no element.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert!(!ball.is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.elements.is_empty()
     }
 
     /// The elements in shortlex order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert!(ball.elements()[0].is_identity());
+    /// # Ok(()) }
+    /// ```
     pub fn elements(&self) -> &[NormalForm] {
         &self.elements
     }
 
     /// The number of an element, if it is here.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert_eq!(ball.number(&group.normal_form(&Word::from_letters([2]))), Some(3));
+    /// assert_eq!(ball.number(&group.normal_form(&Word::from_letters([1, 1, 1]))), None);
+    /// # Ok(()) }
+    /// ```
     pub fn number(&self, element: &NormalForm) -> Option<usize> {
         self.numbers.get(element).map(|&number| number as usize)
     }
 
     /// The number of elements of each length.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert_eq!(ball.sphere_sizes(), [1, 4, 12]);
+    /// # Ok(()) }
+    /// ```
     pub fn sphere_sizes(&self) -> Vec<usize> {
         let ends = self.starts[1..].iter().copied().chain([self.len()]);
         let sizes = self.starts.iter().zip(ends).map(|(start, end)| end - start);
@@ -179,6 +250,16 @@ impl Ball {
     ///
     /// # Panics
     /// If there is no such element.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert_eq!((ball.length(0), ball.length(4), ball.length(5)), (0, 1, 2));
+    /// # Ok(()) }
+    /// ```
     pub fn length(&self, element: usize) -> usize {
         assert!(element < self.len(), "element {element} of {}", self.len());
         self.starts.partition_point(|&start| start <= element) - 1
@@ -188,6 +269,16 @@ impl Ball {
     ///
     /// # Panics
     /// If there is no such element.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert_eq!(ball.word(5).to_string(), "x1^2");
+    /// # Ok(()) }
+    /// ```
     pub fn word(&self, element: usize) -> Word {
         let mut letters = Vec::with_capacity(self.length(element));
         let mut at = element;
@@ -202,6 +293,17 @@ impl Ball {
     ///
     /// # Panics
     /// If there is no such element or letter.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Ball, SurfaceGroup};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let group = SurfaceGroup::free(2);
+    /// let ball = Ball::new(&group, 2, 1000)?;
+    /// assert_eq!(ball.neighbor(0, 1), Some(1));
+    /// assert_eq!(ball.neighbor(5, 1), None, "three letters are too many");
+    /// # Ok(()) }
+    /// ```
     pub fn neighbor(&self, element: usize, letter: i32) -> Option<usize> {
         let place = column(letter);
         assert!(place < 2 * self.generator_count, "letter {letter} is no generator");

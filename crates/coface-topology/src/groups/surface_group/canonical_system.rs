@@ -28,22 +28,68 @@ pub struct CanonicalSystem {
 
 impl CanonicalSystem {
     /// Whether the relator is a product of commutators; else it is one of squares.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = SurfaceGroup::closed(&Word::from_letters([1, 2, 1, -2]))?;
+    /// let system = klein.canonical_system().expect("it is closed");
+    /// assert!(!system.is_orientable());
+    /// # Ok(()) }
+    /// ```
     pub fn is_orientable(&self) -> bool {
         self.is_orientable
     }
 
     /// The canonical generators as words of the given ones. The product of their commutators or squares is, as a word of
     /// the free group, the given relator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = SurfaceGroup::closed(&Word::from_letters([1, 2, 1, -2]))?;
+    /// let system = klein.canonical_system().expect("it is closed");
+    /// // The product of the squares of the two crosscaps is the relator.
+    /// let [c, d] = system.generators() else { panic!("two crosscaps") };
+    /// assert_eq!(c.times(c).times(d).times(d).letters(), [1, 2, 1, -2]);
+    /// # Ok(()) }
+    /// ```
     pub fn generators(&self) -> &[Word] {
         &self.generators
     }
 
     /// The given generators as words of the canonical ones, equal in the group.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = SurfaceGroup::closed(&Word::from_letters([1, 2, 1, -2]))?;
+    /// let system = klein.canonical_system().expect("it is closed");
+    /// assert_eq!(system.images().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn images(&self) -> &[Word] {
         &self.images
     }
 
     /// The relator in canonical generators.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let klein = SurfaceGroup::closed(&Word::from_letters([1, 2, 1, -2]))?;
+    /// let system = klein.canonical_system().expect("it is closed");
+    /// assert_eq!(system.relator().letters(), [1, 1, 2, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn relator(&self) -> Word {
         let count = self.generators.len() as i32;
         if self.is_orientable {

@@ -63,6 +63,15 @@ impl SurfaceGroup {
     ///
     /// # Complexity
     /// As for a word as long as the element.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// let free = SurfaceGroup::free(2);
+    /// let class = |letters: [i32; 3]| free.class_of(free.normal_form(&Word::from_letters(letters)));
+    /// assert_eq!(class([1, 2, -1]), free.conjugacy_form(&Word::from_letters([2])));
+    /// ```
     pub fn class_of(&self, element: NormalForm) -> ConjugacyForm {
         ConjugacyForm(match (&self.kind, element.0) {
             (_, Form::Letters(letters)) => {
@@ -94,6 +103,15 @@ impl SurfaceGroup {
     ///
     /// # Complexity
     /// That of [`Self::conjugacy_form`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// let free = SurfaceGroup::free(2);
+    /// let (ab, ba) = (Word::from_letters([1, 2]), Word::from_letters([2, 1]));
+    /// assert!(free.are_conjugate(&ab, &ba) && !free.are_equal(&ab, &ba));
+    /// ```
     pub fn are_conjugate(&self, a: &Word, b: &Word) -> bool {
         self.conjugacy_form(a) == self.conjugacy_form(b)
     }

@@ -150,16 +150,47 @@ impl SurfaceGroup {
     }
 
     /// The number of generators.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert_eq!(torus.generator_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn generator_count(&self) -> usize {
         self.generator_count
     }
 
     /// The relator; none for free groups.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert_eq!(torus.relator().map(|relator| relator.len()), Some(4));
+    /// assert_eq!(SurfaceGroup::free(2).relator(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn relator(&self) -> Option<&Word> {
         self.relator.as_ref()
     }
 
     /// The generators and the relator.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert_eq!(torus.presentation().abelianization().to_string(), "Z^2");
+    /// # Ok(()) }
+    /// ```
     pub fn presentation(&self) -> Presentation {
         Presentation::new(self.generator_count, self.relator.iter().cloned().collect())
             .expect("the relator has no other letters")
@@ -167,6 +198,16 @@ impl SurfaceGroup {
 
     /// Whether this is the group of an orientable closed surface. Free groups belong to orientable and to non-orientable
     /// surfaces with boundary; they count as orientable here.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert!(torus.is_orientable());
+    /// # Ok(()) }
+    /// ```
     pub fn is_orientable(&self) -> bool {
         !self.one_sided.contains(&true)
     }
@@ -182,6 +223,18 @@ impl SurfaceGroup {
     /// complexity of combinatorial surfaces* (1990); F. Lazarus, M. Pocchiola, G. Vegter, A. Verroust, *Computing a
     /// canonical polygonal schema of an orientable triangulated surface* (2001). Here each cut is made such that the
     /// relator remains the same word of the free group, and images come from the corners of the polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// let system = torus.canonical_system().expect("it is closed");
+    /// assert_eq!(system.relator().letters(), [1, 2, -1, -2]);
+    /// assert_eq!(SurfaceGroup::free(2).canonical_system(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn canonical_system(&self) -> Option<CanonicalSystem> {
         match (&self.kind, self.relator()) {
             (Kind::Hyperbolic(scheme, _), _) => Some(CanonicalSystem::of_scheme(scheme)),
@@ -195,11 +248,32 @@ impl SurfaceGroup {
 
     /// The Euler characteristic of the presentation complex: a vertex, an edge for each generator, a face for the relator.
     /// It is that of the surface, except for the sphere.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert_eq!(torus.euler_characteristic(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         1 - self.generator_count as i64 + i64::from(self.relator.is_some())
     }
 
     /// The number of elements, if it is finite: 1 or 2.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = SurfaceGroup::closed(&Word::from_letters([1, 1]))?;
+    /// assert_eq!(plane.order(), Some(2));
+    /// assert_eq!(SurfaceGroup::free(1).order(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn order(&self) -> Option<usize> {
         match self.kind {
             Kind::Free if self.generator_count == 0 => Some(1),
@@ -245,6 +319,17 @@ impl SurfaceGroup {
     ///
     /// # Complexity
     /// Linear in the words.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// let (a, b) = (Word::from_letters([1]), Word::from_letters([2]));
+    /// assert!(torus.are_equal(&a.times(&b), &b.times(&a)));
+    /// # Ok(()) }
+    /// ```
     pub fn are_equal(&self, a: &Word, b: &Word) -> bool {
         self.is_trivial(&a.times(&b.inverse()))
     }

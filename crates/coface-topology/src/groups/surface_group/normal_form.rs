@@ -28,6 +28,16 @@ pub(super) enum Form {
 
 impl NormalForm {
     /// Whether this is the unit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert!(torus.normal_form(&Word::from_letters([1, 2, -1, -2])).is_identity());
+    /// # Ok(()) }
+    /// ```
     pub fn is_identity(&self) -> bool {
         match &self.0 {
             Form::Letters(letters) => letters.is_empty(),
@@ -60,6 +70,16 @@ fn rightmost(quads: &QuadSystem, edges: impl IntoIterator<Item = u32>) -> Form {
 
 impl SurfaceGroup {
     /// The unit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// assert!(torus.identity().is_identity());
+    /// # Ok(()) }
+    /// ```
     pub fn identity(&self) -> NormalForm {
         NormalForm(match &self.kind {
             Kind::Free => Form::Letters(Box::default()),
@@ -103,6 +123,18 @@ impl SurfaceGroup {
     ///
     /// # Complexity
     /// Linear in the element and the word.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// let (a, b) = (Word::from_letters([1]), Word::from_letters([2]));
+    /// let ab = torus.times_word(&torus.normal_form(&a), &b);
+    /// assert_eq!(ab, torus.normal_form(&a.times(&b)));
+    /// # Ok(()) }
+    /// ```
     pub fn times_word(&self, element: &NormalForm, word: &Word) -> NormalForm {
         assert!(word.highest_letter() <= self.generator_count(), "letters are generators of the group");
         NormalForm(match (&self.kind, &element.0) {
@@ -160,6 +192,18 @@ impl SurfaceGroup {
     ///
     /// # Complexity
     /// Linear in both.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// let (a, b) = (Word::from_letters([1]), Word::from_letters([2]));
+    /// let (x, y) = (torus.normal_form(&a), torus.normal_form(&b));
+    /// assert_eq!(torus.product(&x, &y), torus.product(&y, &x));
+    /// # Ok(()) }
+    /// ```
     pub fn product(&self, a: &NormalForm, b: &NormalForm) -> NormalForm {
         NormalForm(match (&self.kind, &a.0, &b.0) {
             (Kind::Free, Form::Letters(a), Form::Letters(b)) => {
@@ -185,6 +229,18 @@ impl SurfaceGroup {
     ///
     /// # Panics
     /// If the element is of another kind of group.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Word;
+    /// use coface_topology::SurfaceGroup;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceGroup::closed(&Word::from_letters([1, 2, -1, -2]))?;
+    /// let (a, b) = (Word::from_letters([1]), Word::from_letters([2]));
+    /// let x = torus.normal_form(&a);
+    /// assert!(torus.product(&x, &torus.inverse(&x)).is_identity());
+    /// # Ok(()) }
+    /// ```
     pub fn inverse(&self, element: &NormalForm) -> NormalForm {
         NormalForm(match (&self.kind, &element.0) {
             (Kind::Free, Form::Letters(letters)) => {
