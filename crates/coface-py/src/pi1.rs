@@ -62,7 +62,7 @@ fn effort(py: Python<'_>, time_limit: Option<f64>) -> PyResult<Effort> {
     let time = time_limit.map(Duration::try_from_secs_f64).transpose();
     let time =
         time.map_err(|error| invalid(py, format!("time_limit: {error}"), "give a number of seconds"))?;
-    Ok(Effort { time, ..Effort::default() })
+    Ok(Effort::new().time_limit(time))
 }
 
 /// The fundamental groups of the components of a complex.

@@ -1,22 +1,46 @@
-//! Questions that any chain complex can be asked, wherever its cells came from.
+//! Questions that a chain complex or a surface can be asked: homology, fundamental groups, cuts, covers and short
+//! loops.
 //!
-//! # Words and conventions
-//! * **Homology** in degree k: the cycles of degree k modulo the boundaries of (k+1)-chains. Over Z it is a finitely
-//!   generated abelian group, [`AbelianGroup`]: its rank is the **Betti number**, its finite part the **torsion**.
-//! * [`homology`] answers over Z; [`homology_with`] and [`cohomology`] over Z, Q or Z/n, by the universal coefficient
-//!   theorem.
-//! * A [`HomologyBasis`] has cycles on the original cells, one for each cyclic summand, the dual cocycles, the class of
-//!   any cycle and the chain that it bounds, if it does. [`generators`] gives the cycles alone.
-//! * A [`SurfaceGroup`] puts loops on surfaces in normal form, so that homotopy is decided.
-//! * [`harmonic_basis`] and [`HodgeSpace`] take real coefficients: Laplacians, harmonic cochains, Hodge decomposition.
-//! * [`persistence`] says over a prime field when the classes of a growing complex are born and die.
-//! * The **cup product** of cochains is that of a [`CochainAlgebra`]; on a closed oriented manifold it gives the
-//!   [`intersection_form`].
-//! * A [`TreeCotree`] of a surface gives loops; cut along them, in a [`CutSurface`], each component is a disk, its
-//!   [`FundamentalDomain`], whose boundary spells the relator of the fundamental group.
-//! * All answers about one complex go through the acyclic matching of [`coface_algebra::chains::MorseComplex`], then Smith normal form.
+//! This crate belongs to the library `coface`. It knows chain complexes and surfaces, but no file formats.
 //!
-#![doc = include_str!("../README.md")]
+//! # Sections
+//! * **Homology**: [`homology`] gives the groups over Z, [`homology_with`] and [`cohomology`] over Z, Q or Z/n. A
+//!   [`HomologyBasis`] has cycles on the original cells, the dual cocycles, the class of any cycle and the chain that
+//!   it bounds. [`induced_maps`], a [`LongExactSequence`], [`cup_product_table`] and [`intersection_form`] are built
+//!   on it.
+//! * **Hodge theory**: a [`MetricComplex`] is a complex with weights. A [`HodgeSpace`] decomposes real cochains into
+//!   exact, coexact and harmonic parts; [`harmonic_basis`] has one harmonic cochain for each free class.
+//! * **Persistence**: [`persistence`] reports over a prime field when the classes of a [`Filtration`] are born and die.
+//! * **Groups**: [`EdgePathGroups`] presents fundamental groups, a [`Simplification`] shortens presentations, and a
+//!   [`SurfaceGroup`] has normal forms that decide homotopy.
+//! * **Recognition**: [`Presentation::recognized`] names a group, as a [`GroupName`], if it can prove which one it is.
+//! * **Curves on surfaces**: a [`TreeCotree`] gives loops that generate the fundamental group. A [`CutSurface`] cuts
+//!   each component open into a disk, its [`FundamentalDomain`]. [`shortest_cycle`], [`shortest_loops`] and
+//!   [`shortest_homology_basis`] find short curves.
+//! * **Covers**: a [`UniversalCover`] is a finite part of the universal covering space, with a [`CoverLayout`] to
+//!   draw it.
+//!
+//! # Conventions
+//! * Homology in degree k is the group of k-cycles modulo boundaries. Exact answers carry certificates: a bounding
+//!   chain, a pairing cocycle, or the least multiple of a cycle that bounds.
+//! * A **step** along an edge is a number: 2e runs along edge e, 2e + 1 runs against it.
+//! * All answers about one complex use the acyclic matching of [`coface_algebra::chains::MorseComplex`], then the Smith
+//!   normal form of what the matching leaves.
+//! * Only harmonic cochains, harmonic forms and layouts use floating point. It decides no topology.
+//!
+//! # Examples
+//! The torus as one vertex, two loops and one square.
+//! ```
+//! use coface_algebra::SparseMatrix;
+//! use coface_algebra::chains::ChainComplex;
+//! use coface_topology::homology;
+//! # fn main() -> Result<(), coface_algebra::Error> {
+//! let torus = ChainComplex::new(vec![SparseMatrix::zero(1, 2)?, SparseMatrix::zero(2, 1)?])?;
+//! assert_eq!(homology(&torus).betti_numbers(), [1, 2, 1]);
+//! # Ok(()) }
+//! ```
+
+#![warn(clippy::iter_over_hash_type, missing_debug_implementations)]
 
 mod covering;
 mod hodge;

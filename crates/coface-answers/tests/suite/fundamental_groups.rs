@@ -209,7 +209,7 @@ proptest! {
     /// every quotient that is looked at.
     #[test]
     fn simplifying_keeps_the_group(group in presentations()) {
-        let simple = Simplification::new(&group, Effort { steps: 1_000_000, time: None });
+        let simple = Simplification::new(&group, Effort::new().max_steps(1_000_000));
         let (new, effort) = (simple.presentation(), Effort::default());
         prop_assert!(new.generator_count() <= group.generator_count());
         prop_assert_eq!(new.abelianization(), group.abelianization());
@@ -315,7 +315,7 @@ fn gluing_tables_of_other_programs_have_their_groups() {
         assert_eq!(groups.first_homology(), expected, "{}", record["name"]);
         let simple = Simplification::new(groups.presentation(0), Effort::default());
         assert_eq!(simple.presentation().abelianization(), expected);
-        let name = simple.presentation().recognized(Effort { steps: 5_000_000, time: None });
+        let name = simple.presentation().recognized(Effort::new().max_steps(5_000_000));
         let is_lens_space = record["name"].as_str().unwrap().starts_with("L(");
         if is_lens_space {
             assert_eq!(name.map(|name| name.to_string()), Some(expected.to_string()), "{}", record["name"]);

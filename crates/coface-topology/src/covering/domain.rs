@@ -202,9 +202,9 @@ fn found_vertex(map: &GeneralizedMap, cut: &CutSurface, component: usize) -> Ver
     map.source(sides.next().expect("a component has a face with sides"))
 }
 
-/// Cut edges whose crossings generate the group freely but for the relator: those that are not on a spanning tree of the cut
-/// graph in which the whole boundary counts as one vertex. Around each inner vertex of the tree the crossings make a
-/// relation, which eliminates one tree edge. Edges of the tree-cotree's tree are preferred for it.
+/// Cut edges whose crossings generate the group freely but for the relator: those that are not on a spanning tree of
+/// the cut graph in which the whole boundary counts as one vertex. Around each inner vertex of the tree the crossings
+/// make a relation, which eliminates one tree edge. Edges of the tree-cotree's tree are preferred for it.
 fn letters(map: &GeneralizedMap, sides: &[DomainSide]) -> Vec<u32> {
     let mut classes = UnionFind::new(map.f_vector()[0]);
     let ends = |side: &DomainSide| map.skeleton().edge(side.edge).map(VertexId::to_u32);

@@ -126,9 +126,10 @@ fn exponential(point: Point, step: [f64; 2]) -> Point {
 
 /// The places of the vertices where the weighted sum of the hyperbolic cosines of all edge lengths is least.
 ///
-/// Each vertex is then inside the convex hull of its neighbors, so that the edges as geodesics embed the surface when it is
-/// simplicial, whatever the positive weights (Y. Colin de Verdiere, *Comment rendre geodesique une triangulation d'une
-/// surface*, 1991). The sum is a convex function along geodesics; Newton's method with halved steps finds its minimum.
+/// Each vertex is then inside the convex hull of its neighbors, so that the edges as geodesics embed the surface when
+/// it is simplicial, whatever the positive weights (Y. Colin de Verdiere, *Comment rendre geodesique une
+/// triangulation d'une surface*, 1991). The sum is a convex function along geodesics; Newton's method with halved
+/// steps finds its minimum.
 fn relaxed(springs: &Springs, polygon: &RegularPolygon) -> Result<Vec<Point>, Error> {
     let mut places = vec![polygon.corner; springs.vertex_count];
     let energy = |places: &[Point]| -> f64 {
@@ -141,9 +142,9 @@ fn relaxed(springs: &Springs, polygon: &RegularPolygon) -> Result<Vec<Point>, Er
         terms.sum()
     };
     let mut current = energy(&places);
-    let told = stage("laying a cover out", MOST_STEPS);
+    let steps = stage("laying a cover out", MOST_STEPS);
     for _ in 0..MOST_STEPS {
-        told.advance(1);
+        steps.advance(1);
         let (step, decrease) = newton_step(springs, polygon, &places)?;
         let longest = step.chunks_exact(2).map(|step| step[0].hypot(step[1])).fold(0.0, f64::max);
         let moved = |share: f64| -> Vec<Point> {
@@ -175,8 +176,8 @@ fn relaxed(springs: &Springs, polygon: &RegularPolygon) -> Result<Vec<Point>, Er
         .with_cure("take weights that are nearer to each other, or a coarser mesh"))
 }
 
-/// The step of Newton's method, two coordinates for each vertex, and the decrease that it promises: minus its product with
-/// the gradient.
+/// The step of Newton's method, two coordinates for each vertex, and the decrease that it promises: minus its product
+/// with the gradient.
 fn newton_step(
     springs: &Springs,
     polygon: &RegularPolygon,

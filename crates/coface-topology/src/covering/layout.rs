@@ -18,8 +18,8 @@ pub enum CoverPlane {
 
 /// A point for each vertex of a [`UniversalCover`], so that deck transformations are isometries.
 ///
-/// Edges are geodesics: straight in the plane, arcs perpendicular to the unit circle in the disk. Floating point; the cover
-/// itself never depends on it.
+/// Edges are geodesics: straight in the plane, arcs perpendicular to the unit circle in the disk. Floating point; the
+/// cover itself never depends on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoverLayout {
     plane: CoverPlane,
@@ -104,24 +104,26 @@ impl CoverLayout {
 }
 
 impl UniversalCover {
-    /// A layout in which deck transformations are isometries: in the plane for torus, Klein bottle, annulus and Moebius band,
-    /// in the disk of Poincare for closed surfaces of negative Euler characteristic.
+    /// A layout in which deck transformations are isometries: in the plane for torus, Klein bottle, annulus and
+    /// Moebius band, in the disk of Poincare for closed surfaces of negative Euler characteristic.
     ///
-    /// Vertices are placed such that springs along the edges are in balance, with these weights or all alike (W. T. Tutte,
-    /// *How to draw a graph*, 1963, and its generalizations to flat and hyperbolic surfaces by Y. Colin de Verdiere, 1991).
-    /// On a simplicial surface no face is turned over. In the plane the shape of the lattice is chosen such that
-    /// the springs pull alike in all directions; a boundary is straight. In the disk, copies lie as the tiles around the
-    /// regular polygon with as many sides as the relator has letters, and angles that add up to $2 \pi$ at each corner. `map`
-    /// is the surface that the cover was made of; the domain's boundary is counterclockwise in copy 0.
+    /// Vertices are placed such that springs along the edges are in balance, with these weights or all alike (W. T.
+    /// Tutte, *How to draw a graph*, 1963, and its generalizations to flat and hyperbolic surfaces by Y. Colin de
+    /// Verdiere, 1991). On a simplicial surface no face is turned over. In the plane the shape of the lattice is
+    /// chosen such that the springs pull alike in all directions; a boundary is straight. In the disk, copies lie as
+    /// the tiles around the regular polygon with as many sides as the relator has letters, and angles that add up to
+    /// $2 \pi$ at each corner. `map` is the surface that the cover was made of; the domain's boundary is
+    /// counterclockwise in copy 0.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] for other surfaces, which have no such layout here, for another map, and for weights that
-    /// are not positive; [`ErrorKind::Shape`] unless there are as many weights as edges of the map;
+    /// [`ErrorKind::InvalidInput`] for other surfaces, which have no such layout here, for another map, and for
+    /// weights that are not positive; [`ErrorKind::Shape`] unless there are as many weights as edges of the map;
     /// [`ErrorKind::TooLarge`] if the equations are too many or too badly scaled, and in the disk from genus 61 on.
     ///
     /// # Complexity
-    /// One sparse Cholesky factor of as many equations as the surface has vertices for each coordinate in the plane; in the
-    /// disk one of twice as many in each of some ten steps of Newton's method. Then linear in the vertices of the cover.
+    /// One sparse Cholesky factor of as many equations as the surface has vertices for each coordinate in the plane;
+    /// in the disk one of twice as many in each of some ten steps of Newton's method. Then linear in the vertices of
+    /// the cover.
     ///
     /// # Examples
     /// ```

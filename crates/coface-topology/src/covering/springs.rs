@@ -15,8 +15,8 @@ pub(super) struct Spring {
 
 /// The edges of a component as springs. Its vertices are numbered anew.
 ///
-/// One lift of each vertex is unknown, the one joined to the base by the spanning tree; position i of the domain is at the
-/// lift of its vertex moved by the element of the word before it.
+/// One lift of each vertex is unknown, the one joined to the base by the spanning tree; position i of the domain is
+/// at the lift of its vertex moved by the element of the word before it.
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     pub(super) springs: Vec<Spring>,
@@ -26,12 +26,12 @@ pub(super) struct Springs {
 }
 
 impl Springs {
-    /// One spring for each edge, with its weight, or the weight 1. Edges on the boundary have half of it, as if the surface
-    /// were doubled along the boundary: then vertices glide along the boundary as the reflection wants it.
+    /// One spring for each edge, with its weight, or the weight 1. Edges on the boundary have half of it, as if the
+    /// surface were doubled along the boundary: then vertices glide along the boundary as the reflection wants it.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there are as many weights as edges; [`ErrorKind::InvalidInput`] naming one that is not
-    /// positive and finite.
+    /// [`ErrorKind::Shape`] unless there are as many weights as edges; [`ErrorKind::InvalidInput`] naming one that is
+    /// not positive and finite.
     pub(super) fn new(map: &GeneralizedMap, domain: &Domain, weights: Option<&[f64]>) -> Result<Self, Error> {
         let edge_count = map.f_vector()[1];
         if let Some(weights) = weights {

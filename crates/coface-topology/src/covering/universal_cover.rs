@@ -26,9 +26,9 @@ pub enum CoverExtent {
 /// Part of the universal cover of a component of a surface: copies of its fundamental domain, glued.
 ///
 /// # Conventions
-/// Copies are numbered in the shortlex order of their words in the letters; copy 0 is the unit. Face f of the cover is face
-/// f mod n of the component in copy f / n, for a component with n faces. Edges run as the edges below them. Vertices,
-/// edges and faces of copy 0 come first.
+/// Copies are numbered in the shortlex order of their words in the letters; copy 0 is the unit. Face f of the cover
+/// is face f mod n of the component in copy f / n, for a component with n faces. Edges run as the edges below them.
+/// Vertices, edges and faces of copy 0 come first.
 ///
 /// # Examples
 /// The torus with 7 vertices. Around the first copy there are 4 others, and the plane has no hole:
@@ -64,8 +64,8 @@ impl UniversalCover {
     /// The part of the universal cover of a component that is asked for.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] if there is no such component; [`ErrorKind::InvalidInput`] for no copies at all, and for a
-    /// radius or a number of copies beyond those of a finite cover: a sphere has 1 copy, a projective plane 2.
+    /// [`ErrorKind::NotInComplex`] if there is no such component; [`ErrorKind::InvalidInput`] for no copies at all, and
+    /// for a radius or a number of copies beyond those of a finite cover: a sphere has 1 copy, a projective plane 2.
     /// [`ErrorKind::TooLarge`] if there would be more than `most_cells` cells, with the number of copies that it takes;
     /// nothing is built then.
     ///
@@ -364,8 +364,8 @@ impl UniversalCover {
         self.vertex_corners[vertex.index()][0] as usize
     }
 
-    /// The deck transformation that takes to a vertex the one above the same vertex of the surface that is joined to the
-    /// base vertex of copy 0 by the spanning tree of the surface.
+    /// The deck transformation that takes to a vertex the one above the same vertex of the surface that is joined to
+    /// the base vertex of copy 0 by the spanning tree of the surface.
     ///
     /// # Complexity
     /// That of one product in the group.

@@ -40,9 +40,9 @@ pub struct CocycleBasis {
 }
 
 impl CocycleBasis {
-    /// A basis of the first cohomology by the crossing cochains of generators, see [`SurfaceHomology::cocycles`], and the simple
-    /// loops of generators that it is dual to: a basis of the first homology modulo torsion. In a component that is closed and
-    /// not orientable that is one loop less than there are generators.
+    /// A basis of the first cohomology by the crossing cochains of generators, see [`SurfaceHomology::cocycles`], and
+    /// the simple loops of generators that it is dual to: a basis of the first homology modulo torsion. In a
+    /// component that is closed and not orientable that is one loop less than there are generators.
     ///
     /// # Complexity
     /// Linear in the values that are not zero and the lengths of the loops, and the matrix of values.

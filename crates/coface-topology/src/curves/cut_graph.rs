@@ -20,7 +20,8 @@ const NONE: u32 = u32::MAX;
 ///
 /// It consists of **seams**, paths between **corners**: vertices where one, three or more of its edges meet, and
 /// vertices of the boundary. A disk needs no seam. A sphere gets a slit of two
-/// edges of the tree, so that its sides are told apart by their ends; of one if there are no more, of none if it has a single vertex.
+/// edges of the tree, so that its sides differ in their ends; of one if there are no more, of none if it has a single
+/// vertex.
 ///
 /// # References
 /// J. Erickson, S. Har-Peled, *Optimally cutting a surface into a disk* (2004).
@@ -54,7 +55,7 @@ pub enum SeamKind {
     /// Glued together again there, the disk becomes a Moebius band: it opens a crosscap.
     Crosscap,
     /// It joins boundary loops, or the seams of handles and crosscaps with these or with each other: without it the
-    /// graph and the boundary fall apart.
+    /// graph and the boundary are not connected.
     Join,
     /// It opens a sphere.
     Slit,
@@ -161,8 +162,8 @@ impl CutGraph {
     /// without it, each edge has the length 1.
     ///
     /// # Errors
-    /// [`coface_algebra::ErrorKind::Shape`] and [`coface_algebra::ErrorKind::InvalidInput`] for lengths that are not one for each edge,
-    /// finite and not negative.
+    /// [`coface_algebra::ErrorKind::Shape`] and [`coface_algebra::ErrorKind::InvalidInput`] for lengths that are not
+    /// one for each edge, finite and not negative.
     ///
     /// # Complexity
     /// Linear, and near-linear in the seams.
@@ -579,7 +580,7 @@ fn paths(map: &GeneralizedMap, is_cut: &[bool]) -> Vec<Vec<u32>> {
     paths
 }
 
-/// Which paths are bridges: without them the paths and the boundary fall apart.
+/// Which paths are bridges: without them the paths and the boundary are not connected.
 fn joins(map: &GeneralizedMap, paths: &[Vec<u32>]) -> Vec<bool> {
     let ends = map.skeleton().edge_ends();
     // Boundary loops as single nodes.

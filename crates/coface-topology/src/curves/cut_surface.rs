@@ -11,15 +11,15 @@ const NONE: u32 = u32::MAX;
 
 /// A surface cut along the cut graph of a [`TreeCotree`]: every edge that the cotree does not cross.
 ///
-/// Each component becomes a disk, its [`FundamentalDomain`]. Every vertex is on the cut graph, so every corner of a face is
-/// at a **position** on the boundary of its domain, and every edge leads from one position to another: that gives each
-/// edge a word in the generators.
+/// Each component becomes a disk, its [`FundamentalDomain`]. Every vertex is on the cut graph, so every corner of a
+/// face is at a **position** on the boundary of its domain, and every edge leads from one position to another: that
+/// gives each edge a word in the generators.
 ///
 /// # Conventions
 /// A path is multiplied from left to right. Letter i of component k is `trees.components()[k].generators()[i - 1]`, run
-/// through as the edge runs, -i the same backwards. All corners of a domain at one vertex are that vertex, moved along the
-/// tree to the base; so words of closed paths are elements of the fundamental group at the base, up to conjugation when
-/// they start elsewhere: by the path in the tree.
+/// through as the edge runs, -i the same backwards. All corners of a domain at one vertex are that vertex, moved
+/// along the tree to the base; so words of closed paths are elements of the fundamental group at the base, up to
+/// conjugation when they start elsewhere: by the path in the tree.
 ///
 /// # References
 /// H. Seifert, W. Threlfall, *Lehrbuch der Topologie* (1934), chapter 6, for polygons with sides identified in pairs.
@@ -51,8 +51,8 @@ pub struct CutSurface {
 
 /// The polygon that a component of a surface becomes when it is cut along the cut graph.
 ///
-/// Its sides are numbered by **positions** in the order of a walk around it. Position i is also that of the corner where
-/// side i starts.
+/// Its sides are numbered by **positions** in the order of a walk around it. Position i is also that of the corner
+/// where side i starts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FundamentalDomain {
     /// 2s for side s of the surface, 2s + 1 if the walk runs against the rim of its face.
@@ -86,8 +86,8 @@ impl FundamentalDomain {
         self.sides.len()
     }
 
-    /// The sides of the polygon in the order of the walk: sides of faces, and the sign minus where the walk runs against
-    /// the rim of the face.
+    /// The sides of the polygon in the order of the walk: sides of faces, and the sign minus where the walk runs
+    /// against the rim of the face.
     ///
     /// # Examples
     /// ```
@@ -183,8 +183,8 @@ impl FundamentalDomain {
         v as i64 - e as i64 + f as i64
     }
 
-    /// The word around the boundary, in which each generator occurs twice: the relator of the fundamental group. `None` for
-    /// components with boundary, whose generators are free.
+    /// The word around the boundary, in which each generator occurs twice: the relator of the fundamental group.
+    /// `None` for components with boundary, whose generators are free.
     ///
     /// # Examples
     /// ```
@@ -284,9 +284,9 @@ impl CutSurface {
             starts[trees.component_of_face(map.face(side))] = Some(side);
         }
         for (component, found) in trees.components().iter().enumerate() {
-            let door = trees.exit(found.root()).filter(|_| found.has_boundary());
-            let sides = match (door, starts[component]) {
-                (Some(door), _) => walker.around(door, true, &mut cut.corner_positions),
+            let exit = trees.exit(found.root()).filter(|_| found.has_boundary());
+            let sides = match (exit, starts[component]) {
+                (Some(exit), _) => walker.around(exit, true, &mut cut.corner_positions),
                 (None, Some(start)) => walker.around(start, false, &mut cut.corner_positions),
                 (None, None) => Vec::new(),
             };
@@ -415,7 +415,8 @@ impl CutSurface {
         }
     }
 
-    /// The word of a path of steps (2e along edge e, 2e + 1 against it): an element of the fundamental group if it is closed.
+    /// The word of a path of steps (2e along edge e, 2e + 1 against it): an element of the fundamental group if it is
+    /// closed.
     ///
     /// # Complexity
     /// Linear in the number of steps times the number of letters around the domain.
@@ -444,12 +445,12 @@ impl CutSurface {
         word
     }
 
-    /// What one gets to across a cut side of the domain: in the universal cover the copy x of the domain has the copy x g at
-    /// this side, and this is the word of g. `None` on the boundary and for sides that the cotree crosses.
+    /// The copy of the domain across a cut side: in the universal cover copy x meets copy x g at this side, and the
+    /// result is the word of g. `None` on the boundary and for sides that the cotree crosses.
     ///
-    /// The corner of copy x at position i is the base moved by x P(i), P(i) being the word of the first i sides. Side i of
-    /// copy x is side j of copy x g: their corners agree, x P(i) = x g P(j + 1), or x P(i) = x g P(j) if both run
-    /// along their edge in the same direction.
+    /// The corner of copy x at position i is the base moved by x P(i), P(i) being the word of the first i sides. Side
+    /// i of copy x is side j of copy x g: their corners agree, x P(i) = x g P(j + 1), or x P(i) = x g P(j) if both
+    /// run along their edge in the same direction.
     ///
     /// # Examples
     /// ```
@@ -542,8 +543,8 @@ impl Walker<'_> {
         self.map.mate(side).is_some() && self.trees.roles()[self.map.edge(side).index()] == EdgeRole::Cotree
     }
 
-    /// The sides of the domain that side `start` is on, from it on, or from the next one on up to it if it comes last. Notes the
-    /// position of each corner that is passed.
+    /// The sides of the domain that side `start` is on, from it on, or from the next one on up to it if it comes
+    /// last. Notes the position of each corner that is passed.
     fn around(&self, start: HalfedgeId, is_last: bool, corner_positions: &mut [u32]) -> Vec<u32> {
         let packed = |side: HalfedgeId| {
             2 * side.to_u32() + u32::from(self.signs[self.map.face(side).index()] == Sign::Minus)

@@ -9,12 +9,13 @@
 //! * The **cut graph** is all edges that the cotree does not cross. What remains of a component cut along it is a disk,
 //!   its **fundamental domain**; a [`FundamentalDomain`] is the polygon that its boundary is, with a letter for each
 //!   generator.
-//! * On a component with boundary one boundary edge belongs to the cotree: through it one gets to the outside. So there
-//!   are $1 - \chi$ generators, and they generate freely. On a closed component there are $2 - \chi$, with one relator.
-//! * A [`ClosedWalk`] is a cycle; a [`SurfaceHomology`] tells its class and what it bounds. A [`CocycleBasis`] is a
+//! * On a component with boundary one boundary edge belongs to the cotree, which reaches the outside through it. So
+//!   there are $1 - \chi$ generators, and they generate freely. On a closed component there are $2 - \chi$, with one
+//!   relator.
+//! * A [`ClosedWalk`] is a cycle; a [`SurfaceHomology`] gives its class and what it bounds. A [`CocycleBasis`] is a
 //!   basis of first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops; [`harmonic_forms`]
 //!   are the real ones of least energy.
-//! * A [`SurfaceHomotopy`] has the words of walks: it tells which can be contracted, and which are homotopic.
+//! * A [`SurfaceHomotopy`] has the words of walks: it decides which can be contracted and which are homotopic.
 //! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`]
 //!   search from all vertices, [`shortest_loops`] from one.
 

@@ -104,7 +104,7 @@ impl<'a> RootSearch<'a> {
         self.distances[root as usize] = 0.0;
         self.touched.push(root);
         self.heap.push(Reverse(Reached(0.0, root)));
-        // Searches for all roots are told by whoever starts them.
+        // Whoever starts the searches reports their progress.
         let is_long = self.steps.len() > 1 << 14;
         let steps = is_long.then(|| stage("finding shortest paths", 0));
         while let Some(Reverse(Reached(distance, vertex))) = self.heap.pop() {
@@ -229,7 +229,7 @@ impl<'a> RootSearch<'a> {
 }
 
 impl LocalDual {
-    /// The arcs that are left when nodes with a single arc, but node 0, are taken away with it again and again. The
+    /// The arcs that are left when nodes with a single arc, but node 0, are removed with it, again and again. The
     /// loops of the others bound disks.
     pub(super) fn pruned(&self) -> Vec<Closing> {
         let mut degrees = vec![0u32; self.node_count];

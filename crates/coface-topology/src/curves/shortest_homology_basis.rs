@@ -10,7 +10,7 @@ use coface_complexes::surface::GeneralizedMap;
 /// Closed walks whose classes are a basis of the first homology over Z/2 and whose lengths have the least sum.
 ///
 /// At each vertex the loops of the edges that a tree of shortest paths and a cotree of longest loops leave over are
-/// candidates; of all of them the shortest independent ones are kept, told apart by the classes of edges. On an
+/// candidates; of all of them the shortest independent ones are kept, distinguished by the classes of edges. On an
 /// orientable surface, closed or not, and on every surface with boundary they need not be a basis over Z. `lengths` has
 /// a length for each edge; without it, each edge has the length 1. Searches may reach `most` vertices in all, each
 /// counted as often as it is reached; they go only as far as half the length of the longest loop of the basis known.
@@ -63,9 +63,9 @@ pub fn shortest_homology_basis(
     let mut classes: Vec<Bits> = vec![Bits::default(); map.skeleton().vertex_count()];
     let ends = map.skeleton().edge_ends();
     let mut reached = 0usize;
-    let told = stage("searching for a shortest basis", map.skeleton().vertex_count());
+    let steps = stage("searching for a shortest basis", map.skeleton().vertex_count());
     for root in 0..map.skeleton().vertex_count() as u32 {
-        told.advance(1);
+        steps.advance(1);
         let Some(component) = trees.component_of_vertex(VertexId::from_u32(root)) else { continue };
         let basis = &mut basis[component];
         let (first, count) = (basis.first, basis.members.len());

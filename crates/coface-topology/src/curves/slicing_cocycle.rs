@@ -17,7 +17,7 @@ use coface_complexes::surface::{FaceOrientation, GeneralizedMap};
 ///
 /// # Conventions
 /// The left of a step is the face whose rim runs as the step does, turned as [`FaceOrientation::signs`] says. On a
-/// component that is not orientable, left is so told at the first step, and carried along.
+/// component that is not orientable, left is chosen at the first step and carried along.
 ///
 /// # Errors
 /// [`ErrorKind::InvalidInput`] for a walk that comes back with left and right exchanged: slicing along it leaves one
@@ -173,8 +173,8 @@ impl<'a> Slicing<'a> {
         let mut touching = Vec::new();
         let start = self.left_of(first);
         let mut left = start;
-        let told = stage("walking along a loop", steps.len());
-        for (i, &step) in told.each(steps.iter().enumerate()) {
+        let progress = stage("walking along a loop", steps.len());
+        for (i, &step) in progress.each(steps.iter().enumerate()) {
             left = self.corner(step, left, steps[(i + 1) % steps.len()], &mut touching);
         }
         if left != start {

@@ -81,9 +81,9 @@ impl<'a> SurfaceHomology<'a> {
             .enumerate()
             .flat_map(|(i, component)| component.generators().iter().map(move |&edge| (edge, i)))
             .collect();
-        let told = stage("finding what generators cross", generators.len());
+        let steps = stage("finding what generators cross", generators.len());
         let (crossings, relation): (Vec<_>, Vec<_>) =
-            told.each(&generators).map(|&(edge, _)| crossing(map, trees, edge)).unzip();
+            steps.each(&generators).map(|&(edge, _)| crossing(map, trees, edge)).unzip();
         let edge_count = map.skeleton().edge_count();
         let mut starts = vec![0u32; edge_count + 1];
         crossings.iter().flatten().for_each(|&(edge, _): &(u32, i64)| starts[edge as usize + 1] += 1);
@@ -205,8 +205,8 @@ impl<'a> SurfaceHomology<'a> {
         (cocycles, values)
     }
 
-    /// The numbers of the generators whose loops are a basis of the first homology modulo torsion: all but the pivots of
-    /// relations. On these loops the values of [`Self::cocycles`] are the identity.
+    /// The numbers of the generators whose loops are a basis of the first homology modulo torsion: all but the pivots
+    /// of relations. On these loops the values of [`Self::cocycles`] are the identity.
     pub(super) fn free_generators(&self) -> Vec<usize> {
         let pivots = self.pivots();
         let numbered = self.generators.iter().enumerate();

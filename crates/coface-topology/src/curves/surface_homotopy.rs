@@ -173,14 +173,16 @@ impl<'a> SurfaceHomotopy<'a> {
         Ok(self.cut.path_word(self.map, walk.steps()))
     }
 
-    /// The element of the fundamental group that a walk is, moved along the tree to the base; `None` at an isolated vertex.
+    /// The element of the fundamental group that a walk is, moved along the tree to the base; `None` at an isolated
+    /// vertex.
     ///
     /// # Errors
     /// As [`Self::component`].
     ///
     /// # Complexity
     /// Linear in the length of the walk on closed components, whatever their genus: a step leads from one corner of the
-    /// fundamental polygon to another, which is two edges of the system of quadrangles. With a boundary as [`Self::word`].
+    /// fundamental polygon to another, which is two edges of the system of quadrangles. With a boundary as
+    /// [`Self::word`].
     ///
     /// # Examples
     /// ```

@@ -26,12 +26,12 @@ pub enum EdgeRole {
 ///
 /// # Conventions
 /// A step 2e is along edge e, 2e + 1 against it. Components are in the order of their first vertices, the one of a
-/// chosen base first. On a component with boundary the cotree has the outside as one node more, reached through exactly one
-/// boundary edge.
+/// chosen base first. On a component with boundary the cotree has the outside as one node more, reached through
+/// exactly one boundary edge.
 ///
 /// # References
-/// D. Eppstein, *Dynamic generators of topologically embedded graphs* (2003); J. Erickson, K. Whittlesey, *Greedy optimal
-/// homotopy and homology generators* (2005).
+/// D. Eppstein, *Dynamic generators of topologically embedded graphs* (2003); J. Erickson, K. Whittlesey, *Greedy
+/// optimal homotopy and homology generators* (2005).
 ///
 /// # Examples
 /// The torus with 7 vertices, 21 edges and 14 triangles: 6 edges of the tree, 13 of the cotree, 2 generators.
@@ -193,17 +193,18 @@ impl TreeCotree {
         Self::with_cotree(map, &roots, is_crossed, None)
     }
 
-    /// Short loops at a base: those of the edges, with the shortest paths to their ends, that can be had. The tree is one
-    /// of shortest paths from the base and the cotree is a spanning tree of greatest loop lengths, as far as the two do not
-    /// meet, which is always so without boundary: there the loops are a shortest system of generators of the
-    /// fundamental group at that base. Where there is a boundary, the cotree comes first, so that the domain is a disk.
+    /// Short loops at a base: those of the edges, with the shortest paths to their ends, that can be had. The tree is
+    /// one of shortest paths from the base and the cotree is a spanning tree of greatest loop lengths, as far as the
+    /// two do not meet, which is always so without boundary: there the loops are a shortest system of generators of
+    /// the fundamental group at that base. Where there is a boundary, the cotree comes first, so that the domain is a
+    /// disk.
     ///
-    /// `lengths` has a length for each edge; without it, each edge has the length 1. `base` is the base of its component;
-    /// other components have their first vertices.
+    /// `lengths` has a length for each edge; without it, each edge has the length 1. `base` is the base of its
+    /// component; other components have their first vertices.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there are as many lengths as edges; [`ErrorKind::InvalidInput`] naming a length that is
-    /// negative or not finite; [`ErrorKind::NotInComplex`] for a base that no edge ends at.
+    /// [`ErrorKind::Shape`] unless there are as many lengths as edges; [`ErrorKind::InvalidInput`] naming a length
+    /// that is negative or not finite; [`ErrorKind::NotInComplex`] for a base that no edge ends at.
     ///
     /// # Complexity
     /// $O(n \log n)$.
@@ -270,13 +271,13 @@ impl TreeCotree {
         preferred: Option<(&ShortestPaths, &[(u32, f64)])>,
     ) -> Self {
         let skeleton = map.skeleton();
-        // The door to the outside.
+        // The edge through which the cotree reaches the outside.
         let mut exits = vec![NONE; skeleton.face_count()];
         let mut has_boundary = vec![false; roots.len()];
         for (component, &root) in roots.iter().enumerate() {
-            if let Some(door) = map.sides_of(root).find(|&side| map.mate(side).is_none()) {
-                is_crossed[map.edge(door).index()] = true;
-                exits[root.index()] = door.to_u32();
+            if let Some(exit) = map.sides_of(root).find(|&side| map.mate(side).is_none()) {
+                is_crossed[map.edge(exit).index()] = true;
+                exits[root.index()] = exit.to_u32();
                 has_boundary[component] = true;
             }
         }
@@ -472,7 +473,8 @@ impl TreeCotree {
         Some(self.steps[vertex.index()]).filter(|&step| step != NONE)
     }
 
-    /// The side by which the cotree leaves a face towards its root, or the outside; `None` for the root of a closed component.
+    /// The side by which the cotree leaves a face towards its root, or the outside; `None` for the root of a closed
+    /// component.
     ///
     /// # Examples
     /// ```
@@ -539,8 +541,8 @@ impl TreeCotree {
         steps
     }
 
-    /// The loop of a generator without the way that it goes forth and back: a closed path that meets no vertex twice. It
-    /// starts with the edge.
+    /// The loop of a generator without the way that it goes forth and back: a closed path that meets no vertex twice.
+    /// It starts with the edge.
     ///
     /// # Examples
     /// ```
@@ -564,9 +566,9 @@ impl TreeCotree {
         steps
     }
 
-    /// The closed chain of faces that crosses a generator and no other edge that the cotree does not cross: the sides by which
-    /// one face is left for the next. It starts in the face of `first`, a side of the generator, and crosses it. `None` for
-    /// a generator on the boundary.
+    /// The closed chain of faces that crosses a generator and no other edge that the cotree does not cross: the sides
+    /// by which one face is left for the next. It starts in the face of `first`, a side of the generator, and crosses
+    /// it. `None` for a generator on the boundary.
     ///
     /// # Examples
     /// ```
@@ -608,7 +610,8 @@ impl TreeCotree {
         sides
     }
 
-    /// The signs with which the faces of each component agree across all edges of the cotree; those of the roots are plus.
+    /// The signs with which the faces of each component agree across all edges of the cotree; those of the roots are
+    /// plus.
     pub(super) fn face_signs(&self, map: &GeneralizedMap) -> Vec<Sign> {
         const UNKNOWN: u8 = 2;
         let mut signs = vec![UNKNOWN; map.skeleton().face_count()];

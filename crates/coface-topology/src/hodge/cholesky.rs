@@ -6,14 +6,14 @@ use coface_algebra::{Error, ErrorKind};
 /// The Cholesky factor of a symmetric positive definite matrix, with a fill-reducing order. One thread: the same input
 /// gives the same bytes.
 ///
-/// Adjacent columns with the same rows below them are a **block**, stored as one dense matrix by columns, so that most of
-/// the work is on dense columns. Each block takes off what the blocks before it that reach its columns contribute
-/// (left-looking), then it is factorized itself.
+/// Adjacent columns with the same rows below them are a **block**, stored as one dense matrix by columns, so that
+/// most of the work is on dense columns. Each block takes off what the blocks before it that reach its columns
+/// contribute (left-looking), then it is factorized itself.
 ///
 /// # References
 /// T. A. Davis, *Direct Methods for Sparse Linear Systems* (2006), chapter 4; E. G. Ng, B. W. Peyton, *Block sparse
 /// Cholesky algorithms on advanced uniprocessor computers* (1993).
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct CholeskyFactor {
     /// The row of the matrix at each position of the order.
     order: Vec<u32>,
@@ -25,7 +25,7 @@ pub(crate) struct CholeskyFactor {
 pub(crate) type Entry = (usize, usize, f64);
 
 /// Adjacent columns with the same rows.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Block {
     width: usize,
     /// The positions of its rows, rising; its own columns are the first.

@@ -285,6 +285,7 @@ impl HodgeDecomposition {
 /// assert!(near(parts.coexact(), [0.0, 0.0, 0.0]));
 /// # Ok(()) }
 /// ```
+#[derive(Clone, Debug)]
 pub struct HodgeSpace<'a> {
     metric: &'a MetricComplex<'a>,
     degree: usize,
@@ -321,8 +322,9 @@ impl<'a> HodgeSpace<'a> {
         Self::with_basis(metric, degree, &HomologyBasis::unshortened(metric.complex()))
     }
 
-    /// Finds the harmonic cochains of this degree, one for each free cocycle of a basis of the same complex: the cocycle
-    /// less its exact part. Harmonic cochain i has the value 1 on the free generator i of the basis and 0 on all others.
+    /// Finds the harmonic cochains of this degree, one for each free cocycle of a basis of the same complex: the
+    /// cocycle less its exact part. Harmonic cochain i has the value 1 on the free generator i of the basis and 0 on
+    /// all others.
     ///
     /// Which coboundaries are independent and how many classes there are is decided by integers. Floating point solves
     /// one least squares problem for each class, all with one sparse Cholesky factor.
@@ -336,8 +338,8 @@ impl<'a> HodgeSpace<'a> {
     /// three-dimensional grid.
     ///
     /// # References
-    /// B. Eckmann, *Harmonische Funktionen und Randwertaufgaben in einem Komplex* (1944); L.-H. Lim, *Hodge Laplacians on
-    /// graphs* (2020).
+    /// B. Eckmann, *Harmonische Funktionen und Randwertaufgaben in einem Komplex* (1944); L.-H. Lim, *Hodge
+    /// Laplacians on graphs* (2020).
     ///
     /// # Examples
     /// ```
@@ -444,8 +446,8 @@ impl<'a> HodgeSpace<'a> {
     /// The parts of a cochain.
     ///
     /// # Errors
-    /// [`coface_algebra::ErrorKind::Shape`] for a cochain of another degree, [`coface_algebra::ErrorKind::NotInComplex`] for a cell that is
-    /// not here.
+    /// [`coface_algebra::ErrorKind::Shape`] for a cochain of another degree,
+    /// [`coface_algebra::ErrorKind::NotInComplex`] for a cell that is not here.
     ///
     /// # Complexity
     /// A few solutions with the factor, and two products for each harmonic cochain.
@@ -554,8 +556,9 @@ impl MetricComplex<'_> {
     }
 }
 
-/// The harmonic cochains of a basis of integral cohomology modulo torsion, in this degree and with all weights 1; as many
-/// as the Betti number. For weights, for the duals of given generators, and to decompose cochains, see [`HodgeSpace`].
+/// The harmonic cochains of a basis of integral cohomology modulo torsion, in this degree and with all weights 1; as
+/// many as the Betti number. For weights, for the duals of given generators, and to decompose cochains, see
+/// [`HodgeSpace`].
 ///
 /// # Errors
 /// Those of [`HodgeSpace::new`].

@@ -1,7 +1,7 @@
 //! Eigenvalues of dense symmetric matrices.
 
-/// The eigenvalues of a symmetric matrix, rising; `None` if the iteration does not converge, as with entries that are no
-/// numbers.
+/// The eigenvalues of a symmetric matrix, rising; `None` if the iteration does not converge, as with entries that are
+/// no numbers.
 ///
 /// The matrix is given by rows, of which the lower half is read. Reflections make it tridiagonal; then the implicit QL
 /// iteration makes it diagonal.

@@ -9,8 +9,8 @@ use coface_algebra::{Field, Integer, Odd, large_primes, smith_form};
 ///
 /// The faces of the matched pairs are independent, because their incidences are triangular with units on the diagonal.
 /// Eliminating them leaves the coboundaries of the Morse complex; of its critical cells those are added that are
-/// independent modulo a large prime. What is independent modulo a prime is so over the rationals, and with as many as the
-/// rank it is a basis; for the few primes where they are fewer another prime is taken.
+/// independent modulo a large prime. What is independent modulo a prime is so over the rationals, and with as many as
+/// the rank it is a basis; for the few primes where they are fewer another prime is taken.
 pub(super) fn image_basis(morse: &MorseComplex<'_>, degree: usize) -> Vec<u32> {
     let matching = morse.matching();
     let mut cells: Vec<u32> =

@@ -9,6 +9,7 @@ use coface_algebra::{Error, ErrorKind};
 ///
 /// With M for the coboundary restricted to cells whose coboundaries are a basis, and W for the weights, $M^T W M$ is
 /// positive definite; its Cholesky factor is kept.
+#[derive(Clone, Debug)]
 pub(super) struct ExactProjection {
     degree: usize,
     /// The cells of one degree less whose coboundaries are a basis, rising.

@@ -8,8 +8,8 @@ use coface_algebra::{CellId, Error, ErrorKind};
 /// A chain complex with a positive weight for each cell: an inner product on its real cochains.
 ///
 /// # Examples
-/// The rim of a triangle. A function that is 1 at one vertex climbs along one of its edges and falls along the other; its
-/// Laplacian is 2 there and -1 at both neighbors.
+/// The rim of a triangle. A function that is 1 at one vertex climbs along one of its edges and falls along the other;
+/// its Laplacian is 2 there and -1 at both neighbors.
 /// ```
 /// use coface_algebra::CellId;
 /// use coface_algebra::SparseMatrix;
@@ -47,8 +47,8 @@ impl<'a> MetricComplex<'a> {
     /// The complex with these weights: for each degree a list, for each cell a positive number.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there is one weight for each cell; [`ErrorKind::InvalidInput`] naming a cell whose weight
-    /// is not positive or not finite.
+    /// [`ErrorKind::Shape`] unless there is one weight for each cell; [`ErrorKind::InvalidInput`] naming a cell whose
+    /// weight is not positive or not finite.
     ///
     /// # Examples
     /// ```
@@ -160,7 +160,8 @@ impl<'a> MetricComplex<'a> {
         Ok(self.length(cochain.degree(), &self.dense(cochain)?))
     }
 
-    /// The codifferential of a cochain, one degree below: $\langle \delta^* a, b \rangle = \langle a, \delta b \rangle$.
+    /// The codifferential of a cochain, one degree below: $\langle \delta^* a, b \rangle = \langle a, \delta b
+    /// \rangle$.
     ///
     /// Below degree 0 there is nothing: that of a 0-cochain is zero, given as a cochain of degree 0.
     ///
@@ -264,7 +265,8 @@ impl<'a> MetricComplex<'a> {
         })
     }
 
-    /// The Laplacian in the orthonormal basis of cells divided by the roots of their weights: rows, dense and symmetric.
+    /// The Laplacian in the orthonormal basis of cells divided by the roots of their weights: rows, dense and
+    /// symmetric.
     pub(super) fn symmetric_laplacian(&self, degree: usize) -> Vec<Vec<f64>> {
         let count = self.complex.cell_count(degree);
         let roots: Vec<f64> = self.weights(degree).iter().map(|weight| weight.sqrt()).collect();

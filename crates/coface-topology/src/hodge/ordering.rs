@@ -4,8 +4,9 @@
 ///
 /// `neighbors` lists for each row the other rows that share an entry with it, in any order, both ways.
 ///
-/// The graph of what is left is kept as the cliques ("elements") that elimination makes, not as their edges. Degrees are
-/// bounds from above; rows with the same neighbors are eliminated together. The order depends on nothing but the input.
+/// The graph of what is left is kept as the cliques ("elements") that elimination makes, not as their edges. Degrees
+/// are bounds from above; rows with the same neighbors are eliminated together. The order depends on nothing but the
+/// input.
 ///
 /// # References
 /// P. R. Amestoy, T. A. Davis, I. S. Duff, *An approximate minimum degree ordering algorithm* (1996).
@@ -20,7 +21,7 @@ pub(super) fn minimum_degree_order(neighbors: Vec<Vec<u32>>) -> Vec<u32> {
     order
 }
 
-/// What is left of the graph: rows, grouped where they cannot be told apart, and the cliques among them.
+/// What is left of the graph: rows, grouped where they have the same neighbors, and the cliques among them.
 struct QuotientGraph {
     /// For each row that stands for a group the rows of the group, empty for all others.
     groups: Vec<Vec<u32>>,

@@ -51,9 +51,9 @@ fn eigenvectors(mut matrix: Vec<Vec<f64>>) -> Vec<(f64, Vec<f64>)> {
                     (row[p], row[q]) = (cosine * row[p] - sine * row[q], sine * row[p] + cosine * row[q]);
                 }
                 for list in [&mut matrix, &mut vectors] {
-                    for j in 0..count {
-                        let (x, y) = (list[p][j], list[q][j]);
-                        (list[p][j], list[q][j]) = (cosine * x - sine * y, sine * x + cosine * y);
+                    let (upper, lower) = list.split_at_mut(q);
+                    for (x, y) in upper[p].iter_mut().zip(&mut lower[0]) {
+                        (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
                     }
                 }
             }

@@ -38,8 +38,8 @@ impl AdaptedBasis {
     }
 }
 
-/// The adapted bases of all degrees of a reduced complex, from below: of this many vertices and so many degrees, with the boundary matrix of
-/// each degree from 1 on, and one without columns beyond.
+/// The adapted bases of all degrees of a reduced complex, from below: of this many vertices and so many degrees, with
+/// the boundary matrix of each degree from 1 on, and one without columns beyond.
 ///
 /// In each degree k a basis V is at hand whose elements beyond the rank are cycles. The boundaries from above, in the
 /// coordinates of these cycles, are a matrix M, and its Smith form $P M Q = T$ does two things: the columns of

@@ -591,8 +591,8 @@ mod tests {
             }
         }
 
-        /// Invariant 18 over fields and Z/n: closed modulo n, cycles modulo n, as many as the group has summands, and over
-        /// a prime field the matrix of values is the identity.
+        /// Invariant 18 over fields and Z/n: closed modulo n, cycles modulo n, as many as the group has summands, and
+        /// over a prime field the matrix of values is the identity.
         #[test]
         fn bases_with_coefficients_are_dual(complex in random_complexes(), n in 2u64..13) {
             let basis = HomologyBasis::new(&complex);
@@ -628,8 +628,8 @@ mod tests {
             }
         }
 
-        /// Invariant 19: a random cycle is a combination of generators plus a boundary, and what `bounding` says of it is
-        /// proved by what it gives.
+        /// Invariant 19: a random cycle is a combination of generators plus a boundary, and what `bounding` says of
+        /// it is proved by what it gives.
         #[test]
         fn classes_are_additive_and_verdicts_carry_proofs(
             complex in random_complexes(),

@@ -15,8 +15,8 @@ pub struct Generator {
 }
 
 impl Generator {
-    /// The order of its class: `None` when no multiple bounds. Over a field or Z/n, `None` when the summand is the whole
-    /// ring.
+    /// The order of its class: `None` when no multiple bounds. Over a field or Z/n, `None` when the summand is the
+    /// whole ring.
     ///
     /// # Examples
     /// ```

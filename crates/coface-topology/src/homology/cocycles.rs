@@ -10,7 +10,8 @@ use coface_algebra::{Integer, SparseVector, WideMatrix, inner_product};
 impl HomologyBasis<'_> {
     /// Cocycles whose classes are a basis of integral cohomology in one degree: those of finite order first, then free
     /// ones. Free cocycle i has the value 1 on the free generator i of homology and 0 on all other generators; one of
-    /// finite order m is, up to coboundaries, 1/m of the coboundary of the dual of a torsion generator one degree below.
+    /// finite order m is, up to coboundaries, 1/m of the coboundary of the dual of a torsion generator one degree
+    /// below.
     ///
     /// # Complexity
     /// One pass through the pairs of the matching and the values that are not zero.
@@ -30,12 +31,12 @@ impl HomologyBasis<'_> {
         self.cocycles_with(degree, Coefficients::Integers)
     }
 
-    /// The class of a closed cochain in the basis of [`Self::cocycles`]: coefficients from 0 to m - 1 on cocycles of finite
-    /// order m, then those on free cocycles.
+    /// The class of a closed cochain in the basis of [`Self::cocycles`]: coefficients from 0 to m - 1 on cocycles of
+    /// finite order m, then those on free cocycles.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] if the cochain has a cell that is not here, [`ErrorKind::NotACycle`] naming a cell in
-    /// its coboundary.
+    /// [`ErrorKind::NotInComplex`] if the cochain has a cell that is not here, [`ErrorKind::NotACycle`] naming a cell
+    /// in its coboundary.
     ///
     /// # Complexity
     /// One pass through the pairs of the matching and the values that are not zero.
@@ -183,14 +184,15 @@ impl HomologyBasis<'_> {
         (0..duals.len()).map(cochain).collect()
     }
 
-    /// The values of the dual basis on all cells of a degree: column c holds (number of the generator, value) of cell c.
-    /// For generators of finite order the values are meant modulo that order.
+    /// The values of the dual basis on all cells of a degree: column c holds (number of the generator, value) of cell
+    /// c. For generators of finite order the values are meant modulo that order.
     pub(super) fn annotations(&self, degree: usize) -> WideMatrix {
         let basis = &self.degrees[degree];
         self.values_on_cells(degree, &basis.duals[basis.generators()])
     }
 
-    /// The values of cochains of the reduced complex on the original cells: a row for each cochain, a column for each cell.
+    /// The values of cochains of the reduced complex on the original cells: a row for each cochain, a column for each
+    /// cell.
     fn values_on_cells(&self, degree: usize, duals: &[SparseVector]) -> WideMatrix {
         let columns = duals.iter().map(Vec::as_slice);
         let values = WideMatrix::from_sorted_columns(self.reduction.cell_count(degree), columns)

@@ -7,17 +7,17 @@ use coface_complexes::simplicial::DeltaComplex;
 /// A delta complex with its chain complex: what products of cochains are made on.
 ///
 /// The product is that of Alexander and Whitney. On a simplex s of degree p + q,
-/// $(f \smile g)(s) = f(\text{front p-face of } s) \cdot g(\text{back q-face of } s)$: f on the first p + 1 vertices times g on
-/// the last q + 1, in the order of the simplex. It is associative, with the constant 1 as unit, and
-/// $\delta(f \smile g) = \delta f \smile g + (-1)^p f \smile \delta g$. So products of cocycles are cocycles, and on cohomology
-/// $g \smile f = (-1)^{pq} f \smile g$, though not on cochains.
+/// $(f \smile g)(s) = f(\text{front p-face of } s) \cdot g(\text{back q-face of } s)$: f on the first p + 1 vertices
+/// times g on the last q + 1, in the order of the simplex. It is associative, with the constant 1 as unit, and
+/// $\delta(f \smile g) = \delta f \smile g + (-1)^p f \smile \delta g$. So products of cocycles are cocycles, and on
+/// cohomology $g \smile f = (-1)^{pq} f \smile g$, though not on cochains.
 ///
 /// # References
 /// A. Hatcher, *Algebraic topology* (2002), sections 3.2 and 3.3.
 ///
 /// # Examples
-/// The torus of two triangles: 0 and 1 are the sides of a square, 2 is its diagonal. The cochains that count the steps along
-/// each side have a product of 1 on one triangle and 0 on the other.
+/// The torus of two triangles: 0 and 1 are the sides of a square, 2 is its diagonal. The cochains that count the
+/// steps along each side have a product of 1 on one triangle and 0 on the other.
 /// ```
 /// use coface_algebra::CellId;
 /// use coface_algebra::Integer;
@@ -95,7 +95,8 @@ impl CochainAlgebra {
         &self.chains
     }
 
-    /// The constant cochain of degree 0 with this value on every vertex. With the value 1 it is the unit of the product.
+    /// The constant cochain of degree 0 with this value on every vertex. With the value 1 it is the unit of the
+    /// product.
     ///
     /// # Errors
     /// [`ErrorKind::Coefficient`] for a floating-point value that is no number.
@@ -119,7 +120,8 @@ impl CochainAlgebra {
     /// The product of two cochains; its degree is the sum of theirs. Above the dimension it is zero.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] if a cochain has a cell that is not here, [`ErrorKind::Coefficient`] if the rings differ.
+    /// [`ErrorKind::NotInComplex`] if a cochain has a cell that is not here, [`ErrorKind::Coefficient`] if the rings
+    /// differ.
     ///
     /// # Complexity
     /// $O(n (p + q))$ for n simplices of degree p + q.
@@ -150,15 +152,15 @@ impl CochainAlgebra {
         Cochain::new(&self.chains, p + q, terms)
     }
 
-    /// The product of a cochain of degree p with a chain of degree n: each simplex of the chain becomes its back face of
-    /// degree n - p times the value of the cochain on its front face. So $(f \smile g)(c) = g(f \frown c)$, and
+    /// The product of a cochain of degree p with a chain of degree n: each simplex of the chain becomes its back face
+    /// of degree n - p times the value of the cochain on its front face. So $(f \smile g)(c) = g(f \frown c)$, and
     /// $\partial(f \frown c) = (-1)^p (f \frown \partial c - \delta f \frown c)$.
     ///
     /// With the fundamental cycle of a closed oriented manifold it takes cocycles to the cycles that are Poincare dual.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] if p is greater than n; [`ErrorKind::NotInComplex`] if the cochain or the chain has a cell that
-    /// is not here; [`ErrorKind::Coefficient`] if the rings differ.
+    /// [`ErrorKind::Shape`] if p is greater than n; [`ErrorKind::NotInComplex`] if the cochain or the chain has a
+    /// cell that is not here; [`ErrorKind::Coefficient`] if the rings differ.
     ///
     /// # Complexity
     /// $O(m n)$ for m simplices in the chain.

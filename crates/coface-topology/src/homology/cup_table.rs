@@ -87,8 +87,8 @@ impl CupProductTable {
         &self.target
     }
 
-    /// The coefficient of the product of factors i and j on cocycle k of the target is at `[i][j][k]`: from 0 to m - 1 for
-    /// one of finite order m, and over Z/n from 0 to n - 1.
+    /// The coefficient of the product of factors i and j on cocycle k of the target is at `[i][j][k]`: from 0 to m -
+    /// 1 for one of finite order m, and over Z/n from 0 to n - 1.
     ///
     /// # Examples
     /// ```
@@ -132,8 +132,8 @@ impl CupProductTable {
 /// None beyond a broken invariant: the bases belong to the complex.
 ///
 /// # Complexity
-/// That of a [`HomologyBasis`], and for each cycle of the degree of the product the simplices on it with the cocycles that do
-/// not vanish on their faces; if there is torsion, one pass through the matching for each product.
+/// That of a [`HomologyBasis`], and for each cycle of the degree of the product the simplices on it with the cocycles
+/// that do not vanish on their faces; if there is torsion, one pass through the matching for each product.
 ///
 /// # References
 /// A. Hatcher, *Algebraic topology* (2002), section 3.2.

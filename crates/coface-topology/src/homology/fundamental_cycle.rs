@@ -8,16 +8,18 @@ use coface_complexes::simplicial::DeltaComplex;
 use std::collections::VecDeque;
 
 impl CochainAlgebra {
-    /// The fundamental cycle: all simplices of the top dimension n with coefficients 1 and -1, so that the boundary is zero.
+    /// The fundamental cycle: all simplices of the top dimension n with coefficients 1 and -1, so that the boundary
+    /// is zero.
     ///
-    /// The complex has to be a closed orientable pseudomanifold: every simplex is a face of one of dimension n, and every one
-    /// of dimension n - 1 is a face of two, counted with multiplicity. The lowest simplex of each strongly connected
-    /// component has the coefficient 1; that is the orientation which all signs derive from.
+    /// The complex has to be a closed orientable pseudomanifold: every simplex is a face of one of dimension n, and
+    /// every one of dimension n - 1 is a face of two, counted with multiplicity. The lowest simplex of each strongly
+    /// connected component has the coefficient 1; that is the orientation which all signs derive from.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] for the empty complex and, naming a closed chain of top simplices that reverses
-    /// orientation, for one that is not orientable; [`ErrorKind::NotPure`] naming a simplex that is in none of dimension n;
-    /// [`ErrorKind::NonManifold`] naming a simplex of dimension n - 1 that is on a boundary or in three facets or more.
+    /// orientation, for one that is not orientable; [`ErrorKind::NotPure`] naming a simplex that is in none of
+    /// dimension n; [`ErrorKind::NonManifold`] naming a simplex of dimension n - 1 that is on a boundary or in three
+    /// facets or more.
     ///
     /// # Complexity
     /// Linear in the number of faces.

@@ -276,12 +276,13 @@ fn group(generator_count: usize, relations: &[SparseVector]) -> AbelianGroup {
     AbelianGroup::new(generator_count - factors.len(), factors)
 }
 
-/// The homomorphisms that a chain map induces on integral homology, for each degree of the source: column j is the class
-/// of the image of generator j.
+/// The homomorphisms that a chain map induces on integral homology, for each degree of the source: column j is the
+/// class of the image of generator j.
 ///
 /// # Errors
-/// [`ErrorKind::NotInComplex`](coface_algebra::ErrorKind::NotInComplex) or [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle) if
-/// the map is not one between the complexes of the two bases.
+/// [`ErrorKind::NotInComplex`](coface_algebra::ErrorKind::NotInComplex) or
+/// [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle) if the map is not one between the complexes of the
+/// two bases.
 ///
 /// # Complexity
 /// For each generator of the source its image and the pairs that it reaches in the target.

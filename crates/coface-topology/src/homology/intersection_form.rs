@@ -6,12 +6,12 @@ use coface_algebra::Error;
 use coface_algebra::chains::{Chain, ChainComplex, Cochain};
 use coface_algebra::{Integer, SkewForm, SymmetricForm};
 
-/// The intersection form of a closed oriented manifold of dimension 2k: what products of classes of degree k, modulo torsion,
-/// are on the fundamental cycle.
+/// The intersection form of a closed oriented manifold of dimension 2k: what products of classes of degree k, modulo
+/// torsion, are on the fundamental cycle.
 ///
 /// Entry (i, j) is $(a_i \smile a_j)(\[M\])$ for the cocycles $a_i$ of [`Self::basis`] and the cycle of
-/// [`Self::fundamental_cycle`], with the product of [`CochainAlgebra`]. The opposite orientation changes all signs. Of a
-/// manifold the form is unimodular, by Poincare duality; of other pseudomanifolds it need not be.
+/// [`Self::fundamental_cycle`], with the product of [`CochainAlgebra`]. The opposite orientation changes all signs.
+/// Of a manifold the form is unimodular, by Poincare duality; of other pseudomanifolds it need not be.
 #[derive(Clone, Debug)]
 pub struct IntersectionForm {
     pairing: MiddlePairing,
@@ -182,19 +182,21 @@ impl IntersectionForm {
     }
 }
 
-/// The intersection form of a closed oriented manifold of even dimension, triangulated as a delta complex or a simplicial
-/// complex ([`to_delta`](coface_complexes::simplicial::FrozenComplex::to_delta)). It is oriented by
+/// The intersection form of a closed oriented manifold of even dimension, triangulated as a delta complex or a
+/// simplicial complex ([`to_delta`](coface_complexes::simplicial::FrozenComplex::to_delta)). It is oriented by
 /// [`CochainAlgebra::fundamental_cycle`]: the lowest facet of each component is positive.
 ///
 /// # Errors
-/// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for odd dimensions; those of [`CochainAlgebra::fundamental_cycle`], which name what is wrong
-/// with complexes that are no closed orientable pseudomanifold.
+/// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for odd dimensions; those of
+/// [`CochainAlgebra::fundamental_cycle`], which name what is wrong with complexes that are no closed orientable
+/// pseudomanifold.
 ///
 /// # Complexity
 /// That of cohomology, and for each facet the products of cocycles that do not vanish on its middle faces.
 ///
 /// # References
-/// J. Milnor, D. Husemoller, *Symmetric bilinear forms* (1973), chapter V; A. Hatcher, *Algebraic topology* (2002), section 3.3.
+/// J. Milnor, D. Husemoller, *Symmetric bilinear forms* (1973), chapter V; A. Hatcher, *Algebraic topology* (2002),
+/// section 3.3.
 ///
 /// # Examples
 /// The complex projective plane: a generator of $H^2$ has a square that generates $H^4$.

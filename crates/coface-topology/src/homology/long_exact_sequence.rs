@@ -10,8 +10,8 @@ use coface_algebra::{CellId, Error, ErrorKind};
 /// The long exact sequence of a complex K and a subcomplex L,
 /// $\cdots \to H_k(L) \to H_k(K) \to H_k(K, L) \to H_{k-1}(L) \to \cdots$, over the integers.
 ///
-/// The last map is the **connecting** homomorphism: a relative cycle goes to its boundary, which lies in L. Generators of the
-/// three groups are those of [`HomologyBasis`] for [`ChainComplex::subcomplex`], the complex, and
+/// The last map is the **connecting** homomorphism: a relative cycle goes to its boundary, which lies in L.
+/// Generators of the three groups are those of [`HomologyBasis`] for [`ChainComplex::subcomplex`], the complex, and
 /// [`ChainComplex::relative`].
 ///
 /// # References
@@ -118,7 +118,7 @@ impl LongExactSequence {
     /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
     /// let ends = vec![vec![CellId::new(0), CellId::new(1)]];
     /// let sequence = LongExactSequence::new(&segment, &ends)?;
-    /// assert_eq!(sequence.part().betti_numbers(), [2]);
+    /// assert_eq!(sequence.part().betti_numbers(), [2, 0]);
     /// # Ok(()) }
     /// ```
     pub fn part(&self) -> &Homology {

@@ -1,4 +1,32 @@
-//! Homology and cohomology of chain complexes: groups, bases with certificates, induced maps, long exact sequences, cup products.
+//! Homology and cohomology of chain complexes: groups, bases with certificates, induced maps, cup products.
+//!
+//! # Words and conventions
+//! * **Homology** in degree k is the group of k-cycles modulo the boundaries of (k+1)-chains. Over Z it is a finitely
+//!   generated [`AbelianGroup`]: its rank is the **Betti number**, its finite part is the **torsion**.
+//! * [`homology`] computes the groups over Z. [`homology_with`] and [`cohomology`] compute them over Z, Q or Z/n by the
+//!   universal coefficient theorem. A [`Homology`] lists the groups by degree.
+//! * A [`HomologyBasis`] has one cycle on the original cells for each cyclic summand, and the dual cocycles. It gives
+//!   the [`HomologyClass`] of any cycle, and a certificate ([`Bounding`]): a chain that the cycle bounds, the least
+//!   multiple that bounds, or a cocycle that proves that no multiple does.
+//! * [`generators`] gives the cycles alone. [`generators_of_parts`] finds them for a complex that is divided into
+//!   parts.
+//! * A chain map induces a [`HomologyMap`] in each degree ([`induced_maps`]); a subcomplex has a [`LongExactSequence`].
+//! * The **cup product** of cochains is that of a [`CochainAlgebra`]. A [`CupProductTable`] lists the products of
+//!   classes; the [`IntersectionForm`] is the product in the middle degree of a closed oriented manifold.
+//! * Orders are `Option<Integer>`: `None` is infinite. Torsion comes before free generators, orders dividing along.
+//!
+//! # Examples
+//! The Klein bottle as a square with one vertex and two loops a, b, whose boundary is a b a b^-1.
+//! ```
+//! use coface_algebra::SparseMatrix;
+//! use coface_algebra::chains::ChainComplex;
+//! use coface_topology::homology;
+//! # fn main() -> Result<(), coface_algebra::Error> {
+//! let klein = ChainComplex::new(vec![SparseMatrix::zero(1, 2)?, SparseMatrix::from_entries(2, 1, [(0, 0, 2)])?])?;
+//! let groups: Vec<String> = homology(&klein).groups().iter().map(ToString::to_string).collect();
+//! assert_eq!(groups, ["Z", "Z + Z/2", "0"]);
+//! # Ok(()) }
+//! ```
 
 mod abelian_group;
 mod adapted_basis;

@@ -7,8 +7,9 @@ use coface_algebra::Error;
 use coface_algebra::chains::{ChainById, ChainComplex, PartTree, Partition, WideComplex};
 use coface_algebra::{Integer, SparseVector, WideMatrix};
 
-/// Cycles on the cells of a complex whose classes generate its integral homology, found at the root of its tree of parts and taken down to
-/// the cells. Orders and counts are those of [`generators`](crate::homology::generators); the cycles are not made short.
+/// Cycles on the cells of a complex whose classes generate its integral homology, found at the root of its tree of
+/// parts and taken down to the cells. Orders and counts are those of [`generators`](crate::homology::generators); the
+/// cycles are not made short.
 ///
 /// # Errors
 /// What [`PartTree::inclusions`] says.
@@ -45,7 +46,8 @@ pub fn generators_of_parts(tree: &PartTree<'_, Partition<'_>>) -> Result<Vec<Vec
     generators.collect()
 }
 
-/// Cycles of a small complex whose classes generate its homology in each degree, with their orders; those of finite order first.
+/// Cycles of a small complex whose classes generate its homology in each degree, with their orders; those of finite
+/// order first.
 pub fn reduced_generators(complex: &WideComplex) -> Vec<Vec<(Option<Integer>, SparseVector)>> {
     let matrix = |degree: usize| match complex.boundary_matrix(degree) {
         Some(matrix) => matrix.clone(),
@@ -84,7 +86,8 @@ mod tests {
                 counts.iter().enumerate().map(|(k, &n)| if k % 2 == 0 { n as i64 } else { -(n as i64) });
             assert_eq!(signed.sum::<i64>(), complex.euler_characteristic());
         }
-        // Generators are cycles of the orders that there must be, and a basis: no combination that should not bound does.
+        // Generators are cycles of the orders that there must be, and a basis: no combination that should not bound
+        // does.
         let basis = HomologyBasis::unshortened(complex);
         for (degree, generators) in generators_of_parts(&tree).unwrap().iter().enumerate() {
             let orders: Vec<Option<Integer>> = generators.iter().map(|g| g.order().cloned()).collect();

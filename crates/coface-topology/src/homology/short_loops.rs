@@ -98,8 +98,8 @@ impl<'m> Graph<'m> {
     }
 }
 
-/// One number an edge that tells most classes apart: a random combination of the free annotations modulo 2^64 and, exact,
-/// those of a few generators of finite order. Only where it is zero is a loop passed over.
+/// One number an edge that tells most classes apart: a random combination of the free annotations modulo 2^64 and,
+/// exact, those of a few generators of finite order. Only where it is zero is a loop passed over.
 struct Marks {
     free: Vec<u64>,
     /// The values modulo the order, with the order.

@@ -38,8 +38,9 @@ impl<'a> HomologyBasis<'a> {
 
 /// Makes the generators of one degree shorter, in the number of cells with multiplicity, and keeps them a basis.
 ///
-/// Four means: cycles with large coefficients are brought near zero by a rounded least squares solution; loops of breadth-first trees take the place of longer ones (degree 1); the boundary of a cell is added
-/// where that makes a cycle shorter; a generator is added to or subtracted from another one.
+/// Four means: cycles with large coefficients are brought near zero by a rounded least squares solution; loops of
+/// breadth-first trees take the place of longer ones (degree 1); the boundary of a cell is added where that makes a
+/// cycle shorter; a generator is added to or subtracted from another one.
 fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
     if degree == 0 || basis.generators(degree).is_empty() {
         return;
@@ -58,8 +59,8 @@ fn shorten(basis: &mut HomologyBasis<'_>, degree: usize) {
 
 /// Makes cycles with large coefficients small: subtracts the boundary that is nearest among real chains, rounded.
 ///
-/// The least squares problem is solved by conjugate gradients in floating point, for the cycle divided by a power of two;
-/// what is subtracted is an integral boundary, so only the size of the result depends on rounding.
+/// The least squares problem is solved by conjugate gradients in floating point, for the cycle divided by a power of
+/// two; what is subtracted is an integral boundary, so only the size of the result depends on rounding.
 fn relax(basis: &mut HomologyBasis<'_>, degree: usize) {
     /// Coefficients up to here are left to single steps.
     const SMALL: i64 = 4;
@@ -247,8 +248,8 @@ impl Descent<'_> {
     }
 }
 
-/// Adds generators to free ones as long as that makes one shorter. The number of passes is bounded, and so is the number of
-/// generators that are compared with each other.
+/// Adds generators to free ones as long as that makes one shorter. The number of passes is bounded, and so is the
+/// number of generators that are compared with each other.
 fn combine(basis: &mut HomologyBasis<'_>, degree: usize) {
     const MOST_GENERATORS: usize = 256;
     const MOST_PASSES: usize = 16;

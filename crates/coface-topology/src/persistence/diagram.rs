@@ -94,7 +94,7 @@ impl PersistencePair {
         self.death
     }
 
-    /// The cell, of the degree of the class, that brings it.
+    /// The cell whose entry creates the class; it has the degree of the class.
     ///
     /// # Examples
     /// ```
@@ -115,7 +115,7 @@ impl PersistencePair {
         self.birth_cell
     }
 
-    /// The cell, one degree higher, that takes it away; `None` for an essential class.
+    /// The cell whose entry ends the class, one degree higher; `None` for an essential class.
     ///
     /// # Examples
     /// ```
@@ -331,8 +331,8 @@ impl PersistenceDiagram {
         (0..self.degree_count()).map(essential).collect()
     }
 
-    /// The diagram without the pairs whose persistence is `length` or less: 0 takes the diagonal away, a negative length
-    /// nothing. Essential classes stay.
+    /// The diagram without the pairs whose persistence is `length` or less: 0 removes the diagonal, a negative length
+    /// removes nothing. Essential classes stay.
     ///
     /// # Examples
     /// ```

@@ -35,8 +35,8 @@ impl Filtration {
     /// The filtration with these values: for each degree a list, for each cell a value.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there is one value for each cell; [`ErrorKind::InvalidInput`] naming a cell whose value
-    /// is not finite, or a face that enters after its coface.
+    /// [`ErrorKind::Shape`] unless there is one value for each cell; [`ErrorKind::InvalidInput`] naming a cell whose
+    /// value is not finite, or a face that enters after its coface.
     ///
     /// # Complexity
     /// Linear in the entries of the boundary matrices.
@@ -70,9 +70,9 @@ impl Filtration {
     /// The vertices of a cell are those that its faces have, down to degree 0.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there is one value for each vertex; [`ErrorKind::InvalidInput`] naming a vertex whose
-    /// value is not finite, or a cell of positive degree with zero boundary (a loop): the complex does not say which
-    /// vertices it has.
+    /// [`ErrorKind::Shape`] unless there is one value for each vertex; [`ErrorKind::InvalidInput`] naming a vertex
+    /// whose value is not finite, or a cell of positive degree with zero boundary (a loop): the complex does not say
+    /// which vertices it has.
     ///
     /// # Complexity
     /// Linear in the entries of the boundary matrices.

@@ -1,4 +1,4 @@
-//! Persistent homology: which classes of a growing complex are born when, and when they die.
+//! Persistent homology: when the homology classes of a growing complex are born, and when they die.
 //!
 //! # Words and conventions
 //! * A [`Filtration`] gives each cell the value at which it **enters**. A face enters no later than its cofaces, so the

@@ -20,16 +20,17 @@ use std::collections::BinaryHeap;
 /// free is paired with it at once; only the others are worked on, as heaps over flat arrays.
 ///
 /// # Errors
-/// [`ErrorKind::Coefficient`] unless the coefficients are modulo a prime below 2^31; those of [`Filtration::check`] if the
-/// filtration is not one of this complex.
+/// [`ErrorKind::Coefficient`] unless the coefficients are modulo a prime below 2^31; those of [`Filtration::check`]
+/// if the filtration is not one of this complex.
 ///
 /// # Complexity
 /// Near-linear on meshes, where almost all cells are paired at once; cubic in the number of cells at worst.
 ///
 /// # References
-/// H. Edelsbrunner, D. Letscher, A. Zomorodian, *Topological persistence and simplification* (2002); V. de Silva, D. Morozov,
-/// M. Vejdemo-Johansson, *Dualities in persistent (co)homology* (2011); C. Chen, M. Kerber, *Persistent homology computation
-/// with a twist* (2011); U. Bauer, *Ripser: efficient computation of Vietoris-Rips persistence barcodes* (2021).
+/// H. Edelsbrunner, D. Letscher, A. Zomorodian, *Topological persistence and simplification* (2002); V. de Silva, D.
+/// Morozov, M. Vejdemo-Johansson, *Dualities in persistent (co)homology* (2011); C. Chen, M. Kerber, *Persistent
+/// homology computation with a twist* (2011); U. Bauer, *Ripser: efficient computation of Vietoris-Rips persistence
+/// barcodes* (2021).
 ///
 /// # Examples
 /// A path of heights 0, 2, 1: two valleys, of which the higher one dies at the pass between them.
@@ -111,7 +112,7 @@ fn over<F: Field>(
     PersistenceDiagram::new(prime, filtration.is_falling(), degrees)
 }
 
-/// The boundaries from one degree to the one below. Cells and faces are told by their numbers in the order of entrance.
+/// The boundaries from one degree to the one below. Cells and faces have their numbers in the order of entrance.
 struct Level<'a, F> {
     field: &'a F,
     matrix: &'a SparseMatrix,

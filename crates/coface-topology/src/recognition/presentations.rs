@@ -11,11 +11,11 @@ impl Presentation {
     ///
     /// The presentation is simplified first. Then it is a free product if the relators split into such that have no
     /// generator in common; free without relators; cyclic on one generator; a surface group if each generator occurs
-    /// twice in its one relator; finite if coset enumeration of the trivial subgroup ends, with the name of a known group
-    /// when it is a quotient of that one and has as many elements; abelian if rewriting of words (D. E. Knuth, P. B.
-    /// Bendix) finds that all commutators of generators are the unit; a direct product with Z if a generator is found
-    /// to be central and its exponents add up to 0 in each relator; a Heisenberg group if each of the two groups
-    /// satisfies the relators of the other.
+    /// twice in its one relator; finite if coset enumeration of the trivial subgroup ends, with the name of a known
+    /// group when it is a quotient of that one and has as many elements; abelian if rewriting of words (D. E. Knuth,
+    /// P. B. Bendix) finds that all commutators of generators are the unit; a direct product with Z if a generator is
+    /// found to be central and its exponents add up to 0 in each relator; a Heisenberg group if each of the two
+    /// groups satisfies the relators of the other.
     ///
     /// # Complexity
     /// Bounded by `effort`; it is undecidable in general which group a presentation gives.
@@ -104,8 +104,9 @@ fn free_factors(group: &Presentation) -> Vec<Presentation> {
     parts
 }
 
-/// One relator in which each generator occurs twice: a polygon whose sides are glued in pairs, a closed surface. All its
-/// corners are one vertex of the complex; if they are several of the surface, identifying them makes free generators.
+/// One relator in which each generator occurs twice: a polygon whose sides are glued in pairs, a closed surface. All
+/// its corners are one vertex of the complex; if they are several of the surface, identifying them makes free
+/// generators.
 ///
 /// Source: H. Seifert, W. Threlfall, *Lehrbuch der Topologie* (1934), sections 37 to 39.
 fn surface(group: &Presentation) -> Option<GroupName> {
@@ -161,8 +162,8 @@ fn finite(group: &Presentation, effort: Effort) -> Option<GroupName> {
 /// How many rules of rewriting are made.
 const MOST_RULES: usize = 500;
 
-/// An infinite group with central elements: abelian, a direct product with Z, or a Heisenberg group. Generators are also
-/// tried that are products of two, with `depth` such changes one after the other.
+/// An infinite group with central elements: abelian, a direct product with Z, or a Heisenberg group. Generators are
+/// also tried that are products of two, with `depth` such changes one after the other.
 fn with_central_elements(group: &Presentation, effort: Effort, depth: usize) -> Option<GroupName> {
     let count = group.generator_count();
     if group.abelianization().betti() == 0 || count > 8 || group.length() > 400 {
@@ -202,8 +203,8 @@ fn with_central_elements(group: &Presentation, effort: Effort, depth: usize) -> 
     None
 }
 
-/// The direct product with Z, if the exponents of a central generator add up to 0 in every relator: then it can be moved
-/// out of all of them, and what is left presents the other factor.
+/// The direct product with Z, if the exponents of a central generator add up to 0 in every relator: then it can be
+/// moved out of all of them, and what is left presents the other factor.
 fn split_off(group: &Presentation, central: usize, effort: Effort, depth: usize) -> Option<GroupName> {
     let is_own = |letter: &i32| letter.unsigned_abs() as usize == central;
     let is_balanced = |relator: &Word| {

@@ -22,8 +22,8 @@ fn order(a: &[i32], b: &[i32]) -> Ordering {
 }
 
 impl Rewriting {
-    /// The rules that follow from the relators of a group, until they are complete, there are `most` of them, or so many
-    /// `steps` (letters compared) are done.
+    /// The rules that follow from the relators of a group, until they are complete, there are `most` of them, or so
+    /// many `steps` (letters compared) are done.
     ///
     /// Source: D. E. Knuth, P. B. Bendix, *Simple word problems in universal algebras* (1970), with the shortest words
     /// first.

@@ -168,7 +168,7 @@ impl Pi1 {
         progress.stage("comparing with homology");
         check(&groups.first_homology(), &producer.chain_complex()?)?;
         progress.stage("simplifying presentations");
-        let effort = Effort { time: self.time_limit, ..Effort::default() };
+        let effort = Effort::new().time_limit(self.time_limit);
         let shown: Vec<Shown> =
             (0..groups.component_count()).map(|i| self.show(groups.presentation(i), effort)).collect();
         let loops = shown

@@ -91,7 +91,7 @@ pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
     let betti = groups.iter().map(AbelianGroup::betti).sum();
     let torsion = groups.iter().flat_map(|group| group.torsion().to_vec()).collect();
     check(&AbelianGroup::new(betti, torsion), &producer.chain_complex()?)?;
-    let effort = Effort { time: verb.time_limit, ..Effort::default() };
+    let effort = Effort::new().time_limit(verb.time_limit);
     let mut shown = Vec::new();
     let mut bases = Vec::new();
     let mut paths = Vec::new();

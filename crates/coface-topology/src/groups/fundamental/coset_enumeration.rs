@@ -39,8 +39,8 @@ fn column(letter: i32) -> usize {
 }
 
 impl CosetTable {
-    /// The cosets of the subgroup that these words generate; `None` if more than `limit` cosets are in the table at some
-    /// time, which says nothing about the index. Without words the cosets are the elements of the group.
+    /// The cosets of the subgroup that these words generate; `None` if more than `limit` cosets are in the table at
+    /// some time, which says nothing about the index. Without words the cosets are the elements of the group.
     ///
     /// # Panics
     /// If a word has a letter that is no generator.

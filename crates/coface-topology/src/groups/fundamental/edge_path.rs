@@ -266,8 +266,8 @@ impl<'a> Words<'a> {
             .collect()
     }
 
-    /// The edges that a maximum spanning tree of the dual graph crosses: faces are its nodes, and the outside is one more,
-    /// joined to those with an edge of their own. Edges in three or more faces are left out.
+    /// The edges that a maximum spanning tree of the dual graph crosses: faces are its nodes, and the outside is one
+    /// more, joined to those with an edge of their own. Edges in three or more faces are left out.
     fn dual_tree(&self, by_length: &[u32]) -> Vec<bool> {
         let outside = self.faces.len() as u32;
         let mut trees = UnionFind::new(self.faces.len() + 1);
@@ -678,8 +678,8 @@ impl EdgePathGroups {
     /// start of the path and back, which is the unit.
     ///
     /// # Errors
-    /// [`ErrorKind::NotInComplex`] naming an edge that does not exist; [`ErrorKind::InvalidInput`] naming the first step
-    /// that does not start where the one before ends, the last one before the first.
+    /// [`ErrorKind::NotInComplex`] naming an edge that does not exist; [`ErrorKind::InvalidInput`] naming the first
+    /// step that does not start where the one before ends, the last one before the first.
     ///
     /// # Examples
     /// ```

@@ -189,7 +189,7 @@ mod tests {
         assert_eq!(count(PermutationGroup::Symmetric(4)), HomomorphismCount { all: 576, onto: 9 * 24 });
         assert_eq!(count(PermutationGroup::Symmetric(3)), HomomorphismCount { all: 36, onto: 3 * 6 });
         assert_eq!(free.homomorphisms_to(PermutationGroup::Symmetric(7), Effort::default()), None);
-        let few = Effort { steps: 10, time: None };
+        let few = Effort::new().max_steps(10);
         assert_eq!(free.homomorphisms_to(PermutationGroup::Symmetric(3), few), None);
         assert_eq!(PermutationGroup::Alternating(5).to_string(), "A5");
     }

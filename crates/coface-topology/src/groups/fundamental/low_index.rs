@@ -61,8 +61,8 @@ impl SubgroupClass {
 }
 
 impl Presentation {
-    /// The classes of conjugate subgroups of index up to `highest`, by their coset tables; `None` if that takes more than
-    /// the effort. How many there are is an invariant of the group: groups that differ in it are not isomorphic.
+    /// The classes of conjugate subgroups of index up to `highest`, by their coset tables; `None` if that takes more
+    /// than the effort. How many there are is an invariant of the group: groups that differ in it are not isomorphic.
     ///
     /// # Complexity
     /// Exponential in the index; the search goes through partial coset tables in standard order and leaves those that a
@@ -309,7 +309,7 @@ mod tests {
         let classes = symmetric.subgroups_up_to(24, Effort::default()).unwrap();
         assert_eq!(classes.len(), 11);
         assert_eq!(counts(&group(0, &[]), 3), [1, 0, 0]);
-        assert_eq!(group(3, &[]).subgroups_up_to(20, Effort { steps: 1000, time: None }), None);
+        assert_eq!(group(3, &[]).subgroups_up_to(20, Effort::new().max_steps(1000)), None);
         assert_eq!(counts(&group(2, &[]), 0), [0usize; 0]);
     }
 }

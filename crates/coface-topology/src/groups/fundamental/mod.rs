@@ -2,11 +2,11 @@
 //!
 //! # Words and conventions
 //! * A [`Presentation`] has generators 1, ..., n and relators, [`coface_algebra::Word`]s in them that are the unit.
-//! * [`EdgePathGroups`] presents the fundamental group of each component of a [`coface_algebra::chains::TwoSkeleton`]; every edge
-//!   has a word, every generator a loop at the base vertex.
+//! * [`EdgePathGroups`] presents the fundamental group of each component of a
+//!   [`coface_algebra::chains::TwoSkeleton`]; every edge has a word, every generator a loop at the base vertex.
 //! * A [`Simplification`] is a list of [`TietzeMove`]s with the isomorphism that they are, both ways.
-//! * [`Presentation::subgroups_up_to`] and [`Presentation::homomorphisms_to`] count what distinguishes groups. The section
-//!   [`crate::recognition`] names groups.
+//! * [`Presentation::subgroups_up_to`] and [`Presentation::homomorphisms_to`] count what distinguishes groups. The
+//!   section [`crate::recognition`] names groups.
 //! * What may take forever has an [`Effort`]; its steps are the same on every machine.
 
 mod coset_enumeration;

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TietzeMove {
-    /// A relator is taken away that says the same as another: both have one cyclic form, or their inverses do.
+    /// A relator is removed because it is equivalent to another: both have one cyclic form, or their inverses do.
     Duplicate {
         /// The relator that goes.
         relator: u32,

@@ -10,18 +10,66 @@ use std::time::{Duration, Instant};
 
 /// How much work may be done. The number of steps is the same on every machine, so a result that only they limit is
 /// always the same; a time limit can be set beside it.
+///
+/// # Examples
+/// ```
+/// use coface_topology::{Effort, Presentation};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let free = Presentation::new(3, vec![])?;
+/// assert!(free.subgroups_up_to(20, Effort::new().max_steps(1000)).is_none());
+/// # Ok(()) }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Effort {
+    pub(crate) steps: u64,
+    pub(crate) time: Option<Duration>,
+}
+
+impl Effort {
+    /// 10^8 letters, about a second, and no time limit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Effort;
+    /// assert_eq!(Effort::new(), Effort::default());
+    /// ```
+    pub fn new() -> Self {
+        Self { steps: 100_000_000, time: None }
+    }
+
     /// How many letters may be read or written.
-    pub steps: u64,
-    /// How long it may take; without it only the steps count.
-    pub time: Option<Duration>,
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Effort;
+    /// assert_ne!(Effort::new().max_steps(10), Effort::new());
+    /// ```
+    #[must_use]
+    pub fn max_steps(mut self, steps: u64) -> Self {
+        self.steps = steps;
+        self
+    }
+
+    /// How long the work may take; with `None` only the steps count.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Effort;
+    /// use std::time::Duration;
+    /// let minute = Effort::new().time_limit(Duration::from_secs(60));
+    /// assert_eq!(minute.time_limit(None), Effort::new());
+    /// ```
+    #[must_use]
+    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
+        self.time = limit.into();
+        self
+    }
 }
 
 impl Default for Effort {
-    /// 10^8 letters, about a second, and no time limit.
     fn default() -> Self {
-        Self { steps: 100_000_000, time: None }
+        Self::new()
     }
 }
 
@@ -58,17 +106,17 @@ const LONGEST_SEARCHED: usize = 4096;
 impl Simplification {
     /// Simplifies a presentation: fewest generators first, then short relators.
     ///
-    /// Relators of one cyclic form are kept once. A generator that occurs once in a relator is solved for, as long as the
-    /// relators do not grow much. A part of a relator that is more than half of another is replaced by the rest of that
-    /// one; a part of exactly half, if the relator becomes earlier in the lexicographic order. A generator is multiplied
-    /// by a letter that follows it in most places.
+    /// Relators of one cyclic form are kept once. A generator that occurs once in a relator is solved for, as long as
+    /// the relators do not grow much. A part of a relator that is more than half of another is replaced by the rest
+    /// of that one; a part of exactly half, if the relator becomes earlier in the lexicographic order. A generator is
+    /// multiplied by a letter that follows it in most places.
     ///
     /// # Complexity
     /// Bounded by `effort`; each round reads all letters a few times.
     ///
     /// # References
-    /// H. Tietze, *Ueber die topologischen Invarianten mehrdimensionaler Mannigfaltigkeiten* (1908); G. Havas, P. E. Kenne,
-    /// J. S. Richardson, E. F. Robertson, *A Tietze transformation program* (1984).
+    /// H. Tietze, *Ueber die topologischen Invarianten mehrdimensionaler Mannigfaltigkeiten* (1908); G. Havas, P. E.
+    /// Kenne, J. S. Richardson, E. F. Robertson, *A Tietze transformation program* (1984).
     ///
     /// # Examples
     /// ```
@@ -346,8 +394,8 @@ impl Search {
         changed
     }
 
-    /// Solves for generators, shortest relators first, as long as the relators grow by at most `growth` each time and are
-    /// not longer than `roomy` after.
+    /// Solves for generators, shortest relators first, as long as the relators grow by at most `growth` each time and
+    /// are not longer than `roomy` after.
     fn eliminate(&mut self, growth: usize, roomy: usize) -> bool {
         let mut order: Vec<usize> =
             (0..self.work.relators.len()).filter(|&i| !self.work.relators[i].is_empty()).collect();
@@ -368,7 +416,8 @@ impl Search {
         changed
     }
 
-    /// The generator that occurs once in a relator and costs least to eliminate, with the letters that come in addition.
+    /// The generator that occurs once in a relator and costs least to eliminate, with the letters that come in
+    /// addition.
     fn cheapest(&mut self, relator: usize) -> Option<(u32, usize)> {
         let mut counts: BTreeMap<u32, usize> = BTreeMap::new();
         for letter in self.work.relators[relator].letters() {

@@ -9,10 +9,11 @@ use std::collections::HashMap;
 /// No element of the ball.
 const NONE: u32 = u32::MAX;
 
-/// The first elements of a surface group in the shortlex order of some generators, with the products by letters that stay among them.
+/// The first elements of a surface group in the shortlex order of some generators, with the products by letters that
+/// stay among them.
 ///
-/// Elements are ordered by their shortlex words: shorter words first, words of equal length by their first different letter
-/// in the order +1, -1, +2, -2, .... Element 0 is the unit.
+/// Elements are ordered by their shortlex words: shorter words first, words of equal length by their first different
+/// letter in the order +1, -1, +2, -2, .... Element 0 is the unit.
 ///
 /// # Examples
 /// ```

@@ -3,9 +3,9 @@
 use super::polygon_scheme::PolygonScheme;
 use coface_algebra::Word;
 
-/// Generators $a_1, b_1, a_2, b_2, \dots$ with the relator $a_1 b_1 a_1^{-1} b_1^{-1} a_2 b_2 a_2^{-1} b_2^{-1} \dots$ of an
-/// orientable closed surface, or $c_1, c_2, \dots$ with $c_1^2 c_2^2 \cdots$ of a non-orientable one, and the isomorphism
-/// with the group they were taken from.
+/// Generators $a_1, b_1, a_2, b_2, \dots$ with the relator $a_1 b_1 a_1^{-1} b_1^{-1} a_2 b_2 a_2^{-1} b_2^{-1}
+/// \dots$ of an orientable closed surface, or $c_1, c_2, \dots$ with $c_1^2 c_2^2 \cdots$ of a non-orientable one,
+/// and the isomorphism with the group they were taken from.
 ///
 /// # Examples
 /// The octagon with opposite sides glued is the surface of genus 2:
@@ -43,8 +43,8 @@ impl CanonicalSystem {
         self.is_orientable
     }
 
-    /// The canonical generators as words of the given ones. The product of their commutators or squares is, as a word of
-    /// the free group, the given relator.
+    /// The canonical generators as words of the given ones. The product of their commutators or squares is, as a word
+    /// of the free group, the given relator.
     ///
     /// # Examples
     /// ```
@@ -114,16 +114,16 @@ impl CanonicalSystem {
     }
 }
 
-/// Where the corners of the polygon go when a crosscap or a handle is cut out: corner i of the old polygon is reached by
-/// `words[kind]` in canonical letters, then from the start of the new polygon to its corner.
+/// Where the corners of the polygon go when a crosscap or a handle is cut out: corner i of the old polygon is reached
+/// by `words[kind]` in canonical letters, then from the start of the new polygon to its corner.
 struct Cut {
     words: Vec<Word>,
     /// The kind and the new corner of each old corner.
     corners: Vec<(u8, u32)>,
 }
 
-/// A polygon from which crosscaps and handles are cut. Always the given relator is, in the free group, the product of their
-/// squares and commutators and of what is left.
+/// A polygon from which crosscaps and handles are cut. Always the given relator is, in the free group, the product of
+/// their squares and commutators and of what is left.
 struct Cutting {
     rest: Vec<i32>,
     /// For each letter the place of its mate in the rest.
@@ -204,8 +204,8 @@ impl Cutting {
         true
     }
 
-    /// Cuts out a handle: for a P b Q a^-1 S b^-1 T the commutator of z = a Q^-1 S^-1 and v = S Q P b S^-1, which leaves
-    /// S Q P T.
+    /// Cuts out a handle: for a P b Q a^-1 S b^-1 T the commutator of z = a Q^-1 S^-1 and v = S Q P b S^-1, which
+    /// leaves S Q P T.
     fn cut_handle(&mut self) -> bool {
         let rest = &self.rest;
         let Some(&a) = rest.first() else { return false };

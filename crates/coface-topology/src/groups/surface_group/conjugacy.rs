@@ -7,8 +7,8 @@ use super::walk::Walk;
 use super::{SurfaceGroup, klein_bottle};
 use coface_algebra::{Sign, Word, least_rotation};
 
-/// The conjugacy class of an element of a [`SurfaceGroup`]: the same for all words that are conjugate there, which are the
-/// closed curves that are freely homotopic.
+/// The conjugacy class of an element of a [`SurfaceGroup`]: the same for all words that are conjugate there, which
+/// are the closed curves that are freely homotopic.
 ///
 /// It can be compared, sorted and hashed; the order has no further meaning.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -27,10 +27,10 @@ enum Class {
 impl SurfaceGroup {
     /// The conjugacy class of a word.
     ///
-    /// On surfaces of negative Euler characteristic it is the rightmost shortest closed walk in the system of quads: the
-    /// least rotation of its edges and, on non-orientable surfaces, the lesser of this and of the leftmost one, since
-    /// conjugation by a one-sided loop exchanges the two. One-sided curves are told by their squares, because elements
-    /// without torsion in a hyperbolic group have at most one root.
+    /// On surfaces of negative Euler characteristic it is the rightmost shortest closed walk in the system of quads:
+    /// the least rotation of its edges and, on non-orientable surfaces, the lesser of this and of the leftmost one,
+    /// since conjugation by a one-sided loop exchanges the two. One-sided curves are compared by their squares,
+    /// because elements without torsion in a hyperbolic group have at most one root.
     ///
     /// # Panics
     /// If the word has a letter that is no generator.

@@ -53,15 +53,15 @@ impl PolygonScheme {
 
     /// The word with every piece that is more than half of the relator replaced by the inverse of the rest.
     ///
-    /// For 3 or more generators the unit is the only element whose reduced word is empty: two copies of the relator have at
-    /// most one letter in common and at least three meet at every vertex (small cancellation C'(1/4), T(4)).
+    /// For 3 or more generators the unit is the only element whose reduced word is empty: two copies of the relator
+    /// have at most one letter in common and at least three meet at every vertex (small cancellation C'(1/4), T(4)).
     ///
     /// # Complexity
     /// Linear in the word times the number of generators.
     ///
     /// # References
-    /// M. Dehn, *Transformation der Kurven auf zweiseitigen Flaechen* (1912); R. C. Lyndon, P. E. Schupp, *Combinatorial
-    /// group theory* (1977), chapter V, theorem 4.4.
+    /// M. Dehn, *Transformation der Kurven auf zweiseitigen Flaechen* (1912); R. C. Lyndon, P. E. Schupp,
+    /// *Combinatorial group theory* (1977), chapter V, theorem 4.4.
     pub(super) fn dehn_reduced(&self, word: &Word) -> Word {
         let half = self.generator_count() as u32;
         let mut read: Vec<Read> = Vec::new();

@@ -65,9 +65,9 @@ impl SurfaceGroup {
     /// The group of the closed surface with this polygon scheme. The empty word is the sphere.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] if a generator up to the highest letter does not occur exactly twice, or if the corners
-    /// of the polygon are several vertices of the surface. Then the group of the presentation is a free product of the
-    /// surface's group and a free group.
+    /// [`ErrorKind::InvalidInput`] if a generator up to the highest letter does not occur exactly twice, or if the
+    /// corners of the polygon are several vertices of the surface. Then the group of the presentation is a free
+    /// product of the surface's group and a free group.
     ///
     /// # Complexity
     /// Linear; quadratic for the Klein bottle, whose words have four letters.
@@ -196,8 +196,8 @@ impl SurfaceGroup {
             .expect("the relator has no other letters")
     }
 
-    /// Whether this is the group of an orientable closed surface. Free groups belong to orientable and to non-orientable
-    /// surfaces with boundary; they count as orientable here.
+    /// Whether this is the group of an orientable closed surface. Free groups belong to orientable and to
+    /// non-orientable surfaces with boundary; they count as orientable here.
     ///
     /// # Examples
     /// ```
@@ -215,8 +215,8 @@ impl SurfaceGroup {
     /// A canonical system of loops at the level of words; `None` for a free group, which has no relator.
     ///
     /// # Complexity
-    /// $O(n^2)$ time and space for n generators if the surface is orientable. Otherwise handles beside crosscaps may make
-    /// words of $O(n^2)$ letters.
+    /// $O(n^2)$ time and space for n generators if the surface is orientable. Otherwise handles beside crosscaps may
+    /// make words of $O(n^2)$ letters.
     ///
     /// # References
     /// H. Seifert, W. Threlfall, *Lehrbuch der Topologie* (1934), section 38; G. Vegter, C. K. Yap, *Computational
@@ -246,8 +246,8 @@ impl SurfaceGroup {
         }
     }
 
-    /// The Euler characteristic of the presentation complex: a vertex, an edge for each generator, a face for the relator.
-    /// It is that of the surface, except for the sphere.
+    /// The Euler characteristic of the presentation complex: a vertex, an edge for each generator, a face for the
+    /// relator. It is that of the surface, except for the sphere.
     ///
     /// # Examples
     /// ```
@@ -282,8 +282,8 @@ impl SurfaceGroup {
         }
     }
 
-    /// The corners of the relator's polygon clockwise around the vertex, with the orientation of the polygon there relative
-    /// to that at corner 0, for surfaces of negative Euler characteristic.
+    /// The corners of the relator's polygon clockwise around the vertex, with the orientation of the polygon there
+    /// relative to that at corner 0, for surfaces of negative Euler characteristic.
     pub(crate) fn corners_around_vertex(&self) -> Option<Vec<(u32, Sign)>> {
         let Kind::Hyperbolic(scheme, _) = &self.kind else { return None };
         let corners = scheme.rotation().iter().rev();

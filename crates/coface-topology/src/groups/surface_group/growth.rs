@@ -96,8 +96,8 @@ impl SurfaceGroup {
     /// The number of elements of length at most `radius`, or `None` if there are more than `most`.
     ///
     /// # Complexity
-    /// No more than $O(\min(r, m))$ steps for the radius r and m the greatest number; logarithmic in m when the group grows
-    /// exponentially.
+    /// No more than $O(\min(r, m))$ steps for the radius r and m the greatest number; logarithmic in m when the group
+    /// grows exponentially.
     ///
     /// # Examples
     /// ```

@@ -9,9 +9,9 @@ use coface_algebra::{Sign, Word};
 
 /// An element of a [`SurfaceGroup`]: the same for all words that are equal there.
 ///
-/// It can be compared, sorted and hashed; the order has no further meaning. What it holds depends on the group: the reduced
-/// word of a free group, exponents for torus, Klein bottle and projective plane, and in all other groups the rightmost
-/// shortest walk in the system of quads.
+/// It can be compared, sorted and hashed; the order has no further meaning. What it holds depends on the group: the
+/// reduced word of a free group, exponents for torus, Klein bottle and projective plane, and in all other groups the
+/// rightmost shortest walk in the system of quads.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NormalForm(pub(super) Form);
 
@@ -48,8 +48,8 @@ impl NormalForm {
 }
 
 impl NormalForm {
-    /// The exponents of an element on the surfaces of Euler characteristic 0: the number of times that the one generator
-    /// of a free group occurs, else those of the normal form.
+    /// The exponents of an element on the surfaces of Euler characteristic 0: the number of times that the one
+    /// generator of a free group occurs, else those of the normal form.
     pub(crate) fn exponents(&self) -> Option<[i64; 2]> {
         match &self.0 {
             Form::Letters(letters) => Some([letters.iter().map(|&letter| i64::from(letter)).sum(), 0]),
@@ -98,8 +98,8 @@ impl SurfaceGroup {
     ///
     /// # References
     /// F. Lazarus, J. Rivaud, *On the homotopy test on surfaces* (2012), section 3; J. Erickson, K. Whittlesey,
-    /// *Transforming curves on surfaces redux* (2013), section 3. They treat orientable surfaces; here a walk carries the
-    /// orientation of the universal cover along, which makes turns meaningful on all of them.
+    /// *Transforming curves on surfaces redux* (2013), section 3. They treat orientable surfaces; here a walk carries
+    /// the orientation of the universal cover along, which makes turns meaningful on all of them.
     ///
     /// # Examples
     /// ```
@@ -161,12 +161,12 @@ impl SurfaceGroup {
         })
     }
 
-    /// The element of a walk that goes from corner to corner of the polygon of the scheme: each step is given by the numbers of
-    /// letters before the corners that it leaves and reaches.
+    /// The element of a walk that goes from corner to corner of the polygon of the scheme: each step is given by the
+    /// numbers of letters before the corners that it leaves and reaches.
     ///
     /// # Complexity
-    /// Linear in the number of steps for the groups of closed surfaces; in that of free groups each step has as many letters as lie
-    /// between its corners.
+    /// Linear in the number of steps for the groups of closed surfaces; in that of free groups each step has as many
+    /// letters as lie between its corners.
     pub(crate) fn element_of_steps(&self, steps: impl Iterator<Item = [usize; 2]>) -> NormalForm {
         match (&self.kind, &self.relator()) {
             (Kind::Hyperbolic(_, quads), _) => {
@@ -254,7 +254,8 @@ impl SurfaceGroup {
         })
     }
 
-    /// A word for an element: without detours, yet not always the shortest. The words of a [`super::Ball`] are shortest.
+    /// A word for an element: without detours, yet not always the shortest. The words of a [`super::Ball`] are
+    /// shortest.
     ///
     /// # Panics
     /// If the element is of another kind of group.

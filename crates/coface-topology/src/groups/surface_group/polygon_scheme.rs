@@ -22,7 +22,8 @@ impl PolygonScheme {
     /// The polygon with this word around its boundary.
     ///
     /// # Errors
-    /// [`coface_algebra::ErrorKind::InvalidInput`] if a generator does not occur exactly twice, or the corners are several vertices.
+    /// [`coface_algebra::ErrorKind::InvalidInput`] if a generator does not occur exactly twice, or the corners are
+    /// several vertices.
     pub(super) fn new(generator_count: usize, relator: &Word) -> Result<Self, Error> {
         let letters = relator.letters().to_vec();
         let degree = letters.len();

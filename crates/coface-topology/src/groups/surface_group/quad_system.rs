@@ -23,10 +23,11 @@ impl Hub {
 }
 
 /// The map that a polygon scheme becomes when its center is joined to all its corners and its sides are forgotten: two
-/// hubs of degree d, an edge for each corner, a quadrangle for each pair of sides. Its edges are numbered as the corners.
+/// hubs of degree d, an edge for each corner, a quadrangle for each pair of sides. Its edges are numbered as the
+/// corners.
 ///
-/// In the universal cover all orientations agree with that of the base vertex; a walk carries it along. The **turn** of a
-/// walk at a hub is the number of quadrangles on its right there, from 0 (it goes back) to d - 1.
+/// In the universal cover all orientations agree with that of the base vertex; a walk carries it along. The **turn**
+/// of a walk at a hub is the number of quadrangles on its right there, from 0 (it goes back) to d - 1.
 #[derive(Clone, Debug)]
 pub(super) struct QuadSystem {
     degree: u32,

@@ -3,12 +3,13 @@
 use super::quad_system::{Hub, QuadSystem};
 use coface_algebra::Sign;
 
-/// The rightmost of the shortest walks between two vertices of the universal cover of a system of quads, built edge by edge
-/// from a start.
+/// The rightmost of the shortest walks between two vertices of the universal cover of a system of quads, built edge
+/// by edge from a start.
 ///
 /// A walk is shortest if it has no **spur** (turn 0) and no **bracket** (turns 1 2 ... 2 1 or -1 -2 ... -2 -1), and
-/// rightmost if it has no turn 1 either. All degrees are at least 5, so two shortest walks with the same ends bound strips
-/// of quadrangles without an inner vertex, and where they part the left one has a turn 1: the rightmost is unique.
+/// rightmost if it has no turn 1 either. All degrees are at least 5, so two shortest walks with the same ends bound
+/// strips of quadrangles without an inner vertex, and where they part the left one has a turn 1: the rightmost is
+/// unique.
 ///
 /// # Complexity
 /// Amortized constant time an edge: turns are stored by runs of equal ones.
@@ -126,7 +127,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Moves the end ... x 2 ... 2 1 across the quadrangles on its right: x-1 -1 -2 ... -2. The turn 1 is not yet stored.
+    /// Moves the end ... x 2 ... 2 1 across the quadrangles on its right: x-1 -1 -2 ... -2. The turn 1 is not yet
+    /// stored.
     fn flip(&mut self) {
         let degree = self.quads.degree();
         let count = self.pop_run(2);
@@ -136,7 +138,8 @@ impl<'a> Walk<'a> {
         self.last = self.quads.turned(self.end, self.end_orientation, self.last, 1);
     }
 
-    /// Replaces an end ... x -1 -2 ... -2 -1 by x+1 2 ... 2; false if it is not like that. The last -1 is not yet stored.
+    /// Replaces an end ... x -1 -2 ... -2 -1 by x+1 2 ... 2; false if it is not like that. The last -1 is not yet
+    /// stored.
     fn shorten(&mut self) -> bool {
         let degree = self.quads.degree();
         let count = self.pop_run(degree - 2);
