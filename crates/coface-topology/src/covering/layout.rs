@@ -35,7 +35,7 @@ impl CoverLayout {
     /// use coface_topology::{CoverExtent, CoverPlane, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -55,7 +55,7 @@ impl CoverLayout {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -79,7 +79,7 @@ impl CoverLayout {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;

@@ -118,7 +118,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -137,7 +137,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -156,7 +156,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -176,7 +176,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -195,7 +195,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -214,7 +214,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -233,7 +233,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -252,7 +252,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -274,7 +274,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -294,7 +294,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -313,7 +313,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -333,7 +333,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -353,7 +353,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -392,7 +392,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -413,7 +413,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -433,7 +433,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;
@@ -470,7 +470,7 @@ impl UniversalCover {
     /// use coface_topology::{CoverExtent, CutSurface, TreeCotree, UniversalCover};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // A square of the plane and the four squares around it.
     /// let cover = UniversalCover::new(&torus, &cut, 0, CoverExtent::Radius(1), 1000)?;

@@ -53,7 +53,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_crossing(&homology);
@@ -87,7 +87,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_slicing(&torus, homology.loops())?;
@@ -139,7 +139,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_slicing(&torus, homology.loops())?;
@@ -190,7 +190,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_crossing(&homology);
@@ -209,7 +209,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_crossing(&homology);
@@ -228,7 +228,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_crossing(&homology);
@@ -248,7 +248,7 @@ impl CocycleBasis {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let basis = CocycleBasis::by_slicing(&torus, homology.loops())?;

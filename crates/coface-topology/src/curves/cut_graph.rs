@@ -91,7 +91,7 @@ impl Seam {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.seams()[0].steps(), [0]);
@@ -110,7 +110,7 @@ impl Seam {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.seams()[0].ends(), [VertexId::new(0); 2]);
@@ -128,7 +128,7 @@ impl Seam {
     /// use coface_topology::{CutGraph, SeamKind, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.seams()[0].kind(), SeamKind::Handle);
@@ -146,7 +146,7 @@ impl Seam {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.seams()[1].length(), 3.0);
@@ -177,7 +177,7 @@ impl CutGraph {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.seams().len(), 2);
@@ -249,7 +249,7 @@ impl CutGraph {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// // There is nothing shorter.
@@ -291,7 +291,7 @@ impl CutGraph {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.seams().len(), 2);
@@ -310,7 +310,7 @@ impl CutGraph {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.edges(), [EdgeId::new(0), EdgeId::new(1)]);
@@ -329,7 +329,7 @@ impl CutGraph {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.corners(), [VertexId::new(0)]);
@@ -350,7 +350,7 @@ impl CutGraph {
     /// use coface_topology::{CutGraph, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let graph = CutGraph::new(&torus, &trees, Some(&[2.0, 3.0]))?;
     /// assert_eq!(graph.length(), 5.0);

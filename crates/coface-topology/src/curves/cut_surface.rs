@@ -76,7 +76,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.side_count(), 4);
@@ -96,7 +96,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert!(domain.sides().all(|(_, sign)| sign == Sign::Plus));
@@ -117,7 +117,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.letters(), [1, 2, -1, -2]);
@@ -135,7 +135,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.cut_edge_count(), 2);
@@ -153,7 +153,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.f_vector(), [4, 4, 1]);
@@ -172,7 +172,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.euler_characteristic(), 1);
@@ -192,7 +192,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.relator().expect("the torus is closed").letters(), [1, 2, -1, -2]);
@@ -210,7 +210,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.letters_before(3), 3);
@@ -231,7 +231,7 @@ impl FundamentalDomain {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// let domain = &cut.domains()[0];
     /// assert_eq!(domain.word_between(0, 2).letters(), [1, 2]);
@@ -263,7 +263,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.domains().len(), 1);
     /// # Ok(()) }
@@ -318,7 +318,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.domains()[0].f_vector(), [4, 4, 1]);
     /// # Ok(()) }
@@ -339,7 +339,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.component(&torus, HalfedgeId::new(3)), 0);
     /// # Ok(()) }
@@ -357,7 +357,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.corner_position(HalfedgeId::new(0)), 0);
     /// # Ok(()) }
@@ -375,7 +375,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.side_position(HalfedgeId::new(0)), Some(0));
     /// # Ok(()) }
@@ -394,7 +394,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.side_word(&torus, HalfedgeId::new(0)).letters(), [1]);
     /// # Ok(()) }
@@ -459,7 +459,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// // Across a side of the first loop lies the copy that the second loop leads to.
     /// let word = cut.crossing(&torus, HalfedgeId::new(0)).expect("a cut side");
@@ -484,7 +484,7 @@ impl CutSurface {
     /// use coface_topology::{CutSurface, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let cut = CutSurface::new(&torus, &TreeCotree::new(&torus));
     /// assert_eq!(cut.cut_graph(&torus).len(), 2);
     /// # Ok(()) }

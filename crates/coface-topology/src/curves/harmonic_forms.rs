@@ -26,7 +26,7 @@ impl HarmonicForm {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
     /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
@@ -46,7 +46,7 @@ impl HarmonicForm {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
     /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
@@ -66,7 +66,7 @@ impl HarmonicForm {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
     /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;
@@ -85,7 +85,7 @@ impl HarmonicForm {
     /// use coface_topology::{CocycleBasis, SurfaceHomology, TreeCotree, harmonic_forms};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let basis = CocycleBasis::by_crossing(&SurfaceHomology::new(&torus, &trees));
     /// let forms = harmonic_forms(&torus, basis.cocycles(), &[1.0, 1.0])?;

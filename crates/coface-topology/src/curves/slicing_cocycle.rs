@@ -118,7 +118,7 @@ impl<'a> Slicing<'a> {
     /// use coface_topology::{ClosedWalk, Slicing};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
     /// assert!(Slicing::new(&torus).cocycle(&walk(&[0])?).is_ok());
     /// # Ok(()) }
@@ -138,7 +138,7 @@ impl<'a> Slicing<'a> {
     /// use coface_topology::{ClosedWalk, Slicing};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
     /// // The other loop crosses this one once.
     /// let cocycle = Slicing::new(&torus).cocycle(&walk(&[0])?)?;

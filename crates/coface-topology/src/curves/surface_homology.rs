@@ -68,7 +68,7 @@ impl<'a> SurfaceHomology<'a> {
     /// use coface_topology::{SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// assert_eq!(homology.generators().len(), 2);
@@ -110,7 +110,7 @@ impl<'a> SurfaceHomology<'a> {
     /// use coface_topology::{SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// assert!(homology.generators().eq([0, 1].map(EdgeId::new)));
@@ -128,7 +128,7 @@ impl<'a> SurfaceHomology<'a> {
     /// use coface_topology::{SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// assert_eq!(homology.loops()[0].steps(), [0]);
@@ -153,7 +153,7 @@ impl<'a> SurfaceHomology<'a> {
     /// use coface_topology::{SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// assert_eq!(homology.relation(), [0, 0]);
@@ -178,7 +178,7 @@ impl<'a> SurfaceHomology<'a> {
     /// use coface_topology::{SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// assert_eq!(homology.cocycles().1, [[1, 0], [0, 1]]);
@@ -240,7 +240,7 @@ impl<'a> SurfaceHomology<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomology, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homology = SurfaceHomology::new(&torus, &trees);
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());

@@ -58,7 +58,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// assert_eq!(homotopy.groups().len(), 1);
@@ -84,7 +84,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// assert_eq!(homotopy.cut().domains()[0].side_count(), 4);
@@ -102,7 +102,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// assert_eq!(homotopy.groups()[0].name().to_string(), "Z^2");
@@ -123,7 +123,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -161,7 +161,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -190,7 +190,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -226,7 +226,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -252,7 +252,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -285,7 +285,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{ClosedWalk, SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = |steps: &[u32]| ClosedWalk::new(torus.skeleton(), steps.to_vec());
@@ -318,7 +318,7 @@ impl<'a> SurfaceHomotopy<'a> {
     /// use coface_topology::{SurfaceHomotopy, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let homotopy = SurfaceHomotopy::new(&torus, &trees)?;
     /// let walk = homotopy.walk_of_word(0, &Word::from_letters([1, 2]));

@@ -78,7 +78,7 @@ impl TreeCotreeComponent {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let component = &trees.components()[0];
     /// assert_eq!(component.base(), VertexId::new(0));
@@ -97,7 +97,7 @@ impl TreeCotreeComponent {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let component = &trees.components()[0];
     /// assert_eq!(component.root(), FaceId::new(0));
@@ -115,7 +115,7 @@ impl TreeCotreeComponent {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let component = &trees.components()[0];
     /// assert!(!component.has_boundary());
@@ -134,7 +134,7 @@ impl TreeCotreeComponent {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// let component = &trees.components()[0];
     /// assert_eq!(component.generators(), [EdgeId::new(0), EdgeId::new(1)]);
@@ -158,7 +158,7 @@ impl TreeCotree {
     /// use coface_topology::{EdgeRole, TreeCotree};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// assert_eq!(trees.roles(), [EdgeRole::Generator; 2]);
     /// # Ok(()) }
@@ -404,7 +404,7 @@ impl TreeCotree {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// assert_eq!(trees.components().len(), 1);
     /// # Ok(()) }
@@ -425,7 +425,7 @@ impl TreeCotree {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// assert_eq!(trees.component_of_vertex(VertexId::new(0)), Some(0));
     /// # Ok(()) }
@@ -444,7 +444,7 @@ impl TreeCotree {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// assert_eq!(trees.component_of_face(FaceId::new(0)), 0);
     /// # Ok(()) }
@@ -483,7 +483,7 @@ impl TreeCotree {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// assert_eq!(trees.exit(FaceId::new(0)), None);
     /// # Ok(()) }
@@ -551,7 +551,7 @@ impl TreeCotree {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// assert_eq!(trees.simple_loop(&torus, EdgeId::new(1)), [2]);
     /// # Ok(()) }
@@ -577,7 +577,7 @@ impl TreeCotree {
     /// use coface_topology::TreeCotree;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The torus made of one square.
-    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton())?;
+    /// let torus = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
     /// let trees = TreeCotree::new(&torus);
     /// // The square is left through the first edge and entered again on its other side.
     /// let side = HalfedgeId::new(0);
