@@ -3,9 +3,10 @@
 use crate::failure::Failure;
 use coface::algebra::Integer;
 use coface::algebra::chains::{Chain, ChainComplex};
-use coface::answers::{Pair, Producer, Term, integer_to_json};
+use coface::answers::answer::{ChainTerm, WholeNumber};
+use coface::answers::{Pair, Producer, Term};
 use coface::{CellId, Error};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::path::Path;
 
 /// Names the cells of a chain complex made from a model: those that a pair keeps, if there is one, shifted by one
@@ -20,9 +21,10 @@ pub(crate) struct Naming<'a> {
 
 impl Naming<'_> {
     /// A chain or cochain as `[[coefficient,[vertices..]],..]`.
-    pub(crate) fn terms(&self, degree: usize, terms: &[(CellId, Integer)]) -> Value {
+    pub(crate) fn terms(&self, degree: usize, terms: &[(CellId, Integer)]) -> Vec<ChainTerm> {
         let term = |(cell, coefficient): &(CellId, Integer)| {
-            json!([integer_to_json(coefficient), self.vertices(degree, cell.index())])
+            let vertices = self.vertices(degree, cell.index()).into_iter().map(u64::from).collect();
+            (WholeNumber::from(coefficient), vertices)
         };
         terms.iter().map(term).collect()
     }

@@ -2,7 +2,7 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use coface::answers::answer::to_json;
+use coface::answers::answer::{Remark, to_json};
 use coface::io::replace_file;
 use serde::Serialize;
 use std::io::{self, BufWriter, Write};
@@ -34,6 +34,13 @@ pub(crate) fn remark(text: &str) {
     let style = anstyle::AnsiColor::Yellow.on_default().bold();
     // A closed standard error leaves nobody to tell.
     let _ = writeln!(anstream::stderr(), "{style}remark:{style:#} {text}");
+}
+
+/// Prints the remarks of an answer on standard error, unless `--quiet` is given.
+pub(crate) fn say_remarks(remarks: &[Remark], common: &Common) {
+    if !common.quiet {
+        remarks.iter().for_each(|said| remark(&said.message));
+    }
 }
 
 fn failed(error: &io::Error) -> Failure {

@@ -6,12 +6,12 @@ use crate::input;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use coface::Error;
+use coface::answers::answer::SimplicesAnswer;
 use coface::answers::text;
 use coface::answers::{model_of_simplices, simplicial_complex};
 use coface::complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
 use coface::io;
 use coface::io::Format;
-use serde_json::{Value, json};
 use std::path::Path;
 use std::str::FromStr;
 
@@ -79,7 +79,7 @@ impl Request<'_> {
         }
         drop(progress);
         if common.json {
-            return print_json(&object(&loaded.name, &set));
+            return print_json(&SimplicesAnswer::of(&loaded.name, &set));
         }
         if common.output.is_some() {
             return Ok(());
@@ -87,14 +87,4 @@ impl Request<'_> {
         let what = format!("{} in {}", self.verb, loaded.name);
         print_text(&text::simplices(&what, &set))
     }
-}
-
-fn object(name: &str, set: &SimplexSet) -> Value {
-    let simplices: Vec<&[u32]> = set.iter().map(Simplex::numbers).collect();
-    json!({
-        "file": name,
-        "simplices": simplices,
-        "f_vector": set.f_vector(),
-        "is_complex": set.is_complex(),
-    })
 }

@@ -9,7 +9,7 @@ use coface::VertexId;
 use coface::answers::SurfaceModel;
 use coface::io::{Format, GroupKind, Model, write_path};
 use coface::{Error, ErrorKind};
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::path::Path;
 
 /// Reads a model as a surface: its name for people, and the surface. With `boundary` it is the boundary of a volume mesh.
@@ -46,28 +46,62 @@ pub(crate) fn read(
     Ok((loaded.name, surface))
 }
 
-/// Writes the model that a verb made: in the format of the extension; as .json the answer of the verb with the faces by their
-/// vertices and the numbers in the file of the vertices; with "positions" and the "copy" of each face where there are any.
-pub(crate) fn save(path: &Path, model: &Model, answer: &Value, common: &Common) -> Result<(), Failure> {
-    if is_json(path) {
+/// The answer of a verb with the mesh that it made.
+#[derive(Serialize)]
+struct WithMesh<'a, A> {
+    #[serde(flatten)]
+    answer: &'a A,
+    /// Triangles are a facet list that can be read again.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    facets: Option<Vec<&'a [u32]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polygons: Option<Vec<&'a [u32]>>,
+    /// For each vertex its number in the file.
+    source: Vec<Option<i64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    positions: Option<Vec<&'a [f64]>>,
+    /// For each face the copy that it is in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    copy: Option<Vec<i64>>,
+}
+
+impl<'a, A> WithMesh<'a, A> {
+    fn new(answer: &'a A, model: &'a Model) -> Self {
         let source = model.data_named("source", GroupKind::Vertices);
         let sources =
             (0..model.vertex_count()).map(|vertex| source.and_then(|data| data.integer_row(vertex)));
-        let mut object = answer.clone();
-        // Triangles are a facet list that can be read again.
-        let is_facets = model.polygons().iter().all(|polygon| polygon.len() == 3);
-        let key = if is_facets { "facets" } else { "polygons" };
-        object[key] = model.polygons().iter().map(|polygon| json!(polygon)).collect();
-        object["source"] = sources.map(|row| row.map(|row| json!(row[0])).unwrap_or_default()).collect();
-        if !model.positions().is_empty() {
-            let point = |vertex| json!(model.positions().point(VertexId::new(vertex)));
-            object["positions"] = (0..model.vertex_count()).map(point).collect();
-        }
-        if let Some(copy) = model.data_named("copy", GroupKind::Polygons) {
+        let faces: Vec<&[u32]> = model.polygons().iter().collect();
+        let (facets, polygons) = match faces.iter().all(|face| face.len() == 3) {
+            true => (Some(faces), None),
+            false => (None, Some(faces)),
+        };
+        let point = |vertex| model.positions().point(VertexId::new(vertex));
+        let copy = model.data_named("copy", GroupKind::Polygons).map(|copy| {
             let rows = (0..model.polygons().len()).filter_map(|face| copy.integer_row(face));
-            object["copy"] = rows.map(|row| json!(row[0])).collect();
+            rows.map(|row| row[0]).collect()
+        });
+        Self {
+            answer,
+            facets,
+            polygons,
+            source: sources.map(|row| row.map(|row| row[0])).collect(),
+            positions: (!model.positions().is_empty())
+                .then(|| (0..model.vertex_count()).map(point).collect()),
+            copy,
         }
-        return write_json(path, &object);
+    }
+}
+
+/// Writes the model that a verb made: in the format of the extension; as .json the answer of the verb with the faces by their
+/// vertices and the numbers in the file of the vertices; with "positions" and the "copy" of each face where there are any.
+pub(crate) fn save(
+    path: &Path,
+    model: &Model,
+    answer: &impl Serialize,
+    common: &Common,
+) -> Result<(), Failure> {
+    if is_json(path) {
+        return write_json(path, &WithMesh::new(answer, model));
     }
     if model.positions().is_empty() && model.vertex_count() > 0 {
         return Err(Failure::new(format!("{}: the model has no positions; write .json", path.display())));

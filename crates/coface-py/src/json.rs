@@ -17,6 +17,11 @@ pub(crate) fn to_python<'py, T: Serialize + ?Sized>(
     value_to_python(py, &value)
 }
 
+/// An answer as a JSON value.
+pub(crate) fn object<T: Serialize + ?Sized>(answer: &T) -> Value {
+    serde_json::to_value(answer).expect("answers have texts as keys")
+}
+
 fn value_to_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     Ok(match value {
         Value::Null => py.None().into_bound(py),

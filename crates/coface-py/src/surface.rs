@@ -8,6 +8,7 @@ pub(crate) use opened::{Cocycles, Cover, Domain};
 use crate::arrays;
 use crate::errors::{OrRaise, invalid};
 use crate::homology::Chain;
+use crate::json::object;
 use crate::memory::shared_ids;
 use crate::model::Model;
 use crate::pi1::FundamentalGroup;
@@ -314,7 +315,7 @@ impl Surface {
                     self.surface.cut_open(&CutRequest { simplify, rounds, base })?
                 }
             };
-            Ok((cut.to_json(), cut.model()?))
+            Ok((object(&cut.answer()), cut.model()?))
         })?;
         Ok(Domain { value, model: Py::new(py, Model::of(model))? })
     }
@@ -379,7 +380,7 @@ impl Surface {
                 Err(_) if choice == Some(LayoutChoice::Any) => None,
                 placed => placed?,
             };
-            Ok((cover.to_json(placed.as_ref()), cover.model(placed.as_ref())?))
+            Ok((object(&cover.answer(placed.as_ref())), cover.model(placed.as_ref())?))
         })?;
         Ok(Cover { value, model: Py::new(py, Model::of(model))? })
     }

@@ -66,3 +66,9 @@ impl HomologyGroup {
         groups.iter().enumerate().map(group).collect()
     }
 }
+
+impl From<&AbelianGroup> for super::GroupAnswer {
+    fn from(group: &AbelianGroup) -> Self {
+        Self { betti: group.betti(), torsion: group.torsion().iter().map(WholeNumber::from).collect() }
+    }
+}

@@ -6,20 +6,40 @@
 //!
 //! [`schema()`] describes all of them as one JSON schema; the file `docs/answers.schema.json` is its output.
 
+mod cover;
+mod cut;
 mod groups;
+mod homology;
+mod incidence;
 mod info;
+mod persistence;
 mod remark;
 mod schema;
+mod shards;
+mod simplices;
+mod view;
 
+pub use cover::{CoverAnswer, DoubleCoverAnswer};
+pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
 pub use groups::{HomologyGroup, WholeNumber};
+pub use homology::{
+    ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, GroupAnswer, HarmonicCochain,
+    HodgeNorms, HodgeParts, HomologyAnswer, InducedMap, InducedMaps, IntersectionFormAnswer, LevelAnswer,
+    PartsAnswer, RealTerm, SequenceAnswer,
+};
+pub use incidence::IncidenceAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,
     ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
 };
+pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use schema::reprinted;
 pub use schema::schema;
+pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
+pub use simplices::SimplicesAnswer;
+pub use view::{LayerAnswer, ViewAnswer};
 
 use serde::Serialize;
 

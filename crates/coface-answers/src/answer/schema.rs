@@ -1,6 +1,9 @@
 //! The JSON schema of all answers.
 
-use super::{InfoAnswer, InfoReports};
+use super::{
+    CoverAnswer, CutAnswer, DoubleCoverAnswer, HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports,
+    PersistenceAnswer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
+};
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
@@ -48,4 +51,20 @@ macro_rules! answers {
 answers! {
     "info" => InfoAnswer,
     "info FILES" => InfoReports,
+    "homology" => HomologyAnswer,
+    "merge" => HomologyAnswer,
+    "shard" => ShardAnswer,
+    "reduce" => ReduceAnswer,
+    "persistence" => PersistenceAnswer,
+    "cut" => CutAnswer,
+    "cover" => CoverAnswer,
+    "cover --orientation" => DoubleCoverAnswer,
+    "star" => SimplicesAnswer,
+    "closure" => SimplicesAnswer,
+    "link" => SimplicesAnswer,
+    "boundary" => SimplicesAnswer,
+    "interior" => SimplicesAnswer,
+    "skeleton" => SimplicesAnswer,
+    "incidence" => IncidenceAnswer,
+    "view" => ViewAnswer,
 }

@@ -8,7 +8,6 @@ use coface_complexes::surface::GeneralizedMap;
 use coface_geometry::Positions;
 use coface_io::{CellData, GroupKind, Model};
 use coface_topology::{CoverExtent, CoverPlane, CutSurface, TreeCotree, UniversalCover};
-use serde_json::{Value, json};
 
 /// Where the copies of a universal cover are to lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,27 +164,18 @@ impl SurfaceCover<'_> {
             .with_data(data("length", GroupKind::Polygons, lengths)?)
     }
 
-    /// Everything as JSON: what is covered, its group, the copies by word length (`spheres`), the edges that letters cross, by their vertices in
-    /// the file, the word of each copy, and the layout: `flat`, `disk` or null.
-    pub fn to_json(&self, placed: Option<&PlacedCover>) -> Value {
-        let cover = &self.cover;
-        let letters: Vec<[u32; 2]> =
-            cover.letters().into_iter().map(|edge| self.surface.edge_numbers(edge)).collect();
-        let words: Vec<Vec<i32>> =
-            (0..cover.copy_count()).map(|copy| cover.copy_word(copy).letters().to_vec()).collect();
-        json!({
-            "component": self.component,
-            "components": self.component_count,
-            "surface": self.below,
-            "group": cover.group().name().to_string(),
-            "copies": cover.copy_count(),
-            "complete": cover.is_complete(),
-            "spheres": cover.sphere_sizes(),
-            "f_vector": cover.f_vector(),
-            "euler_characteristic": cover.euler_characteristic(),
-            "letters": letters,
-            "words": words,
-            "layout": placed.map(PlacedCover::word),
-        })
+    /// The component that is covered, counted from 0.
+    pub(crate) fn component(&self) -> usize {
+        self.component
+    }
+
+    /// The surface below, in words.
+    pub(crate) fn below(&self) -> &str {
+        &self.below
+    }
+
+    /// The edges that letters cross, by their vertices in the file.
+    pub(crate) fn letter_edges(&self) -> Vec<[u32; 2]> {
+        self.cover.letters().into_iter().map(|edge| self.surface.edge_numbers(edge)).collect()
     }
 }

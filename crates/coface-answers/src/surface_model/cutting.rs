@@ -7,7 +7,6 @@ use coface_algebra::{RaggedArray, Sign, Word};
 use coface_complexes::surface::{GeneralizedMap, PathKind, Slice};
 use coface_io::{CellData, GroupKind, Model};
 use coface_topology::{CutGraph, CutSurface, TreeCotree};
-use serde_json::{Value, json};
 
 /// How a surface is to be cut open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,6 +46,11 @@ impl CutSeam {
     /// What it is for: `handle`, `crosscap`, `join`, `slit`; of a path that was given `two-sided`, `one-sided` or `open`.
     pub fn kind(&self) -> &str {
         &self.kind
+    }
+
+    /// Its length in the unit of the file; `None` without positions.
+    pub(crate) fn length(&self) -> Option<f64> {
+        self.length
     }
 
     /// Its steps: 2e along edge e, 2e + 1 against it.
@@ -304,46 +308,19 @@ impl SurfaceCut<'_> {
             .with_data(CellData::integers("source", GroupKind::Lines, 2, sources)?)
     }
 
-    /// Everything as JSON: `components`, each with its counts and, of a surface cut to disks, seams and words; `f_vector`; `simplified`; of a
-    /// path its kind and number of edges, else null.
-    pub fn to_json(&self) -> Value {
-        let path =
-            self.slice.path_kind().map(|_| json!({"kind": self.seams[0].kind, "edges": self.edges.len()}));
-        let component = |component: &CutComponent| {
-            let mut object = json!({
-                "surface": component.surface,
-                "cut_edges": component.cut_edges,
-                "boundary_edges": component.boundary_edges,
-                "euler_characteristic": component.euler_characteristic(),
-                "f_vector": component.f_vector,
-            });
-            if let Some(base) = component.base {
-                object["base"] = base.into();
-                object["generators"] = component.generators.into();
-                object["relator"] =
-                    component.relator.as_ref().map(|relator| relator.letters().to_vec()).into();
-                object["seams"] = component.seams.iter().map(|&seam| self.seam_to_json(seam)).collect();
-                object["word"] = component.word.clone().into();
-            }
-            object
-        };
-        json!({
-            "simplified": self.is_simplified,
-            "path": path,
-            "components": self.components.iter().map(component).collect::<Vec<_>>(),
-            "f_vector": self.slice.surface().f_vector(),
-        })
+    /// Whether it was cut along a path, and not to disks.
+    pub(crate) fn is_along_path(&self) -> bool {
+        self.slice.path_kind().is_some()
     }
 
-    fn seam_to_json(&self, number: usize) -> Value {
-        let seam = &self.seams[number];
-        json!({
-            "number": number + 1,
-            "kind": seam.kind,
-            "edges": seam.steps.len(),
-            "length": seam.length,
-            "vertices": self.seam_vertices(number),
-        })
+    /// Whether loose ends were left out and seams made short.
+    pub(crate) fn is_simplified(&self) -> bool {
+        self.is_simplified
+    }
+
+    /// The numbers of vertices, edges and faces of all pieces together.
+    pub(crate) fn f_vector(&self) -> Vec<usize> {
+        self.slice.surface().f_vector()
     }
 }
 

@@ -2,15 +2,16 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, remark};
+use crate::output::{print_json, print_text, say_remarks};
 use crate::progress::Progress;
 use crate::surface;
 use clap::{ArgGroup, Args, ValueEnum};
 use coface::Error;
+use coface::answers::answer::{CoverAnswer, DoubleCoverAnswer, Remark, RemarkCode};
 use coface::answers::text;
 use coface::answers::{LayoutChoice, SurfaceModel};
 use coface::topology::{CoverExtent, UniversalCover};
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::path::PathBuf;
 
 /// The universal cover of a surface, as far as is asked for, or its orientation double cover.
@@ -79,17 +80,19 @@ impl Cover {
             Layout::Flat => Some(LayoutChoice::Flat),
             Layout::Disk => Some(LayoutChoice::Disk),
         };
+        let mut remarks = Vec::new();
         let placed = match choice.map(|choice| cover.placed(choice)).transpose() {
             Err(error) if self.layout == Layout::Auto => {
-                if !common.quiet {
-                    remark(&format!("the mesh lies over the surface: {}", error.message()));
-                }
+                let message = format!("the mesh lies over the surface: {}", error.message());
+                remarks.push(Remark::new(RemarkCode::LayoutReplaced, message));
                 None
             }
             placed => placed.map_err(in_file)?,
         };
-        let mut object = cover.to_json(placed.as_ref());
-        object["file"] = name.clone().into();
+        say_remarks(&remarks, common);
+        let mut object = cover.answer(placed.as_ref());
+        object.file = Some(name.clone());
+        object.remarks = remarks;
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
             surface::save(path, &cover.model(placed.as_ref())?, &object, common)?;
@@ -111,14 +114,15 @@ impl Cover {
             map.surfaces().iter().map(ToString::to_string).collect()
         };
         let [below, above] = [surfaces(surface.map()), surfaces(&map)];
-        let object = json!({
-            "file": name,
-            "copies": 2,
-            "surfaces_below": below,
-            "surfaces": above,
-            "f_vector": [v, e, f],
-            "euler_characteristic": v as i64 - e as i64 + f as i64,
-        });
+        let object = DoubleCoverAnswer {
+            file: name.to_owned(),
+            copies: 2,
+            surfaces_below: below,
+            surfaces: above,
+            f_vector: [v, e, f],
+            euler_characteristic: v as i64 - e as i64 + f as i64,
+            remarks: Vec::new(),
+        };
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
             surface::save(path, &model, &object, common)?;
@@ -127,8 +131,8 @@ impl Cover {
         answer(common, &object, || {
             let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
             let facts = [
-                fact("surface", names(&below), ""),
-                fact("cover", names(&above), "each face twice, once for each side"),
+                fact("surface", names(&object.surfaces_below), ""),
+                fact("cover", names(&object.surfaces), "each face twice, once for each side"),
                 fact("cells", counts([v, e, f]), ""),
             ];
             text::facts(&format!("orientation double cover of {name}"), &facts)
@@ -137,7 +141,7 @@ impl Cover {
 }
 
 /// The answer on standard output; -o has the mesh.
-fn answer(common: &Common, object: &Value, page: impl FnOnce() -> String) -> Result<(), Failure> {
+fn answer(common: &Common, object: &impl Serialize, page: impl FnOnce() -> String) -> Result<(), Failure> {
     match (common.json, &common.output) {
         (true, _) => print_json(object),
         (false, Some(_)) if common.quiet => Ok(()),
@@ -159,17 +163,17 @@ fn counts([v, e, f]: [usize; 3]) -> String {
     format!("{}, {}, {}", text::count(v, "vertex"), text::count(e, "edge"), text::count(f, "face"))
 }
 
-fn page(name: &str, object: &Value, cover: &UniversalCover) -> String {
+fn page(name: &str, object: &CoverAnswer, cover: &UniversalCover) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };
-    let component = match (object["component"].as_u64(), object["components"].as_u64()) {
-        (Some(i), Some(count)) if count > 1 => format!("component {i} of 0 to {}", count - 1),
+    let component = match (object.component, object.components) {
+        (i, count) if count > 1 => format!("component {i} of 0 to {}", count - 1),
         _ => String::new(),
     };
-    fact("surface", object["surface"].as_str().unwrap_or_default().to_owned(), &component);
-    fact("group", object["group"].as_str().unwrap_or_default().to_owned(), "of deck transformations");
+    fact("surface", object.surface.clone(), &component);
+    fact("group", object.group.clone(), "of deck transformations");
     let whole = if cover.is_complete() { "the whole cover" } else { "part of the cover" };
     fact("copies", cover.copy_count().to_string(), whole);
     let (spheres, skeleton) = (cover.sphere_sizes(), cover.skeleton());

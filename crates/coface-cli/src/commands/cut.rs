@@ -2,14 +2,14 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, remark};
+use crate::output::{print_json, print_text, say_remarks};
 use crate::progress::Progress;
 use crate::surface;
 use clap::Args;
 use coface::algebra::Word;
+use coface::answers::answer::{CutAnswer, Remark, RemarkCode};
 use coface::answers::text;
 use coface::answers::{CutRequest, SurfaceCut, SurfaceModel};
-use serde_json::Value;
 use std::path::PathBuf;
 
 /// Cut a surface open: each component to a disk, or along one path of edges.
@@ -60,14 +60,17 @@ impl Cut {
                 .map_err(|error| error.in_file(name.clone()))?,
         };
         let cut = surface.cut_open(&request).map_err(|error| error.in_file(name.clone()))?;
-        if cut.is_long() && !common.quiet {
-            remark(&format!(
+        let mut remarks = Vec::new();
+        if cut.is_long() {
+            let message = format!(
                 "{} seams on {} sides of faces are not made shorter; --rounds 1 does it",
                 cut.seams().len(),
                 surface.map().side_count()
-            ));
+            );
+            remarks.push(Remark::new(RemarkCode::StepLeftOut, message).at(cut.seams().len(), []));
         }
-        let object = self.save(&cut, &name, common, &progress)?;
+        say_remarks(&remarks, common);
+        let object = self.save(&cut, &name, remarks, common, &progress)?;
         drop(progress);
         answer(common, &object, &page(&name, &cut))
     }
@@ -77,11 +80,13 @@ impl Cut {
         &self,
         cut: &SurfaceCut<'_>,
         name: &str,
+        remarks: Vec<Remark>,
         common: &Common,
         progress: &Progress,
-    ) -> Result<Value, Failure> {
-        let mut object = cut.to_json();
-        object["file"] = name.into();
+    ) -> Result<CutAnswer, Failure> {
+        let mut object = cut.answer();
+        object.file = Some(name.to_owned());
+        object.remarks = remarks;
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
             surface::save(path, &cut.model()?, &object, common)?;
@@ -100,7 +105,7 @@ impl Cut {
     ) -> Result<(), Failure> {
         let in_path = |error: coface::Error| Failure::new(format!("{name}: --along \"{path}\": {error}"));
         let cut = surface.cut_along(&vertices_of(path)?).map_err(in_path)?;
-        let object = self.save(&cut, name, common, &progress)?;
+        let object = self.save(&cut, name, Vec::new(), common, &progress)?;
         drop(progress);
         let kind = cut.seams()[0].kind();
         let mut facts = vec![(
@@ -117,7 +122,7 @@ impl Cut {
 }
 
 /// The answer on standard output; -o has the mesh.
-fn answer(common: &Common, object: &Value, page: &str) -> Result<(), Failure> {
+fn answer(common: &Common, object: &CutAnswer, page: &str) -> Result<(), Failure> {
     match (common.json, &common.output) {
         (true, _) => print_json(object),
         (false, Some(_)) if common.quiet => Ok(()),

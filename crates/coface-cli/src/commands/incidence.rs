@@ -9,12 +9,12 @@ use clap::Args;
 use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, SparseMatrix};
 use coface::answers::Producer;
+use coface::answers::answer::{IncidenceAnswer, to_json};
 use coface::answers::text;
 use coface::complexes::lar::{LarModel, Operator, Shared};
 use coface::io::matrix_market;
 use coface::io::matrix_market::MatrixField;
 use coface::io::replace_file;
-use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -226,18 +226,18 @@ impl Shown {
 
     /// The object, entry after entry.
     fn write_json(&self, with_entries: bool, out: &mut dyn Write) -> io::Result<()> {
-        let histogram: serde_json::Map<String, serde_json::Value> =
-            self.histogram.iter().map(|(entry, &times)| (entry.to_string(), times.into())).collect();
-        let object = json!({
-            "file": self.file,
-            "operator": self.operator.to_string(),
-            "kind": self.kind.name(),
-            "rows": self.rows,
-            "columns": self.columns,
-            "entries_count": self.entry_count(),
-            "histogram": histogram,
+        // Entries are written one by one: there may be many.
+        let text = to_json(&IncidenceAnswer {
+            file: self.file.clone(),
+            operator: self.operator.to_string(),
+            kind: self.kind.name().to_owned(),
+            rows: self.rows,
+            columns: self.columns,
+            entries_count: self.entry_count(),
+            histogram: self.histogram.iter().map(|(entry, &times)| (entry.to_string(), times)).collect(),
+            entries: None,
+            remarks: Vec::new(),
         });
-        let text = object.to_string();
         match (&self.by_rows, with_entries) {
             (Some(by_rows), true) => {
                 // Before the brace that ends the object.

@@ -6,11 +6,12 @@ use crate::output::{give, is_json, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::algebra::Integer;
+use coface::answers::answer::{
+    GeneratorAnswer, GeneratorsFile, HomologyAnswer, LevelAnswer, PartsAnswer, WholeNumber,
+};
 use coface::answers::text;
-use coface::answers::{groups_to_json, integer_to_json};
 use coface::scale::shards::{FolderLevel, FolderSummary, ShardChain, ShardChains, ShardFolder, ShardTerm};
 use coface::topology::{AbelianGroup, Coefficients};
-use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Merge reduced shards, level after level, to the homology of the whole.
@@ -70,16 +71,14 @@ impl Merge {
         progress.stage("merging");
         let answer = Answer::of(&folder, &self.question, self.force)?;
         drop(progress);
-        if let Some(Some(place)) = &self.question.generators {
-            write_json(place, &json!({ "generators": answer.object["generators"] }))?;
-        }
+        answer.save_generators(&self.question)?;
         give(common, &answer.object, &answer.page)
     }
 }
 
 /// What is said about a merged folder.
 pub(crate) struct Answer {
-    pub(crate) object: Value,
+    pub(crate) object: HomologyAnswer,
     pub(crate) page: String,
 }
 
@@ -94,36 +93,37 @@ impl Answer {
             false => summary.homology.with_coefficients(question.coefficients),
         };
         let groups = groups.groups();
-        let level = |level: &FolderLevel| {
-            json!({
-                "parts": level.parts,
-                "strata": level.strata,
-                "critical": level.critical,
-                "critical_per_stratum": level.critical_per_stratum(),
-                "bytes": level.bytes,
-                "widest_bits": level.widest,
-            })
+        let level = |level: &FolderLevel| LevelAnswer {
+            parts: level.parts,
+            strata: level.strata,
+            critical: level.critical.clone(),
+            critical_per_stratum: level.critical_per_stratum(),
+            bytes: level.bytes,
+            widest_bits: level.widest,
         };
-        let mut object = json!({
-            "file": name,
-            "coefficients": question.coefficients.to_string(),
-            "cohomology": question.cohomology,
-            "homology": groups_to_json(groups),
-            "f_vector": summary.cells,
-            "parts": {
-                "count": summary.levels[0].parts,
-                "fan_in": fan_in,
-                "critical_per_stratum": summary.levels[0].critical_per_stratum(),
-                "bytes": summary.levels.iter().map(|level| level.bytes).sum::<u64>(),
-                "levels": summary.levels.iter().map(level).collect::<Value>(),
-            },
+        let mut object = HomologyAnswer::of(name, question.coefficients, question.cohomology, groups);
+        object.f_vector = Some(summary.cells.clone());
+        object.parts = Some(PartsAnswer {
+            count: summary.levels[0].parts,
+            fan_in,
+            critical_per_stratum: summary.levels[0].critical_per_stratum(),
+            bytes: summary.levels.iter().map(|level| level.bytes).sum(),
+            levels: summary.levels.iter().map(level).collect(),
         });
         let mut page = page(name, question, groups, &summary);
         if let Some(chains) = &chains {
-            object["generators"] = generators_to_json(chains);
+            object.generators = Some(generators(chains));
             page += &list(chains);
         }
         Ok(Self { object, page })
+    }
+
+    /// Writes the generators to their file, if one is named.
+    pub(crate) fn save_generators(&self, question: &Question) -> Result<(), Failure> {
+        if let (Some(Some(place)), Some(generators)) = (&question.generators, &self.object.generators) {
+            write_json(place, &GeneratorsFile { generators: generators.clone() })?;
+        }
+        Ok(())
     }
 }
 
@@ -153,17 +153,15 @@ fn length(terms: &[ShardTerm]) -> Integer {
     length
 }
 
-fn generators_to_json(chains: &ShardChains) -> Value {
-    let object = |chain: &ShardChain| {
-        let terms: Value =
-            chain.terms.iter().map(|term| json!([integer_to_json(&term.coefficient), term.name])).collect();
-        json!({
-            "order": chain.order.as_ref().map_or(Value::from(0), integer_to_json),
-            "length": integer_to_json(&length(&chain.terms)),
-            "chain": terms,
-        })
+fn generators(chains: &ShardChains) -> Vec<Vec<GeneratorAnswer>> {
+    let term = |term: &ShardTerm| (WholeNumber::from(&term.coefficient), term.name.clone());
+    let generator = |chain: &ShardChain| GeneratorAnswer {
+        order: WholeNumber::of_order(chain.order.as_ref()),
+        length: WholeNumber::from(&length(&chain.terms)),
+        chain: chain.terms.iter().map(term).collect(),
+        bounding: None,
     };
-    chains.degrees.iter().map(|chains| chains.iter().map(object).collect::<Value>()).collect()
+    chains.degrees.iter().map(|chains| chains.iter().map(generator).collect()).collect()
 }
 
 fn list(chains: &ShardChains) -> String {

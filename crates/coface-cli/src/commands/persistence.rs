@@ -8,10 +8,10 @@ use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::Producer;
+use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{DiagramFormat, write_diagram};
 use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
-use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -101,7 +101,7 @@ impl Persistence {
         let diagram =
             persistence(&complex, &filtration, self.coefficients)?.longer_than(self.min_persistence);
         progress.stage("writing");
-        let as_object = || self.object(&name, &function, &diagram, &producer);
+        let as_object = || self.answer(&name, &function, &diagram, &producer);
         match output {
             Some((path, Output::Json)) => write_json(path, &as_object())?,
             Some((path, Output::Text(format))) => {
@@ -132,24 +132,29 @@ impl Persistence {
         }
     }
 
-    fn object(&self, name: &str, function: &str, diagram: &PersistenceDiagram, producer: &Producer) -> Value {
-        let pair = |pair: &PersistencePair| {
-            json!({
-                "degree": pair.degree(),
-                "birth": pair.birth(),
-                "death": pair.death(),
-                "birth_cell": producer.cell_vertices(pair.degree(), pair.birth_cell().index()),
-                "death_cell": pair.death_cell().map(|cell| producer.cell_vertices(pair.degree() + 1, cell.index())),
-            })
+    fn answer(
+        &self,
+        name: &str,
+        function: &str,
+        diagram: &PersistenceDiagram,
+        producer: &Producer,
+    ) -> PersistenceAnswer {
+        let pair = |pair: &PersistencePair| PersistencePairAnswer {
+            degree: pair.degree(),
+            birth: pair.birth(),
+            death: pair.death(),
+            birth_cell: producer.cell_vertices(pair.degree(), pair.birth_cell().index()),
+            death_cell: pair.death_cell().map(|cell| producer.cell_vertices(pair.degree() + 1, cell.index())),
         };
-        json!({
-            "file": name,
-            "field": diagram.prime(),
-            "function": function,
-            "star": self.star(),
-            "diagram": diagram.pairs().iter().map(pair).collect::<Vec<_>>(),
-            "betti": diagram.betti_numbers(),
-        })
+        PersistenceAnswer {
+            file: name.to_owned(),
+            field: diagram.prime(),
+            function: function.to_owned(),
+            star: self.star().map(str::to_owned),
+            diagram: diagram.pairs().iter().map(pair).collect(),
+            betti: diagram.betti_numbers(),
+            remarks: Vec::new(),
+        }
     }
 
     /// The diagram for people: for each degree the longest pairs.

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use clap::Args;
+use coface::answers::answer::{ReduceAnswer, ReducedShard};
 use coface::scale::shards::{ReducedStep, ShardFolder, reduce_file};
-use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Reduce shards: leave their critical cells, each with its exact boundary.
@@ -45,26 +45,27 @@ impl Reduce {
         }
         drop(progress);
         if common.json {
-            return print_json(&json!({ "reduced": steps.iter().map(to_json).collect::<Value>() }));
+            let reduced = steps.iter().map(reduced).collect();
+            return print_json(&ReduceAnswer { reduced, remarks: Vec::new() });
         }
         print_text(&steps.iter().map(line).collect::<String>())
     }
 }
 
-/// A step as JSON.
-pub(super) fn to_json(step: &ReducedStep) -> Value {
+/// A step as plain data.
+fn reduced(step: &ReducedStep) -> ReducedShard {
     let summary = &step.summary;
-    json!({
-        "file": step.path.display().to_string(),
-        "skipped": !step.is_new,
-        "level": summary.place.level,
-        "number": summary.place.number,
-        "cells": summary.cells,
-        "strata": summary.strata,
-        "critical": summary.critical,
-        "bytes": summary.bytes,
-        "checksum": format!("{:016x}", summary.checksum),
-    })
+    ReducedShard {
+        file: step.path.display().to_string(),
+        skipped: !step.is_new,
+        level: summary.place.level,
+        number: summary.place.number,
+        cells: summary.cells.clone(),
+        strata: summary.strata,
+        critical: summary.critical.clone(),
+        bytes: summary.bytes,
+        checksum: format!("{:016x}", summary.checksum),
+    }
 }
 
 fn line(step: &ReducedStep) -> String {

@@ -6,12 +6,12 @@ use crate::input::{self, Source};
 use crate::output::{print_json, print_text, remark};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
+use coface::answers::answer::ShardAnswer;
 use coface::io::{Structure, format_of_path};
 use coface::scale::shards::{
     GridSort, Owners, ShardFolder, ShardRequest, shard_grid, shard_mesh_file, shard_model, shard_volume,
     shard_volume_file,
 };
-use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Cut a model into shards: files that are reduced one by one and merged.
@@ -226,14 +226,15 @@ impl Shard {
         let (mut total, mut largest) = (0u64, 0);
         sizes.for_each(|size| (total, largest) = (total + size, largest.max(size)));
         if common.json {
-            return print_json(&json!({
-                "file": manifest.source.name,
-                "output": folder.display().to_string(),
-                "parts": manifest.part_count,
-                "fan_in": manifest.fan_in,
-                "bytes": total,
-                "largest": largest,
-            }));
+            return print_json(&ShardAnswer {
+                file: manifest.source.name.clone(),
+                output: folder.display().to_string(),
+                parts: manifest.part_count,
+                fan_in: manifest.fan_in,
+                bytes: total,
+                largest,
+                remarks: Vec::new(),
+            });
         }
         print_text(&format!(
             "{} shards of {} in {}: {total} bytes, the largest {largest}\n",

@@ -6,10 +6,11 @@ use crate::input;
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use clap::Args;
+use coface::answers::answer::{LayerAnswer, ViewAnswer};
 use coface::answers::{PlanarSet, Report, SetRequest};
 use coface::io::{Format, Model};
 use coface::pictures::Scene;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// Write one page that shows a model: opens from disk in any browser, without a network.
@@ -56,20 +57,20 @@ impl View {
             None => return print_bytes(|out| out.write_all(page.as_bytes())),
         }
         if common.json {
-            let layers: Vec<Value> = scene
-                .layers()
-                .iter()
-                .map(|layer| json!({"group": layer.group, "name": layer.name, "detail": layer.detail}))
-                .collect();
-            let panes: Vec<&str> = scene.panes().iter().map(|pane| pane.name.as_str()).collect();
-            print_json(&json!({
-                "file": name,
-                "page": common.output.as_ref().map(|path| path.display().to_string()),
-                "bytes": page.len(),
-                "triangles": scene.triangles().len(),
-                "layers": layers,
-                "panes": panes,
-            }))?;
+            let layers = scene.layers().iter().map(|layer| LayerAnswer {
+                group: layer.group.clone(),
+                name: layer.name.clone(),
+                detail: layer.detail.clone(),
+            });
+            print_json(&ViewAnswer {
+                file: name,
+                page: common.output.as_ref().map(|path| path.display().to_string()),
+                bytes: page.len(),
+                triangles: scene.triangles().len(),
+                layers: layers.collect(),
+                panes: scene.panes().iter().map(|pane| pane.name.clone()).collect(),
+                remarks: Vec::new(),
+            })?;
         }
         Ok(())
     }

@@ -2,13 +2,12 @@
 
 use crate::chains::{GivenChain, Naming};
 use coface::algebra::chains::ChainComplex;
-use coface::answers::integer_to_json;
+use coface::answers::answer::{CycleClass, WholeNumber};
 use coface::topology::{Bounding, HomologyBasis};
-use serde_json::{Value, json};
 
 /// The class of a cycle, and whether it bounds.
 pub(super) struct Verdict {
-    pub(super) object: Value,
+    pub(super) object: CycleClass,
     pub(super) words: String,
 }
 
@@ -30,32 +29,33 @@ pub(super) fn verdict(
         .with_cure("give a chain whose boundary is zero"));
     }
     let class = basis.class_of(&cycle)?;
-    let orders: Vec<Value> = basis
+    let orders = basis
         .generators(cycle.degree())
         .iter()
-        .map(|generator| generator.order().map_or(Value::from(0), integer_to_json))
+        .map(|generator| WholeNumber::of_order(generator.order()))
         .collect();
-    let mut object = json!({
-        "degree": chain.degree(),
-        "class": class.coefficients().iter().map(integer_to_json).collect::<Vec<_>>(),
-        "orders": orders,
-        "bounds": class.is_zero(),
-        "multiple": class.order().as_ref().map(integer_to_json),
-        "bounding": null,
-        "cocycle": null,
-    });
+    let mut object = CycleClass {
+        degree: chain.degree(),
+        class: class.coefficients().iter().map(WholeNumber::from).collect(),
+        orders,
+        bounds: class.is_zero(),
+        multiple: class.order().as_ref().map(WholeNumber::from),
+        bounding: None,
+        cocycle: None,
+        value: None,
+    };
     let words = match basis.bounding(&cycle)? {
         Bounding::Bounds(chain) => {
-            object["bounding"] = naming.terms(chain.degree(), chain.terms());
+            object.bounding = Some(naming.terms(chain.degree(), chain.terms()));
             format!("bounds a chain of {} cells", chain.terms().len())
         }
         Bounding::MultipleBounds { multiple, chain } => {
-            object["bounding"] = naming.terms(chain.degree(), chain.terms());
+            object.bounding = Some(naming.terms(chain.degree(), chain.terms()));
             format!("does not bound, {multiple} times it bounds a chain of {} cells", chain.terms().len())
         }
         Bounding::Never { cocycle, value } => {
-            object["cocycle"] = naming.terms(cocycle.degree(), cocycle.terms());
-            object["value"] = integer_to_json(&value);
+            object.cocycle = Some(naming.terms(cocycle.degree(), cocycle.terms()));
+            object.value = Some(WholeNumber::from(&value));
             format!("does not bound, nor does any multiple: a cocycle has the value {value} on it")
         }
         _ => "of unknown kind".to_owned(),

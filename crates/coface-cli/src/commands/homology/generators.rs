@@ -6,11 +6,10 @@ use crate::output::write_json;
 use coface::CellId;
 use coface::algebra::Integer;
 use coface::algebra::chains::{Chain, ChainComplex};
-use coface::answers::integer_to_json;
+use coface::answers::answer::{GeneratorAnswer, GeneratorsFile, WholeNumber};
 use coface::io;
 use coface::io::Format;
 use coface::topology::{Coefficients, HomologyBasis};
-use serde_json::{Value, json};
 use std::path::Path;
 
 /// The generators of each degree of the model, cycles or cocycles.
@@ -69,19 +68,14 @@ impl Found {
 
 /// The generators of each degree as `[{"order":0,"length":n,"chain":[[coefficient,[vertices..]],..]},..]`, with `"bounding"`
 /// where the order is finite.
-pub(super) fn to_json(found: &[Vec<Found>], naming: &Naming<'_>) -> Value {
-    let object = |found: &Found| {
-        let mut object = json!({
-            "order": found.order.as_ref().map_or(Value::from(0), integer_to_json),
-            "length": integer_to_json(&found.length()),
-            "chain": naming.terms(found.degree, &found.terms),
-        });
-        if let Some(chain) = &found.bounding {
-            object["bounding"] = naming.terms(chain.degree(), chain.terms());
-        }
-        object
+pub(super) fn answer(found: &[Vec<Found>], naming: &Naming<'_>) -> Vec<Vec<GeneratorAnswer>> {
+    let generator = |found: &Found| GeneratorAnswer {
+        order: WholeNumber::of_order(found.order.as_ref()),
+        length: WholeNumber::from(&found.length()),
+        chain: naming.terms(found.degree, &found.terms),
+        bounding: found.bounding.as_ref().map(|chain| naming.terms(chain.degree(), chain.terms())),
     };
-    found.iter().map(|list| list.iter().map(object).collect::<Value>()).collect()
+    found.iter().map(|list| list.iter().map(generator).collect()).collect()
 }
 
 /// One line for each generator, with its cells if they are few.
@@ -119,10 +113,10 @@ pub(super) fn save(
     found: &[Vec<Found>],
     naming: &Naming<'_>,
     whole: &ChainComplex,
-    object: &Value,
+    generators: &[Vec<GeneratorAnswer>],
 ) -> Result<(), Failure> {
     if matches!(Format::from_path(place), None | Some(Format::Json)) {
-        return write_json(place, &json!({ "generators": object }));
+        return write_json(place, &GeneratorsFile { generators: generators.to_vec() });
     }
     let mut named = Vec::new();
     for (degree, list) in found.iter().enumerate() {

@@ -3,14 +3,19 @@
 use crate::failure::Failure;
 use crate::input::Loaded;
 use coface::Error;
-use coface::answers::{Producer, integer_to_json};
+use coface::answers::Producer;
+use coface::answers::answer::{GroupAnswer, InducedMap, InducedMaps, WholeNumber};
 use coface::complexes::simplicial::{FrozenComplex, SimplicialMap};
-use coface::topology::{AbelianGroup, HomologyBasis, HomologyMap, induced_maps};
-use serde_json::{Value, json};
+use coface::topology::{HomologyBasis, HomologyMap, induced_maps};
+use serde_json::Value;
 use std::path::Path;
 
 /// The maps that a simplicial map induces, with kernels and cokernels, and a page that shows them.
-pub(super) fn answer(source: &Producer, map: &Path, target: Loaded) -> Result<(Value, String), Failure> {
+pub(super) fn answer(
+    source: &Producer,
+    map: &Path,
+    target: Loaded,
+) -> Result<(InducedMaps, String), Failure> {
     let images = read_images(map)?;
     let target_name = target.name.clone();
     let in_target = |error: Error| error.in_file(target_name.clone());
@@ -24,21 +29,15 @@ pub(super) fn answer(source: &Producer, map: &Path, target: Loaded) -> Result<(V
         &HomologyBasis::new(&from),
         &HomologyBasis::new(&to),
     )?;
-    let group = |group: &AbelianGroup| json!({"betti": group.betti(), "torsion": group.torsion().iter().map(integer_to_json).collect::<Vec<_>>()});
-    let degrees: Vec<Value> = maps
-        .iter()
-        .enumerate()
-        .map(|(degree, map)| {
-            json!({
-                "degree": degree,
-                "source_orders": orders(map.source_orders()),
-                "target_orders": orders(map.target_orders()),
-                "matrix": matrix(map),
-                "kernel": group(&map.kernel()),
-                "cokernel": group(&map.cokernel()),
-            })
-        })
-        .collect();
+    let degrees = maps.iter().enumerate().map(|(degree, map)| InducedMap {
+        degree,
+        source_orders: orders(map.source_orders()),
+        target_orders: orders(map.target_orders()),
+        matrix: matrix(map),
+        kernel: GroupAnswer::from(&map.kernel()),
+        cokernel: GroupAnswer::from(&map.cokernel()),
+    });
+    let degrees = degrees.collect();
     let mut page = format!("  induced map to {target_name}; columns are images of generators\n");
     for (degree, map) in maps.iter().enumerate() {
         page += &format!(
@@ -48,7 +47,7 @@ pub(super) fn answer(source: &Producer, map: &Path, target: Loaded) -> Result<(V
             map.cokernel()
         );
     }
-    Ok((json!({"target": target_name, "degrees": degrees}), page))
+    Ok((InducedMaps { target: target_name, degrees }, page))
 }
 
 fn simplices(producer: &Producer) -> Result<FrozenComplex, Error> {
@@ -79,12 +78,12 @@ fn read_images(path: &Path) -> Result<Vec<(u32, u32)>, Failure> {
 }
 
 /// The columns of a map: for each generator of the source the coefficients of its image.
-pub(super) fn matrix(map: &HomologyMap) -> Value {
-    map.columns().iter().map(|column| column.iter().map(integer_to_json).collect::<Value>()).collect()
+pub(super) fn matrix(map: &HomologyMap) -> Vec<Vec<WholeNumber>> {
+    map.columns().iter().map(|column| column.iter().map(WholeNumber::from).collect()).collect()
 }
 
-fn orders(orders: &[Option<coface::algebra::Integer>]) -> Value {
-    orders.iter().map(|order| order.as_ref().map_or(Value::from(0), integer_to_json)).collect()
+fn orders(orders: &[Option<coface::algebra::Integer>]) -> Vec<WholeNumber> {
+    orders.iter().map(|order| WholeNumber::of_order(order.as_ref())).collect()
 }
 
 /// A small matrix by columns, or its size.

@@ -17,12 +17,12 @@ use crate::output::give;
 use crate::progress::Progress;
 use clap::Args;
 use coface::algebra::chains::ChainComplex;
+use coface::answers::answer::HomologyAnswer;
 use coface::answers::text;
-use coface::answers::{Pair, Producer, groups_to_json, homology_of_volume};
+use coface::answers::{Pair, Producer, homology_of_volume};
 use coface::io::{ReadOptions, Structure};
 use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyBasis, homology};
 use parts::PartsOptions;
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Homology groups: how many components, loops and cavities a model has, and its torsion.
@@ -127,10 +127,11 @@ impl Homology {
         if let (Some(basis), Some(place)) = (&basis, &self.generators) {
             progress.stage("finding generators");
             let found = generators::find(basis, &naming, self.coefficients, self.cohomology);
-            object["generators"] = generators::to_json(&found, &naming);
+            let generators = generators::answer(&found, &naming);
             if let Some(place) = place {
-                generators::save(place, &found, &naming, &whole, &object["generators"])?;
+                generators::save(place, &found, &naming, &whole, &generators)?;
             }
+            object.generators = Some(generators);
             page += &generators::list(&found, self.cohomology, &naming);
         }
         if let Some(basis) = basis.as_ref().filter(|_| !given.is_empty()) {
@@ -142,44 +143,44 @@ impl Homology {
                 page += &format!("    {argument}: {}\n", verdict.words);
                 verdicts.push(verdict.object);
             }
-            object["cycles"] = verdicts.into();
+            object.cycles = Some(verdicts);
         }
         if let Some(pair) = pair.as_ref().filter(|_| self.sequence) {
             progress.stage("computing the long exact sequence");
             let (value, words) = sequence::answer(&whole, pair)?;
-            object["sequence"] = value;
+            object.sequence = Some(value);
             page += &words;
         }
         if let Some(&[p, q]) = self.cup.as_deref() {
             progress.stage("multiplying cocycles");
             let (value, words) = products::cup(&producer, p, q, self.coefficients)
                 .map_err(|error| error.in_file(name.clone()))?;
-            object["cup"] = value;
+            object.cup = Some(value);
             page += &words;
         }
         if self.intersection_form {
             progress.stage("computing the intersection form");
             let (value, words) = products::form(&producer).map_err(|error| error.in_file(name.clone()))?;
-            object["intersection_form"] = value;
+            object.intersection_form = Some(value);
             page += &words;
         }
         if let Some(basis) = basis.as_ref().filter(|_| self.harmonic) {
             progress.stage("solving for harmonic cochains");
             let (value, words) = harmonic::cochains(basis, &naming)?;
-            object["harmonic"] = value;
+            object.harmonic = Some(value);
             page += &words;
         }
         if let Some(file) = &self.decompose {
             progress.stage("decomposing the cochain");
             let (value, words) = harmonic::decomposition(complex, &naming, file)?;
-            object["decomposition"] = value;
+            object.decomposition = Some(value);
             page += &words;
         }
         if let (Some(map), Some(target)) = (&self.map, &self.target) {
             let target = input::read(target, ReadOptions::default(), &progress)?;
             progress.stage("computing the induced map");
             let (value, words) = maps::answer(&producer, map, target)?;
-            object["map"] = value;
+            object.map = Some(value);
             page += &words;
         }
         drop(progress);
@@ -220,13 +221,8 @@ impl Homology {
             && self.map.is_none()
     }
 
-    fn object(&self, name: &str, groups: &[AbelianGroup]) -> Value {
-        json!({
-            "file": name,
-            "coefficients": self.coefficients.to_string(),
-            "cohomology": self.cohomology,
-            "homology": groups_to_json(groups),
-        })
+    fn object(&self, name: &str, groups: &[AbelianGroup]) -> HomologyAnswer {
+        HomologyAnswer::of(name, self.coefficients, self.cohomology, groups)
     }
 
     /// The pair with a subcomplex, if one is named.

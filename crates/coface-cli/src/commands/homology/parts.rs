@@ -77,9 +77,7 @@ impl PartsOptions {
         let answer = runner.answer(question)?;
         drop(progress);
         drop(work);
-        if let Some(Some(place)) = &question.generators {
-            crate::output::write_json(place, &json!({ "generators": answer.object["generators"] }))?;
-        }
+        answer.save_generators(question)?;
         give(common, &answer.object, &answer.page)
     }
 }
@@ -269,7 +267,9 @@ impl<'a> Runner<'a> {
             |_, loss| format!("what is left could not be asked: {loss}; {}", loss.cure()),
         )?;
         let page = answers[0]["page"].as_str().unwrap_or_default().to_owned();
-        Ok(Answer { object: answers[0]["object"].clone(), page })
+        let object = serde_json::from_value(answers[0]["object"].clone())
+            .map_err(|error| Failure::new(format!("a worker gave what is no answer: {error}")))?;
+        Ok(Answer { object, page })
     }
 
     /// Asks workers side by side, and those requests again that need more memory than one has then, alone with all of it.

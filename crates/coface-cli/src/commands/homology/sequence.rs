@@ -2,27 +2,27 @@
 
 use super::maps::{matrix, words_of};
 use coface::algebra::chains::ChainComplex;
-use coface::answers::{Pair, groups_to_json};
+use coface::answers::Pair;
+use coface::answers::answer::{HomologyGroup, SequenceAnswer};
 use coface::topology::{HomologyMap, LongExactSequence};
-use serde_json::{Value, json};
 
 /// The groups and maps, whose exactness is checked, and a page that shows them.
-pub(super) fn answer(whole: &ChainComplex, pair: &Pair) -> Result<(Value, String), coface::Error> {
+pub(super) fn answer(whole: &ChainComplex, pair: &Pair) -> Result<(SequenceAnswer, String), coface::Error> {
     let sequence = LongExactSequence::new(whole, &pair.subcomplex(whole)?)?;
     sequence.check()?;
     let degrees = sequence.whole().groups().len();
-    let maps = |map: &dyn Fn(usize) -> Option<HomologyMap>| -> Value {
-        (0..degrees).map(|degree| map(degree).as_ref().map_or(Value::Null, matrix)).collect()
+    let maps = |map: &dyn Fn(usize) -> Option<HomologyMap>| {
+        (0..degrees).map(|degree| map(degree).as_ref().map(matrix)).collect()
     };
-    let object = json!({
-        "subcomplex": groups_to_json(sequence.part().groups()),
-        "complex": groups_to_json(sequence.whole().groups()),
-        "pair": groups_to_json(sequence.pair().groups()),
-        "inclusion": maps(&|degree| sequence.inclusion(degree).cloned()),
-        "projection": maps(&|degree| sequence.projection(degree).cloned()),
-        "connecting": maps(&|degree| sequence.connecting(degree).cloned()),
-        "exact": true,
-    });
+    let object = SequenceAnswer {
+        subcomplex: HomologyGroup::list(sequence.part().groups()),
+        complex: HomologyGroup::list(sequence.whole().groups()),
+        pair: HomologyGroup::list(sequence.pair().groups()),
+        inclusion: maps(&|degree| sequence.inclusion(degree).cloned()),
+        projection: maps(&|degree| sequence.projection(degree).cloned()),
+        connecting: maps(&|degree| sequence.connecting(degree).cloned()),
+        exact: true,
+    };
     let mut page =
         "  long exact sequence, checked to be exact; columns are images of generators\n".to_owned();
     for degree in (0..degrees).rev() {

@@ -1,0 +1,126 @@
+//! The answer of `cut`: surfaces cut open.
+
+use super::Remark;
+use crate::{CutComponent, SurfaceCut};
+use coface_algebra::Word;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A surface cut open.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CutAnswer {
+    /// The name of the input; absent for a model that was made in memory.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub file: Option<String>,
+    /// Whether loose ends were left out and seams made short.
+    pub simplified: bool,
+    /// The path along which the surface was cut; `null` when it was cut to disks.
+    pub path: Option<CutPath>,
+    /// The pieces, each with its counts.
+    pub components: Vec<CutPiece>,
+    /// The numbers of vertices, edges and faces of all pieces together.
+    pub f_vector: Vec<usize>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// A path along which a surface was cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CutPath {
+    /// `two-sided`, `one-sided` or `open`.
+    pub kind: String,
+    /// The number of its edges.
+    pub edges: usize,
+}
+
+/// One component after the cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CutPiece {
+    /// The surface: before it was cut to a disk, or after it was cut along a path.
+    pub surface: String,
+    /// The number of edges along which it was cut.
+    pub cut_edges: usize,
+    /// The number of edges around it now.
+    pub boundary_edges: usize,
+    /// Vertices minus edges plus faces: 1 of a disk.
+    pub euler_characteristic: i64,
+    /// The numbers of vertices, edges and faces now.
+    pub f_vector: [usize; 3],
+    /// The fundamental domain; absent when the surface was cut along a path.
+    #[serde(flatten)]
+    pub domain: Option<FundamentalDomain>,
+}
+
+/// The disk that a component was cut to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FundamentalDomain {
+    /// The vertex where loops start, by its number in the file.
+    pub base: u32,
+    /// The number of generators of the fundamental group.
+    pub generators: usize,
+    /// The word of generators around the disk, where there is one: i for generator i, counted from 1, -i for its inverse.
+    pub relator: Option<Vec<i32>>,
+    /// The seams of the component.
+    pub seams: Vec<SeamAnswer>,
+    /// The seams around the disk: i for the i-th of them, counted from 1, -i backwards.
+    pub word: Vec<i32>,
+}
+
+/// A path of edges along which a component was cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SeamAnswer {
+    /// The number among all seams, counted from 1.
+    pub number: usize,
+    /// `handle`, `crosscap`, `join` or `slit`.
+    pub kind: String,
+    /// The number of its edges.
+    pub edges: usize,
+    /// Its length in the unit of the file; `null` without positions.
+    pub length: Option<f64>,
+    /// Its vertices in their order, by their numbers in the file.
+    pub vertices: Vec<u32>,
+}
+
+impl SurfaceCut<'_> {
+    /// The cut as plain data, without the name of a file.
+    pub fn answer(&self) -> CutAnswer {
+        CutAnswer {
+            file: None,
+            simplified: self.is_simplified(),
+            path: self
+                .is_along_path()
+                .then(|| CutPath { kind: self.seams()[0].kind().to_owned(), edges: self.edges().len() }),
+            components: self.components().iter().map(|component| self.piece(component)).collect(),
+            f_vector: self.f_vector(),
+            remarks: Vec::new(),
+        }
+    }
+
+    fn piece(&self, component: &CutComponent) -> CutPiece {
+        CutPiece {
+            surface: component.surface.clone(),
+            cut_edges: component.cut_edges,
+            boundary_edges: component.boundary_edges,
+            euler_characteristic: component.euler_characteristic(),
+            f_vector: component.f_vector,
+            domain: component.base.map(|base| FundamentalDomain {
+                base,
+                generators: component.generators,
+                relator: component.relator.as_ref().map(Word::letters).map(<[i32]>::to_vec),
+                seams: component.seams.iter().map(|&seam| self.seam(seam)).collect(),
+                word: component.word.clone(),
+            }),
+        }
+    }
+
+    fn seam(&self, number: usize) -> SeamAnswer {
+        let seam = &self.seams()[number];
+        SeamAnswer {
+            number: number + 1,
+            kind: seam.kind().to_owned(),
+            edges: seam.steps().len(),
+            length: seam.length(),
+            vertices: self.seam_vertices(number),
+        }
+    }
+}

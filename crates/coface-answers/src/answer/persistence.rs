@@ -1,0 +1,39 @@
+//! The answer of `persistence`: a diagram.
+
+use super::Remark;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Persistent homology of a function on a complex.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PersistenceAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// The characteristic of the field of coefficients.
+    pub field: u32,
+    /// The function on the vertices, or the file of the values.
+    pub function: String,
+    /// How cells follow from the function: `lower` or `upper`; `null` for given values.
+    pub star: Option<String>,
+    /// The pairs of all degrees.
+    pub diagram: Vec<PersistencePairAnswer>,
+    /// The Betti numbers of the whole complex over the field.
+    pub betti: Vec<usize>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// A homology class that is born and dies, or stays.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PersistencePairAnswer {
+    /// The degree of the class.
+    pub degree: usize,
+    /// The value at which it is born.
+    pub birth: f64,
+    /// The value at which it dies; `null` if it stays.
+    pub death: Option<f64>,
+    /// The cell that gives birth to it, by its vertices.
+    pub birth_cell: Vec<u32>,
+    /// The cell by which it dies, by its vertices.
+    pub death_cell: Option<Vec<u32>>,
+}
