@@ -1,59 +1,11 @@
-//! The command line: verbs and the options they share.
+//! The options that verbs share.
 
-use crate::commands;
-use clap::builder::styling::{AnsiColor, Styles};
-use clap::{Args, Command, CommandFactory, Parser, Subcommand};
+use clap::Args;
 use coface::complexes::cubical::CubicalVolume;
 use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
-use serde_json::{Value, json};
+use coface::topology::Coefficients;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-
-const STYLES: Styles = Styles::styled()
-    .header(AnsiColor::Green.on_default().bold())
-    .usage(AnsiColor::Green.on_default().bold())
-    .literal(AnsiColor::Cyan.on_default().bold())
-    .placeholder(AnsiColor::Cyan.on_default());
-
-/// Exact topology of meshes and cell complexes.
-///
-/// coface reads surfaces, volume meshes, facet lists and chain complexes, says what they are and what is wrong with
-/// them, and answers topological questions exactly, over the integers.
-#[derive(Parser)]
-#[command(name = "coface", version, styles = STYLES, max_term_width = 100, after_help = AFTER_HELP)]
-pub(crate) struct Arguments {
-    #[command(subcommand)]
-    pub(crate) verb: Verb,
-    #[command(flatten)]
-    pub(crate) common: Common,
-}
-
-impl Arguments {
-    /// The program for people: without the verbs that no help lists.
-    pub(crate) fn for_people() -> Command {
-        let whole = Self::command();
-        let mut shown = Command::new("coface")
-            .version(env!("CARGO_PKG_VERSION"))
-            .after_help(AFTER_HELP)
-            .args(whole.get_arguments().cloned())
-            .subcommands(whole.get_subcommands().filter(|verb| !verb.is_hide_set()).cloned());
-        if let Some(about) = whole.get_about() {
-            shown = shown.about(about.clone());
-        }
-        if let Some(about) = whole.get_long_about() {
-            shown = shown.long_about(about.clone());
-        }
-        shown
-    }
-}
-
-const AFTER_HELP: &str = "\
-Vertices are numbered from 0 in the order of the file, whatever the format does.
-Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage; 130 interrupted; 143 terminated.
-
-  coface info bunny.ply              what is it, and what is wrong with it?
-  coface homology torus.off --json   integral homology for a program
-  coface link mesh.obj --simplices 17
-  coface convert scan.ply -o scan.off";
 
 /// Options that every verb takes.
 #[derive(Args)]
@@ -83,7 +35,7 @@ pub(crate) struct Common {
 }
 
 /// Which voxels of a volume are set.
-#[derive(Args, Clone, Debug, Default)]
+#[derive(Args, Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct VoxelArguments {
     /// Of a volume (.npy, NRRD, NIfTI) take the voxels of T and above, instead of all that are not 0
     #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
@@ -110,29 +62,6 @@ pub(crate) struct VoxelArguments {
 type PeriodicAxes = [bool; CubicalVolume::MOST_AXES];
 
 impl VoxelArguments {
-    /// What a worker is told.
-    pub(crate) fn to_json(&self) -> Value {
-        json!([self.threshold, self.below, self.between, self.value, self.periodic])
-    }
-
-    /// What [`Self::to_json`] says.
-    pub(crate) fn of_json(value: &Value) -> Self {
-        let numbers =
-            |value: &Value| -> Option<Vec<f64>> { value.as_array()?.iter().map(Value::as_f64).collect() };
-        let mut axes = PeriodicAxes::default();
-        let periodic = value[4].as_array().map(|list| {
-            axes.iter_mut().zip(list).for_each(|(axis, is_periodic)| *axis = *is_periodic == true);
-            axes
-        });
-        Self {
-            threshold: value[0].as_f64(),
-            below: value[1].as_f64(),
-            between: numbers(&value[2]),
-            value: value[3].as_f64(),
-            periodic,
-        }
-    }
-
     /// Which axes are periodic.
     pub(crate) fn periodic(&self) -> PeriodicAxes {
         self.periodic.unwrap_or_default()
@@ -191,36 +120,7 @@ pub(crate) fn format_of_name(name: &str) -> Result<Format, String> {
     Format::from_name(name).map_err(|error| error.to_string())
 }
 
-#[derive(Subcommand)]
-pub(crate) enum Verb {
-    Info(commands::info::Info),
-    Homology(commands::homology::Homology),
-    Shard(commands::shard::Shard),
-    Reduce(commands::reduce::Reduce),
-    Merge(commands::merge::Merge),
-    Persistence(commands::persistence::Persistence),
-    Pi1(commands::pi1::Pi1),
-    Cut(commands::cut::Cut),
-    Cover(commands::cover::Cover),
-    Cocycles(commands::cocycles::Cocycles),
-    Star(commands::star::Star),
-    Closure(commands::closure::Closure),
-    Link(commands::link::Link),
-    Boundary(commands::boundary::Boundary),
-    Interior(commands::interior::Interior),
-    Skeleton(commands::skeleton::Skeleton),
-    Incidence(commands::incidence::Incidence),
-    Congruence(commands::congruence::Congruence),
-    Arrange(commands::arrange::Arrange),
-    Boolean(commands::boolean::Boolean),
-    Yin(commands::yin::Yin),
-    Generate(commands::generate::Generate),
-    Batch(commands::batch::Batch),
-    Convert(commands::convert::Convert),
-    View(commands::view::View),
-    Render(commands::render::Render),
-    #[command(hide = true)]
-    Worker(commands::worker::Worker),
-    Completions(commands::completions::Completions),
-    Man(commands::man::Man),
+/// The ring of coefficients of this name.
+pub(crate) fn ring(name: &str) -> Result<Coefficients, String> {
+    name.parse().map_err(|error: coface::Error| error.to_string())
 }

@@ -1,5 +1,6 @@
 //! What ends a run without its result.
 
+use clap::error::ErrorKind;
 use coface::Error;
 use std::io::Write;
 
@@ -9,6 +10,8 @@ pub(crate) enum Failure {
     Message(String),
     /// Every message has been said already; the exit status is all that is left.
     Said,
+    /// The command line asks for what there is not; the exit status is 2.
+    Usage(ErrorKind, String),
     /// The reader of standard output went away.
     ClosedPipe,
 }

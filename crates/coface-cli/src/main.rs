@@ -15,20 +15,22 @@ mod progress;
 mod simplices;
 mod surface;
 mod target;
+mod verbs;
 mod workers;
 
-use arguments::Arguments;
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use failure::Failure;
 use std::process::ExitCode;
+use verbs::Arguments;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     progress::end_on_signals();
-    match start_threads(&arguments).and_then(|()| progress::watched(|| commands::run(&arguments))) {
+    match start_threads(&arguments).and_then(|()| progress::watched(|| verbs::run(&arguments))) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Failure::Usage(kind, message)) => Arguments::command().error(kind, message).exit(),
         Err(failure) => {
             failure.say();
             ExitCode::FAILURE

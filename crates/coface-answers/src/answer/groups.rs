@@ -67,7 +67,16 @@ impl HomologyGroup {
     }
 }
 
-impl From<&AbelianGroup> for super::GroupAnswer {
+/// A finitely generated abelian group.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct GroupAnswer {
+    /// The rank of the free part.
+    pub betti: usize,
+    /// The orders of the cyclic parts, each a divisor of the next.
+    pub torsion: Vec<WholeNumber>,
+}
+
+impl From<&AbelianGroup> for GroupAnswer {
     fn from(group: &AbelianGroup) -> Self {
         Self { betti: group.betti(), torsion: group.torsion().iter().map(WholeNumber::from).collect() }
     }

@@ -1,6 +1,6 @@
 //! The answers of `homology` and `merge`.
 
-use super::{HomologyGroup, Remark, WholeNumber};
+use super::{GroupAnswer, HomologyGroup, Remark, WholeNumber};
 use coface_topology::{AbelianGroup, Coefficients};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -290,13 +290,4 @@ pub struct InducedMap {
     pub kernel: GroupAnswer,
     /// The cokernel.
     pub cokernel: GroupAnswer,
-}
-
-/// A finitely generated abelian group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct GroupAnswer {
-    /// The rank of the free part.
-    pub betti: usize,
-    /// The orders of the cyclic parts, each a divisor of the next.
-    pub torsion: Vec<WholeNumber>,
 }

@@ -21,11 +21,11 @@ mod view;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
-pub use groups::{HomologyGroup, WholeNumber};
+pub use groups::{GroupAnswer, HomologyGroup, WholeNumber};
 pub use homology::{
-    ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, GroupAnswer, HarmonicCochain,
-    HodgeNorms, HodgeParts, HomologyAnswer, InducedMap, InducedMaps, IntersectionFormAnswer, LevelAnswer,
-    PartsAnswer, RealTerm, SequenceAnswer,
+    ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, HarmonicCochain, HodgeNorms,
+    HodgeParts, HomologyAnswer, InducedMap, InducedMaps, IntersectionFormAnswer, LevelAnswer, PartsAnswer,
+    RealTerm, SequenceAnswer,
 };
 pub use incidence::IncidenceAnswer;
 pub use info::{

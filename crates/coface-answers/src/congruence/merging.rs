@@ -1,16 +1,15 @@
 //! Models taken together and merged.
 
-use super::mesh::Listed;
 use super::{BlockRule, CongruenceRequest};
 use crate::Producer;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_arrange::congruence::{
     BlockMerge, BlockPolicy, CellClasses, ChainCongruence, VertexCongruence, blocks_of, chain_congruence,
     check_blocks, stable_vertex_congruence, vertex_congruence,
 };
 use coface_geometry::Positions;
-use coface_io::Model;
+use coface_io::{Model, segments};
 
 /// One or more models merged within a tolerance: the quotient of the sum of their chain complexes.
 ///
@@ -128,6 +127,24 @@ impl ModelCongruence {
     /// None for a congruence that was made here.
     pub fn to_chains(&self) -> Result<Model, Error> {
         Model::from_chains(self.complex().clone(), self.vertices.positions().clone())
+    }
+}
+
+/// What a model lists by itself, though it may be a face of something else.
+#[derive(Debug, Default)]
+pub(super) struct Listed {
+    pub(super) points: Vec<VertexId>,
+    pub(super) segments: Vec<[u32; 2]>,
+    pub(super) polygon_count: usize,
+}
+
+impl Listed {
+    fn of(model: &Model) -> Self {
+        Self {
+            points: model.points().to_vec(),
+            segments: segments(model.lines()),
+            polygon_count: model.polygons().len(),
+        }
     }
 }
 

@@ -6,25 +6,7 @@ use crate::producer::Cells;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_complexes::cell_mesh::CellShape;
-use coface_io::{Model, ModelParts, repeated_vertex, segments};
-
-/// What a model lists by itself, though it may be a face of something else.
-#[derive(Debug, Default)]
-pub(super) struct Listed {
-    points: Vec<VertexId>,
-    segments: Vec<[u32; 2]>,
-    polygon_count: usize,
-}
-
-impl Listed {
-    pub(super) fn of(model: &Model) -> Self {
-        Self {
-            points: model.points().to_vec(),
-            segments: segments(model.lines()),
-            polygon_count: model.polygons().len(),
-        }
-    }
-}
+use coface_io::{Model, ModelParts, repeated_vertex};
 
 impl ModelCongruence {
     /// The quotient as a mesh: points, lines, polygons and 3-cells on the representatives.

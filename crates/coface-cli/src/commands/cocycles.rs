@@ -387,7 +387,7 @@ fn general(complex: &ChainComplex, naming: &Naming<'_>) -> Result<Found, Failure
         && pairing.iter().enumerate().all(|(i, row)| row.iter().enumerate().all(|(j, x)| *x == one(i, j)));
     Ok(Found {
         method: "general",
-        loops: loops.iter().map(|chain| naming.terms(1, chain.terms())).collect(),
+        loops: loops.iter().map(|chain| json!(naming.terms(1, chain.terms()))).collect(),
         loop_lengths: loops.iter().map(|chain| chain.terms().len()).collect(),
         cocycles,
         pairing,

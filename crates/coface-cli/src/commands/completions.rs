@@ -1,6 +1,5 @@
 //! `coface completions`: completions for a shell.
 
-use crate::arguments::Arguments;
 use crate::failure::Failure;
 use crate::output::print_bytes;
 use clap::Args;
@@ -16,10 +15,11 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    pub(crate) fn run(&self) -> Result<(), Failure> {
+    /// Prints completions for this program.
+    pub(crate) fn run(&self, program: &mut clap::Command) -> Result<(), Failure> {
         // Made in memory first: the generator takes a failure to write for a fault of its own.
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Arguments::for_people(), "coface", &mut script);
+        clap_complete::generate(self.shell, program, "coface", &mut script);
         print_bytes(|out| out.write_all(&script))
     }
 }

@@ -119,7 +119,7 @@ impl Cover {
             copies: 2,
             surfaces_below: below,
             surfaces: above,
-            f_vector: [v, e, f],
+            f_vector: vec![v, e, f],
             euler_characteristic: v as i64 - e as i64 + f as i64,
             remarks: Vec::new(),
         };

@@ -1,6 +1,6 @@
 //! `coface man`: manual pages.
 
-use crate::arguments::{Arguments, Common};
+use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{print_bytes, write_file};
 use clap::Args;
@@ -13,8 +13,8 @@ use std::path::Path;
 pub(crate) struct Man {}
 
 impl Man {
-    pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let mut command = Arguments::for_people();
+    /// Prints or writes the pages of this program.
+    pub(crate) fn run(&self, mut command: clap::Command, common: &Common) -> Result<(), Failure> {
         command.build();
         let Some(directory) = &common.output else {
             let page = rendered(command)?;

@@ -34,7 +34,7 @@ pub(crate) struct Merge {
 #[derive(Args, Clone)]
 pub(crate) struct Question {
     /// Z, Q, a prime field or the integers modulo N: z, q, f2, f3, z6, ...
-    #[arg(long, value_name = "RING", default_value = "z", value_parser = crate::commands::homology::ring)]
+    #[arg(long, value_name = "RING", default_value = "z", value_parser = crate::arguments::ring)]
     pub(crate) coefficients: Coefficients,
     /// Cohomology instead of homology
     #[arg(long)]

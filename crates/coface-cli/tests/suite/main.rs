@@ -17,6 +17,7 @@ mod pictures;
 mod program;
 mod regions;
 mod render;
+mod schema;
 mod shards;
 mod surfaces;
 mod three_manifolds;

@@ -4,10 +4,10 @@ mod planar;
 mod spatial;
 
 use super::arrange::{CellOptions, Inputs, SpaceOptions, check_json, dimension_of, output_target, read_all};
-use crate::arguments::{Arguments, Common};
+use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use clap::{Args, CommandFactory, ValueEnum, error::ErrorKind};
+use clap::{Args, ValueEnum, error::ErrorKind};
 use coface::answers::RegionSource;
 use coface::arrange::boolean::BooleanFormula;
 use spatial::SolidOptions;
@@ -107,15 +107,15 @@ impl Boolean {
             return Ok((Task::Formula(formula), &self.arguments));
         }
         let name = self.arguments[0].to_string_lossy();
-        let operation = Operation::from_str(&name, false).unwrap_or_else(|_| {
+        let operation = Operation::from_str(&name, false).map_err(|_| {
             let message = format!(
                 "\"{name}\" is no operation: begin with union, intersection, difference or xor, or give --formula"
             );
-            Arguments::command().error(ErrorKind::InvalidValue, message).exit()
-        });
+            Failure::Usage(ErrorKind::InvalidValue, message)
+        })?;
         if self.arguments.len() < 2 {
             let message = "name the inputs after the operation";
-            Arguments::command().error(ErrorKind::MissingRequiredArgument, message).exit();
+            return Err(Failure::Usage(ErrorKind::MissingRequiredArgument, message.to_owned()));
         }
         Ok((Task::Named(operation), &self.arguments[1..]))
     }

@@ -8,7 +8,7 @@ pub(crate) mod parts;
 mod products;
 mod sequence;
 
-use crate::arguments::Common;
+use crate::arguments::{Common, ring};
 use crate::chains::{GivenChain, Naming};
 use crate::commands::merge::Question;
 use crate::failure::Failure;
@@ -79,11 +79,6 @@ pub(crate) struct Homology {
     target: Option<PathBuf>,
     #[command(flatten)]
     in_parts: PartsOptions,
-}
-
-/// The ring of coefficients of this name.
-pub(crate) fn ring(name: &str) -> Result<Coefficients, String> {
-    name.parse().map_err(|error: coface::Error| error.to_string())
 }
 
 impl Homology {

@@ -13,6 +13,7 @@ use clap::Args;
 use coface::Error;
 use coface::scale::shards::{ReducedStep, ShardFolder};
 use coface::scale::workers::{Limits, Loss, bytes_text, parse_bytes};
+use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -188,7 +189,7 @@ impl<'a> Runner<'a> {
             "owners": self.options.owners.as_deref().map(text).transpose()?,
             "format": common.format.map(|format| format.name()),
             "flatten": common.flatten,
-            "voxels": common.voxels.to_json(),
+            "voxels": common.voxels,
             "grid": self.options.grid.grid,
             "simplicial": self.options.grid.simplicial,
         });
@@ -351,7 +352,7 @@ fn answered(request: &str) -> Result<Value, Failure> {
         "answer" => {
             let folder = ShardFolder::open(folder)?;
             let question = Question {
-                coefficients: super::ring(text("coefficients")).map_err(Failure::new)?,
+                coefficients: crate::arguments::ring(text("coefficients")).map_err(Failure::new)?,
                 cohomology: request["cohomology"] == true,
                 generators: (request["generators"] == true).then_some(None),
             };
@@ -384,7 +385,8 @@ fn shard(request: &Value, folder: &Path) -> Result<Value, Failure> {
         output: None,
         format: text("format").and_then(|name| crate::arguments::format_of_name(&name).ok()),
         flatten: request["flatten"].as_f64(),
-        voxels: VoxelArguments::of_json(&request["voxels"]),
+        voxels: VoxelArguments::deserialize(&request["voxels"])
+            .map_err(|error| Failure::new(format!("a worker was asked for voxels that are none: {error}")))?,
     };
     let progress = Progress::start(true);
     let asked = CutRequest {
