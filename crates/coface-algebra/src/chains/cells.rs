@@ -1,6 +1,7 @@
 //! What every producer of cells has in common.
 
 use super::{ChainComplex, TwoSkeleton};
+use crate::ids::narrow;
 use crate::{EdgeId, Error, ErrorKind, FaceId, RaggedArray};
 
 /// A producer: something that is made of cells and has a chain complex.
@@ -119,7 +120,7 @@ impl Cells for TwoSkeleton {
     /// A face has the vertices that its path starts a step at; a vertex stands as often as the path comes by.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         match degree {
-            0 => RaggedArray::uniform(1, (0..self.vertex_count() as u32).collect()),
+            0 => RaggedArray::uniform(1, (0..narrow(self.vertex_count())).collect()),
             1 => RaggedArray::uniform(2, self.edge_ends().to_vec()),
             2 => {
                 let mut lists = RaggedArray::new();

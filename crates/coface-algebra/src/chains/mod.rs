@@ -8,6 +8,7 @@
 //!   cochain on a chain is the value of the cochain on the boundary of the chain. A chain without boundary is a
 //!   **cycle**, a cochain without coboundary is **closed**. The [`Coefficient`]s are integers, rationals, residues
 //!   modulo n, or `f64`; a [`Selection`] has the coefficients -1, 0 and 1 only.
+//! * [`Cells`] is the trait of all producers: whatever is made of cells and has a chain complex.
 //! * A [`TwoSkeleton`] also knows the order in which the boundary of each face runs along its edges.
 //! * An [`AcyclicMatching`] pairs cells that cancel each other; what is left is a [`MorseComplex`] with the same
 //!   homology. A [`Reduction`] repeats this. A [`Partition`] cuts a complex into [`Part`]s that are reduced one by one.

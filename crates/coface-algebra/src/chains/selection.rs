@@ -207,6 +207,9 @@ impl Selection {
 
     /// The chain whose coefficients are `one` and its opposite: over the integers, the rationals, residues or reals.
     ///
+    /// # Errors
+    /// [`ErrorKind::Coefficient`] if `one` is not a finite number.
+    ///
     /// # Examples
     /// ```
     /// use coface_algebra::CellId;
@@ -218,9 +221,6 @@ impl Selection {
     /// assert_eq!(chain.coefficient(CellId::new(0)), Some(&Residue::new(2, 3)?));
     /// # Ok(()) }
     /// ```
-    ///
-    /// # Errors
-    /// [`ErrorKind::Coefficient`] if `one` is not a finite number.
     pub fn to_chain<C: Coefficient>(&self, one: &C) -> Result<Chain<C>, Error> {
         let one = one.clone().checked()?;
         let minus = one.negated();

@@ -141,12 +141,14 @@ impl UnionFind {
     /// assert_eq!(partition.class_numbers(), [0, 1, 0, 2]);
     /// ```
     pub fn class_numbers(&mut self) -> Vec<u32> {
-        let mut number_of_root = vec![u32::MAX; self.len()];
+        // Numbers are below 2^31, so this one is free.
+        const UNNUMBERED: u32 = u32::MAX;
+        let mut number_of_root = vec![UNNUMBERED; self.len()];
         let mut next = 0;
         (0..narrow(self.len()))
             .map(|member| {
                 let number = &mut number_of_root[self.find(member) as usize];
-                if *number == u32::MAX {
+                if *number == UNNUMBERED {
                     *number = next;
                     next += 1;
                 }
