@@ -101,10 +101,7 @@ fn periodic_axes(text: &str) -> Result<PeriodicAxes, String> {
 impl Common {
     /// How inputs are read.
     pub(crate) fn reading(&self) -> ReadOptions {
-        let mut options = ReadOptions::default();
-        (options.format, options.flatten) = (self.format, self.flatten);
-        options.volume = self.voxels.reading();
-        options
+        ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.voxels.reading())
     }
 }
 

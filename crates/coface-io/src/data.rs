@@ -1,6 +1,6 @@
 //! Named numbers on the vertices, lines, polygons or 3-cells of a model.
 
-use super::model::GroupKind;
+use super::GroupKind;
 use super::numbers::Numbers;
 use coface_algebra::{Error, ErrorKind};
 use std::ops::Range;
@@ -126,31 +126,79 @@ impl CellData {
     }
 
     /// The name.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert_eq!(data.name(), "height");
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn name(&self) -> &str {
         &self.name
     }
 
     /// What the numbers are on.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert_eq!(data.kind(), GroupKind::Vertices);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn kind(&self) -> GroupKind {
         self.kind
     }
 
     /// The number of components of a row.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert_eq!(data.components(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn components(&self) -> usize {
         self.components
     }
 
     /// The number of rows: that of vertices, lines, polygons or cells of the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert_eq!(data.len(), 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn len(&self) -> usize {
         self.numbers.len() / self.components
     }
 
     /// Whether there are no rows.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert!(!data.is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// Whether the numbers are integers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert!(!data.is_integral());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_integral(&self) -> bool {
         self.numbers.is_integral()
     }
@@ -159,6 +207,14 @@ impl CellData {
     ///
     /// # Panics
     /// If there is no such row.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::integers("face", GroupKind::Polygons, 2, vec![1, 2, 3, 4])?;
+    /// assert_eq!(data.integer_row(1), Some(vec![3, 4]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn integer_row(&self, cell: usize) -> Option<Vec<i64>> {
         self.row(cell).map(|i| self.numbers.integer(i)).collect()
     }
@@ -167,6 +223,14 @@ impl CellData {
     ///
     /// # Panics
     /// If there is no such row.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{CellData, GroupKind};
+    /// let data = CellData::reals("height", GroupKind::Vertices, 1, vec![0.5, 2.0])?;
+    /// assert_eq!(data.real_row(1), [2.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn real_row(&self, cell: usize) -> Vec<f64> {
         self.row(cell).map(|i| self.numbers.real(i)).collect()
     }

@@ -6,9 +6,9 @@
 //! names that have lines or rings, one after the other, and is -1 for what has a name.
 
 use super::lists::number_by_firsts;
-use super::model::{Group, GroupKind};
 use super::numbers::Numbers;
 use super::{CellData, Model};
+use super::{Group, GroupKind};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_geometry::Positions;
@@ -325,6 +325,15 @@ pub enum Shape {
 
 /// What a model draws, each with the number of the group that names it: lines and rings, then the polygons, then the
 /// points and the vertices that nothing uses.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::{Format, Shape, shapes};
+/// let model = io::read(&b"POLYGON ((0 0, 1 0, 0 1, 0 0))"[..], Format::Wkt)?;
+/// assert_eq!(shapes(&model).len(), 1);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
     let mut shapes = Vec::new();
     let names = names_of(model, GroupKind::Lines);

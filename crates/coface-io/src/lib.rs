@@ -9,13 +9,17 @@
 mod assembly;
 mod blocks;
 pub mod container;
+mod counted_stream;
 mod data;
 mod decimal;
-mod doors;
+mod detection;
 mod drawing;
+mod element_kind;
+mod features;
 mod format;
 mod generated;
 pub mod geojson;
+mod group;
 pub mod isosig;
 pub mod json;
 mod limits;
@@ -32,6 +36,7 @@ pub mod obj;
 pub mod off;
 mod output;
 pub mod ply;
+mod readers;
 #[cfg(test)]
 mod samples;
 mod scanner;
@@ -41,24 +46,26 @@ pub mod svg;
 mod values;
 pub mod volume;
 pub mod vtk;
-mod watching;
 pub mod wkt;
 pub mod yin;
 
 pub use data::CellData;
 #[doc(hidden)]
-pub use doors::stream_mesh;
-pub use doors::{
+pub use drawing::Features;
+pub use drawing::{Shape, shapes};
+pub use format::Format;
+pub use group::{Group, GroupKind};
+pub use model::repeated_vertex;
+pub use model::{Model, Structure};
+#[doc(hidden)]
+pub use model::{ModelParts, segments};
+pub use output::{abandon_files, replace_file};
+#[doc(hidden)]
+pub use readers::stream_mesh;
+pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
     read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
 #[doc(hidden)]
-pub use drawing::Features;
-pub use drawing::{Shape, shapes};
-pub use format::Format;
-pub use model::repeated_vertex;
-pub use model::{Group, GroupKind, Model, Structure};
-#[doc(hidden)]
-pub use model::{ModelParts, segments};
-pub use output::{abandon_files, replace_file};
+pub use scratch_mesh::NO_VERTEX;
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};

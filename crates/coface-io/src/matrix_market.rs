@@ -84,6 +84,15 @@ pub fn write(matrix: &SparseMatrix, field: MatrixField, out: impl Write) -> Resu
 ///
 /// # Complexity
 /// $O(m \log m)$ for m entries; memory grows with what is read, not with what the header says.
+///
+/// # Examples
+/// ```
+/// use coface_io::matrix_market;
+/// let text = b"%%MatrixMarket matrix coordinate integer general\n2 2 1\n1 2 -5\n";
+/// let matrix = matrix_market::read(&text[..])?;
+/// assert_eq!((matrix.row_count(), matrix.column_count()), (2, 2));
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn read(input: impl Read) -> Result<SparseMatrix, Error> {
     let mut scanner = Scanner::new(input);
     let field = read_header(&mut scanner)?;

@@ -1,7 +1,7 @@
 //! What a file held.
 
 use super::numbers::Numbers;
-use super::{CellData, Format};
+use super::{CellData, Format, Group, GroupKind};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, VertexId};
@@ -9,7 +9,6 @@ use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::cubical::CubicalVolume;
 use coface_complexes::gluing::GluingTable;
 use coface_geometry::Positions;
-use std::fmt;
 
 /// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, named data, or
 /// an abstract [`Structure`] instead of all these.
@@ -106,66 +105,22 @@ pub enum Structure {
     Volume(CubicalVolume),
 }
 
-/// A named set of things of one kind: an OBJ group, a physical group of Gmsh, a reference number of MEDIT.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Group {
-    pub(crate) name: String,
-    pub(crate) kind: GroupKind,
-    pub(crate) members: Vec<u32>,
-}
-
-/// What the members of a [`Group`] are, and what [`CellData`] are on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum GroupKind {
-    /// Vertices.
-    Vertices,
-    /// Lines.
-    Lines,
-    /// Polygons.
-    Polygons,
-    /// 3-cells.
-    Cells,
-}
-
-impl fmt::Display for GroupKind {
-    /// The plural: `vertices`, `lines`, `polygons`, `cells`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Vertices => "vertices",
-            Self::Lines => "lines",
-            Self::Polygons => "polygons",
-            Self::Cells => "cells",
-        })
-    }
-}
-
-impl Group {
-    /// A group with these members.
-    pub fn new(name: impl Into<String>, kind: GroupKind, members: Vec<u32>) -> Self {
-        Self { name: name.into(), kind, members }
-    }
-
-    /// The name, or the number, that the file gives it.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// What the members are.
-    pub fn kind(&self) -> GroupKind {
-        self.kind
-    }
-
-    /// The positions of the members among the vertices, lines, polygons or cells of the model.
-    pub fn members(&self) -> &[u32] {
-        &self.members
-    }
-}
-
 impl Model {
     /// A model of polygons on these positions.
     ///
     /// # Errors
     /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_geometry::Positions;
+    /// use coface_io::Model;
+    /// let positions = Positions::from_flat(2, vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0])?;
+    /// assert!(Model::from_polygons(positions.clone(), RaggedArray::from_lists([[0, 1, 2]])).is_ok());
+    /// assert!(Model::from_polygons(positions, RaggedArray::from_lists([[0, 1, 3]])).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn from_polygons(positions: Positions, polygons: RaggedArray) -> Result<Self, Error> {
         let model = Self { vertex_count: positions.len(), positions, polygons, ..Self::default() };
         model.check()?;
@@ -176,6 +131,19 @@ impl Model {
     ///
     /// # Errors
     /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::CellShape;
+    /// use coface_geometry::Positions;
+    /// use coface_io::Model;
+    /// let corners = vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.];
+    /// let cells = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let model = Model::from_cells(Positions::from_flat(3, corners)?, vec![CellShape::Tetrahedron], cells)?;
+    /// assert_eq!(model.cells().len(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn from_cells(
         positions: Positions,
         shapes: Vec<CellShape>,
@@ -223,6 +191,16 @@ impl Model {
     ///
     /// # Errors
     /// Those of [`Self::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_geometry::Positions;
+    /// use coface_io::Model;
+    /// let positions = Positions::from_flat(2, vec![0.0, 0.0, 1.0, 0.0])?;
+    /// assert_eq!(Model::from_lines(positions, RaggedArray::from_lists([[0, 1]]))?.lines().len(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn from_lines(positions: Positions, lines: RaggedArray) -> Result<Self, Error> {
         let model = Self { vertex_count: positions.len(), positions, lines, ..Self::default() };
         model.check()?;
@@ -320,6 +298,14 @@ impl Model {
     }
 
     /// A model that is an abstract structure.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_io::{Model, Structure};
+    /// let model = Model::from_structure(Structure::Facets(RaggedArray::from_lists([[0, 1, 2]])));
+    /// assert!(model.structure().is_some() && model.polygons().is_empty());
+    /// ```
     pub fn from_structure(structure: Structure) -> Self {
         Self { structure: Some(structure), ..Self::default() }
     }
@@ -356,6 +342,15 @@ impl Model {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first culprit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.check().is_ok());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn check(&self) -> Result<(), Error> {
         if self.positions.dimension() > 0 && self.positions.len() != self.vertex_count {
             return Err(Error::invalid(format!(
@@ -485,6 +480,15 @@ impl Model {
 
     /// The format that [`read_path`](super::read_path) and its neighbors read the model from; `None` for a model made
     /// otherwise.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert_eq!(model.format(), Some(Format::Obj));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn format(&self) -> Option<Format> {
         self.format
     }
@@ -494,46 +498,127 @@ impl Model {
     }
 
     /// The number of vertices, isolated ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert_eq!(model.vertex_count(), 3);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
     /// The positions of the vertices; empty when the file has none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert_eq!(model.positions().as_flat()[3..6], [1.0, 0.0, 0.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
 
     /// The polygons as cycles of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert_eq!(model.polygons().list(0), [0, 1, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn polygons(&self) -> &RaggedArray {
         &self.polygons
     }
 
     /// The shapes of the 3-cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.shapes().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn shapes(&self) -> &[CellShape] {
         &self.shapes
     }
 
     /// The 3-cells by their vertices, in the order that [`CellShape`] describes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.cells().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn cells(&self) -> &RaggedArray {
         &self.cells
     }
 
     /// The polylines: each runs through its vertices in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"[..], Format::Obj)?;
+    /// assert_eq!(model.lines().list(0), [0, 1, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn lines(&self) -> &RaggedArray {
         &self.lines
     }
 
     /// The vertices that the file lists as points of their own.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\np 2\n"[..], Format::Obj)?;
+    /// assert_eq!(model.points()[0].index(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn points(&self) -> &[VertexId] {
         &self.points
     }
 
     /// The named groups.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\ng lid\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert_eq!((model.groups()[0].name(), model.groups()[0].members()), ("lid", &[0][..]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
 
     /// The named numbers on vertices, lines, polygons and cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.data().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn data(&self) -> &[CellData] {
         &self.data
     }
@@ -571,11 +656,29 @@ impl Model {
     }
 
     /// The abstract structure, if the file holds one instead of a mesh.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.structure().is_none());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn structure(&self) -> Option<&Structure> {
         self.structure.as_ref()
     }
 
     /// What the reader found odd but could read: one sentence each.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.warnings().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
@@ -597,6 +700,13 @@ impl PartialEq for Model {
 }
 
 /// The first vertex that stands twice in a list; short lists are compared pairwise, long ones sorted.
+///
+/// # Examples
+/// ```
+/// use coface_io::repeated_vertex;
+/// assert_eq!(repeated_vertex(&[4, 2, 4]), Some(4));
+/// assert_eq!(repeated_vertex(&[4, 2, 3]), None);
+/// ```
 pub fn repeated_vertex(vertices: &[u32]) -> Option<u32> {
     if vertices.len() <= 16 {
         return vertices.iter().enumerate().find(|(i, v)| vertices[..*i].contains(v)).map(|(_, &v)| v);

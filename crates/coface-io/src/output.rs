@@ -1,6 +1,6 @@
 //! Files that appear whole or not at all.
 
-use super::watching::{name_of, writing};
+use super::counted_stream::{name_of, writing};
 use coface_algebra::{Error, ErrorKind};
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufWriter, Write};

@@ -1,48 +1,39 @@
-//! Meshes of simplices that go to flat files while they are read.
+//! Meshes of simplices that go to flat streams while they are read.
 
-use super::assembly::Kind;
+use super::element_kind::Kind;
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cell_mesh::CellShape;
 use std::fmt;
-use std::fs::File;
 use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
 
 /// What is said where an element is no simplex, or has vertices inside its edges.
 pub(super) const NOT_SIMPLICIAL: &str = "only simplices are read without being kept";
 
-/// Two files in a folder that has to be removed by whoever made it: three coordinates for each vertex, and four vertices for each element, the
-/// last ones `u32::MAX` where it has fewer, all little endian.
-pub struct ScratchMesh {
-    vertices: BufWriter<File>,
-    elements: BufWriter<File>,
-    vertex_path: PathBuf,
-    element_path: PathBuf,
+/// A stream of bytes that are looked at later.
+pub(super) type ScratchStream = Box<dyn Write>;
+
+/// Two streams: three coordinates for each vertex, and four vertices for each element, the last ones [`NO_VERTEX`] where it has fewer, all
+/// little endian.
+pub(super) struct ScratchMesh {
+    vertices: BufWriter<ScratchStream>,
+    elements: BufWriter<ScratchStream>,
 }
+
+/// What stands for a vertex in the stream of elements where an element has fewer than four: the records have one length.
+#[doc(hidden)]
+pub const NO_VERTEX: u32 = u32::MAX;
 
 impl fmt::Debug for ScratchMesh {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("ScratchMesh").field("vertices", &self.vertex_path).finish_non_exhaustive()
+        f.debug_struct("ScratchMesh").finish_non_exhaustive()
     }
 }
 
 impl ScratchMesh {
-    pub(super) fn create(folder: &Path) -> Result<Self, Error> {
-        let (vertex_path, element_path) = (folder.join("vertices"), folder.join("elements"));
-        let file = |path: &Path| Ok::<_, Error>(BufWriter::with_capacity(1 << 18, File::create(path)?));
-        Ok(Self { vertices: file(&vertex_path)?, elements: file(&element_path)?, vertex_path, element_path })
-    }
-
-    /// The file of coordinates.
-    #[doc(hidden)]
-    pub fn vertex_path(&self) -> &Path {
-        &self.vertex_path
-    }
-
-    /// The file of elements.
-    #[doc(hidden)]
-    pub fn element_path(&self) -> &Path {
-        &self.element_path
+    pub(super) fn new([vertices, elements]: [ScratchStream; 2]) -> Self {
+        let [vertices, elements] =
+            [vertices, elements].map(|stream| BufWriter::with_capacity(1 << 18, stream));
+        Self { vertices, elements }
     }
 
     pub(super) fn add_vertex(&mut self, coordinates: &[f64]) -> Result<(), Error> {
@@ -65,7 +56,7 @@ impl ScratchMesh {
             return Err(Error::new(ErrorKind::UnsupportedFormat, NOT_SIMPLICIAL));
         }
         for place in 0..4 {
-            self.elements.write_all(&corners.get(place).copied().unwrap_or(u32::MAX).to_le_bytes())?;
+            self.elements.write_all(&corners.get(place).copied().unwrap_or(NO_VERTEX).to_le_bytes())?;
         }
         Ok(())
     }

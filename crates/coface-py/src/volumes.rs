@@ -74,8 +74,7 @@ pub(crate) fn _read_volume(
     voxels: Voxels,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
-    let mut options = ReadOptions::default();
-    options.volume = reading_of(py, &voxels)?;
+    let options = ReadOptions::new().volume(reading_of(py, &voxels)?);
     let model = run(py, progress, || io::read_path_with(&path, &options))?;
     match model.structure() {
         Some(Structure::Volume(_)) => Ok(Model::of(model)),

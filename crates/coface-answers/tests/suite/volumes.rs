@@ -4,15 +4,14 @@
 use coface_answers::{Report, homology_of_volume};
 use coface_complexes::cubical::CubicalVolume;
 use coface_io as io;
-use coface_io::{ReadOptions, Structure, VoxelRule};
+use coface_io::{ReadOptions, Structure, VolumeReading, VoxelRule};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
 
 fn volume_of(name: &str, rule: VoxelRule) -> CubicalVolume {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../coface-io/tests/volumes").join(name);
-    let mut options = ReadOptions::default();
-    options.volume.rule = rule;
+    let options = ReadOptions::new().volume(VolumeReading { rule, ..VolumeReading::default() });
     match io::read_path_with(path, &options).unwrap().structure() {
         Some(Structure::Volume(volume)) => volume.clone(),
         _ => panic!("{name} holds no volume"),

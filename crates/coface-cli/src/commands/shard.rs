@@ -166,7 +166,7 @@ pub(crate) fn cut_input(
     request.part_memory = asked.memory;
     request.source.fingerprint = fingerprint(input, cut, common);
     if let Some(shape) = &cut.grid.grid {
-        let is_periodic = reading.volume.periodic_axes(shape.len())?;
+        let is_periodic = reading.volume_reading().periodic_axes(shape.len())?;
         return Ok(shard_grid(sort, shape, &is_periodic, folder, &request)?);
     }
     let volumes_have_no_owners = || match cut.owners {
@@ -178,7 +178,8 @@ pub(crate) fn cut_input(
     {
         volumes_have_no_owners()?;
         progress.stage("cutting into shards");
-        let (shards, warnings) = shard_volume_file(sort, input, format, &reading.volume, folder, &request)?;
+        let (shards, warnings) =
+            shard_volume_file(sort, input, format, reading.volume_reading(), folder, &request)?;
         if !common.quiet {
             warnings.iter().for_each(|warning| remark(&format!("{name}: {warning}")));
         }

@@ -107,6 +107,19 @@ fn push_counts<'a, E: Entry>(writer: &mut ContainerWriter<'a>, complex: &'a Chai
 }
 
 /// Appends the matrices of a complex.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_io::container::{Container, ContainerWriter, Kind, push_complex, to_complex};
+/// let points = ChainComplex::of_points(3);
+/// let mut writer = ContainerWriter::new(Kind::Complex);
+/// push_complex(&mut writer, &points);
+/// let mut bytes = Vec::new();
+/// writer.write(&mut bytes)?;
+/// assert_eq!(to_complex(&Container::open(&bytes, Kind::Complex)?)?, points);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn push_complex<'a>(writer: &mut ContainerWriter<'a>, complex: &'a ChainComplex) {
     push_counts(writer, complex);
     for (degree, matrix) in (1..).zip(complex.boundary_matrices()) {
@@ -164,6 +177,19 @@ fn matrices<E: Entry>(
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] where sections are missing or do not fit together; [`ErrorKind::BoundaryOfBoundary`].
+///
+/// # Examples
+/// ```
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_io::container::{Container, ContainerWriter, Kind, push_complex, to_complex};
+/// let points = ChainComplex::of_points(3);
+/// let mut writer = ContainerWriter::new(Kind::Complex);
+/// push_complex(&mut writer, &points);
+/// let mut bytes = Vec::new();
+/// writer.write(&mut bytes)?;
+/// assert_eq!(to_complex(&Container::open(&bytes, Kind::Complex)?)?, points);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn to_complex(container: &Container<'_>) -> Result<ChainComplex, Error> {
     let (vertex_count, matrices) = matrices(container, |degree| {
         Ok(match container.width(Role::Entries, degree)? {

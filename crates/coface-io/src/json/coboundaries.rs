@@ -1,7 +1,7 @@
 //! Coboundary matrices under keys of their own: `"d0"`, `"d1"`, ...
 
-use super::document::Faults;
 use super::facets::Number;
+use super::faults::Faults;
 use super::matrices::{Entry, EntryList, most_cells};
 use coface_algebra::SparseMatrix;
 use coface_algebra::{Error, ErrorKind};

@@ -1,6 +1,6 @@
 //! Closed curves with kinks: boundaries of sets in the plane.
 
-use super::document::Faults;
+use super::faults::Faults;
 use crate::scanner::quoted;
 use crate::yin::{BoundaryCurve, BoundaryDrawing, Filling};
 use coface_algebra::Error;

@@ -3,6 +3,7 @@
 use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
 use super::curves::{CurveKeys, CurveList};
 use super::facets::{Facet, FacetList, HalfedgeList};
+use super::faults::Faults;
 use super::gluings::GluingList;
 use super::matrices::MatrixList;
 use super::points::{PointList, Points};
@@ -11,26 +12,7 @@ use coface_algebra::Error;
 use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_complexes::gluing::GluingTable;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
-use std::cell::RefCell;
 use std::fmt;
-
-/// Where a fault with its kind and cure waits while the parser hands its own error up.
-#[derive(Default)]
-pub(crate) struct Faults(RefCell<Option<Error>>);
-
-impl Faults {
-    /// Keeps the fault and gives the error that stops the parser.
-    pub(crate) fn raise<E: serde::de::Error>(&self, fault: Error) -> E {
-        let stop = E::custom(fault.message());
-        self.0.borrow_mut().get_or_insert(fault);
-        stop
-    }
-
-    /// The fault that was raised.
-    pub(crate) fn take(&self) -> Option<Error> {
-        self.0.borrow_mut().take()
-    }
-}
 
 /// What one object describes.
 pub(super) enum Content {

@@ -1,6 +1,6 @@
 //! Lists of numbers and lists of facets.
 
-use super::document::Faults;
+use super::faults::Faults;
 use crate::model::repeated_vertex;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};

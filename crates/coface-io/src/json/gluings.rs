@@ -1,7 +1,7 @@
 //! Gluing tables.
 
-use super::document::Faults;
 use super::facets::Number;
+use super::faults::Faults;
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::gluing::{GluingTable, different_rows, no_permutation};
 use serde::de::{DeserializeSeed, Deserializer, SeqAccess, Visitor};

@@ -1,7 +1,7 @@
 //! Boundary matrices.
 
-use super::document::Faults;
 use super::facets::Number;
+use super::faults::Faults;
 use coface_algebra::SparseMatrix;
 use coface_algebra::{Error, ErrorKind};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};

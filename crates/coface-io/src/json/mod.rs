@@ -26,6 +26,7 @@ mod coboundaries;
 mod curves;
 mod document;
 mod facets;
+mod faults;
 mod gluings;
 mod matrices;
 mod points;
@@ -34,7 +35,7 @@ mod reading;
 mod tests;
 mod writing;
 
-pub(crate) use document::Faults;
+pub(crate) use faults::Faults;
 pub use reading::{read, read_entry};
 pub(crate) use reading::{read_boundary, read_with};
 pub use writing::write;

@@ -1,7 +1,8 @@
 //! From a stream to a model.
 
 use super::coboundaries::boundaries;
-use super::document::{Content, Document, Faults, Root};
+use super::document::{Content, Document, Root};
+use super::faults::Faults;
 use super::points::PointList;
 use crate::yin::{BoundaryDrawing, model_of_drawing};
 use crate::{Model, Structure};

@@ -1,9 +1,9 @@
 //! Reading, text and binary.
 
 use super::sections::{Elements, Marks, Section};
+use crate::GroupKind;
 use crate::Model;
 use crate::assembly::Assembly;
-use crate::model::GroupKind;
 use crate::scanner::{Scanner, quoted};
 use crate::scratch_mesh::ScratchMesh;
 use crate::values::{Encoding, NumberType, Values};

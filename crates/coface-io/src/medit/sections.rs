@@ -1,7 +1,7 @@
 //! The sections of a file: their keywords, and their codes in binary files.
 
-use crate::assembly::Kind;
-use crate::model::GroupKind;
+use crate::GroupKind;
+use crate::element_kind::Kind;
 
 /// What a section lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

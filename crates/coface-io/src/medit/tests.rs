@@ -1,5 +1,5 @@
 use super::{read, write};
-use crate::model::GroupKind;
+use crate::GroupKind;
 use crate::samples::{Limits, meshes};
 use proptest::prelude::*;
 

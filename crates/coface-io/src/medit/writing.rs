@@ -3,7 +3,7 @@
 use super::sections::all_marks;
 use crate::assembly::{first_numbers, group_numbers};
 use crate::decimal::{flush, push_f64, push_natural};
-use crate::model::{Group, GroupKind};
+use crate::{Group, GroupKind};
 use crate::{Model, limits};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cell_mesh::CellShape;

@@ -1,6 +1,6 @@
 //! The types of elements, by their numbers.
 
-use crate::assembly::Kind;
+use crate::element_kind::Kind;
 
 /// A type of element: its first `corner_count` nodes are the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,6 +7,8 @@
 //! names, entities, nodes and elements are passed over.
 
 mod elements;
+mod nodes;
+mod reader;
 mod reading;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 use super::{Version, read, write};
-use crate::model::{Group, GroupKind};
 use crate::samples::{Limits, meshes};
+use crate::{Group, GroupKind};
 use proptest::prelude::*;
 
 const NODES_2: &str =

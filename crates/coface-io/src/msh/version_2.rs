@@ -1,6 +1,6 @@
 //! Nodes and elements of version 2: each element carries its tags, the first of which is its physical group.
 
-use super::reading::Reader;
+use super::reader::Reader;
 use crate::values::NumberType;
 use coface_algebra::Error;
 use std::io::Read;

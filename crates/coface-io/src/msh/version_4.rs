@@ -1,7 +1,7 @@
 //! Entities, nodes and elements of version 4: blocks of nodes and of elements lie on entities, which have the physical
 //! groups.
 
-use super::reading::{FileVersion, Reader};
+use super::reader::{FileVersion, Reader};
 use crate::values::NumberType;
 use coface_algebra::Error;
 use std::io::Read;

@@ -1,9 +1,10 @@
 //! Writing, as text.
 
 use super::elements::ElementType;
-use crate::assembly::{Kind, group_numbers};
+use crate::assembly::group_numbers;
 use crate::decimal::{flush, push_f64, push_natural};
-use crate::model::{Group, GroupKind};
+use crate::element_kind::Kind;
+use crate::{Group, GroupKind};
 use crate::{Model, limits};
 use coface_algebra::Error;
 use coface_algebra::ErrorKind;

@@ -1,6 +1,7 @@
 //! Curves as chords or as cubics, and the corners of subpaths.
 
 use super::transformation::Transformation;
+use coface_arrange::boolean::InsideRule;
 
 /// More chords than these for one curve are refused.
 const MOST_CHORDS: f64 = 1e6;
@@ -349,5 +350,25 @@ impl Pen {
         let center = [f64::midpoint(from[0], to[0]) + dx, f64::midpoint(from[1], to[1]) + dy];
         let axes = [turn.direction([rx, 0.0]), turn.direction([0.0, ry])];
         self.ellipse(center, axes, [start, sweep], Some(to))
+    }
+}
+
+/// A shape that is filled, or would be.
+pub(super) struct FilledPath {
+    pub(super) line: u64,
+    /// The name of the element, and its own.
+    pub(super) element: String,
+    pub(super) name: Option<String>,
+    pub(super) rule: InsideRule,
+    /// Whether its first subpath is the frame of an unbounded set: what is written so by [`crate::yin`].
+    pub(super) is_exterior: bool,
+    pub(super) subpaths: Vec<Subpath>,
+}
+
+impl FilledPath {
+    pub(super) fn is_closed(&self) -> bool {
+        self.subpaths
+            .iter()
+            .all(|subpath| subpath.is_closed || subpath.corners.first() == subpath.corners.last())
     }
 }

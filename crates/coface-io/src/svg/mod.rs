@@ -10,17 +10,32 @@
 //! but not drawn (`defs`, `symbol`, `clipPath`, `mask`, `pattern`, `marker`) is passed over, and so are text, images and `use`, with
 //! a warning.
 
+#[cfg(feature = "xml")]
 mod curves;
+#[cfg(feature = "xml")]
 mod elements;
+#[cfg(feature = "xml")]
 mod path;
+#[cfg(feature = "xml")]
 mod reading;
+#[cfg(feature = "xml")]
 mod regions;
-#[cfg(test)]
+#[cfg(all(test, feature = "xml"))]
 mod tests;
+#[cfg(feature = "xml")]
 mod transformation;
+#[cfg(not(feature = "xml"))]
+mod without_xml;
 mod writing;
 
-pub(super) use reading::{check_tolerance, read_with};
+#[cfg(feature = "xml")]
+pub(super) use reading::read_with;
+#[cfg(feature = "xml")]
 pub use reading::{read, read_flattened};
+#[cfg(feature = "xml")]
 pub(super) use regions::read_regions;
+#[cfg(not(feature = "xml"))]
+pub use without_xml::{read, read_flattened};
+#[cfg(not(feature = "xml"))]
+pub(super) use without_xml::{read_regions, read_with};
 pub use writing::write;

@@ -1,10 +1,10 @@
 //! From a stream to a model.
 
-use super::curves::{Curves, Fault, Pen, Subpath};
+use super::curves::{Curves, Fault, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
-use super::regions::FilledPath;
 use super::transformation::Transformation;
 use crate::drawing::{Drawing, Place};
+use crate::yin::check_tolerance;
 use crate::{CellData, GroupKind, Model};
 use coface_algebra::{Error, ErrorKind};
 use roxmltree::{Document, Node, ParsingOptions};
@@ -61,15 +61,6 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 pub fn read_flattened(input: impl Read, tolerance: f64) -> Result<Model, Error> {
     check_tolerance(tolerance)?;
     read_with(input, Some(tolerance))
-}
-
-/// `InvalidInput` unless this is a distance of chords from curves.
-pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
-    if tolerance > 0.0 && tolerance.is_finite() {
-        return Ok(());
-    }
-    Err(Error::invalid(format!("{tolerance} is no distance of chords from curves"))
-        .with_cure("give a finite length above 0, in the unit of the drawing"))
 }
 
 pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {

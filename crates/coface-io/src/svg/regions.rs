@@ -1,32 +1,11 @@
 //! The filled shapes of a drawing as curves that bound sets.
 
-use super::curves::Subpath;
+use super::curves::{FilledPath, Subpath};
 use super::reading::{ShapePaths, read_paths};
 use crate::yin::{BoundaryCurve, BoundaryDrawing, Filling};
 use coface_algebra::{Error, ErrorKind};
-use coface_arrange::boolean::InsideRule;
 use coface_yin::{Curve, Order};
 use std::io::Read;
-
-/// A shape that is filled, or would be.
-pub(super) struct FilledPath {
-    pub(super) line: u64,
-    /// The name of the element, and its own.
-    pub(super) element: String,
-    pub(super) name: Option<String>,
-    pub(super) rule: InsideRule,
-    /// Whether its first subpath is the frame of an unbounded set: what is written so by [`crate::yin`].
-    pub(super) is_exterior: bool,
-    pub(super) subpaths: Vec<Subpath>,
-}
-
-impl FilledPath {
-    fn is_closed(&self) -> bool {
-        self.subpaths
-            .iter()
-            .all(|subpath| subpath.is_closed || subpath.corners.first() == subpath.corners.last())
-    }
-}
 
 /// Reads the filled shapes of a drawing with their curves: order 4 if there is a curve, else 2.
 ///

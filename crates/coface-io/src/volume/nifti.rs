@@ -2,8 +2,8 @@
 
 use super::header::{Encoding, Skip, VolumeHeader, exactly, shape_of};
 use super::numbers::NumberType;
+use crate::features::{GZIP, gunzipped};
 use coface_algebra::{Error, ErrorKind};
-use flate2::read::MultiGzDecoder;
 use std::io::Read;
 
 const LENGTH_1: usize = 348;
@@ -11,11 +11,13 @@ const LENGTH_2: usize = 540;
 
 /// Whether bytes are the start of a NIfTI header, compressed or not.
 pub(crate) fn is_nifti(start: &[u8]) -> bool {
-    if start.starts_with(super::stream::GZIP) {
+    if start.starts_with(GZIP) {
         let mut unpacked = Vec::new();
+        // NIfTI is the only format that is read compressed: without that feature, its reader says what is missing.
+        let Ok(stream) = gunzipped(start) else { return true };
         // A start that is cut off gives what can be unpacked of it.
-        let _ = MultiGzDecoder::new(start).take(LENGTH_2 as u64).read_to_end(&mut unpacked);
-        return !unpacked.starts_with(super::stream::GZIP) && is_nifti(&unpacked);
+        let _ = stream.take(LENGTH_2 as u64).read_to_end(&mut unpacked);
+        return !unpacked.starts_with(GZIP) && is_nifti(&unpacked);
     }
     let Some(first) = start.get(..4) else { return false };
     let first: [u8; 4] = first.try_into().expect("four bytes");

@@ -5,17 +5,15 @@ use super::numbers::{Test, Words};
 use super::rule::{VolumeReading, VoxelRule};
 use super::{nifti, npy, nrrd};
 use crate::Format;
-use crate::watching::{name_of, reading};
+use crate::counted_stream::{name_of, reading};
+use crate::features::{GZIP, gunzipped};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
-use flate2::read::MultiGzDecoder;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
-/// The mark of gzip.
-pub(super) const GZIP: &[u8] = b"\x1f\x8b";
 /// No more numbers than this are held at once.
 const CHUNK: usize = 1 << 14;
 
@@ -81,7 +79,7 @@ impl VolumeStream<'static> {
         let is_packed = format == Format::Nifti && start == GZIP;
         let input = BufReader::with_capacity(1 << 18, std::io::Cursor::new(start).chain(file));
         if is_packed {
-            let unpacked = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
+            let unpacked = Box::new(BufReader::with_capacity(1 << 18, gunzipped(input)?));
             let mut stream = Self::positioned(header, unpacked, None, None, Some(name))?;
             stream.files.push(data_path);
             return Ok(stream);
@@ -97,6 +95,15 @@ impl<'r> VolumeStream<'r> {
     ///
     /// # Errors
     /// As [`Self::open`]; [`ErrorKind::InvalidInput`] where the numbers are in another file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n1 1 1  1 0 1";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// assert_eq!(stream.shape(), [3, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(input: impl Read + 'r, format: Format) -> Result<Self, Error> {
         let (header, input, first_byte) = begin(Box::new(input), format)?;
         if let Some(file) = &header.data_file {
@@ -146,7 +153,7 @@ impl<'r> VolumeStream<'r> {
         };
         let skipped = skip_lines(&mut input, lines).map_err(in_data)?;
         if header.encoding == Encoding::Gzip {
-            input = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
+            input = Box::new(BufReader::with_capacity(1 << 18, gunzipped(input)?));
             (size, first_byte) = (None, None);
         }
         let passed = std::io::copy(&mut input.by_ref().take(bytes), &mut std::io::sink());
@@ -169,16 +176,43 @@ impl<'r> VolumeStream<'r> {
     }
 
     /// The number of voxels along each axis of the file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n1 1 1  1 0 1";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// assert_eq!(stream.shape(), [3, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn shape(&self) -> &[u32] {
         &self.header.shape
     }
 
     /// The files that are read: that of the header, and that of the numbers if it is another; none for a stream without a name.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n1 1 1  1 0 1";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// assert!(stream.files().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
     /// The axis that runs fastest in the file: the last one or the first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n1 1 1  1 0 1";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// assert_eq!(stream.fastest_axis(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn fastest_axis(&self) -> usize {
         if self.header.is_first_fastest { 0 } else { self.header.shape.len() - 1 }
     }
@@ -191,6 +225,20 @@ impl<'r> VolumeStream<'r> {
     ///
     /// # Complexity
     /// Linear in the file; some thousand numbers are held.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream, VoxelRule};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n1 1 1  1 0 1";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// let mut set = 0;
+    /// stream.for_each_run(VoxelRule::default(), |_, run| {
+    ///     set += run.iter().filter(|&&is_set| is_set).count();
+    ///     Ok(())
+    /// })?;
+    /// assert_eq!(set, 5);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn for_each_run(
         self,
         rule: VoxelRule,
@@ -279,6 +327,16 @@ impl<'r> VolumeStream<'r> {
     ///
     /// # Complexity
     /// Linear in the file; two bits a voxel are held.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeReading, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n1 1 1  1 0 1";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// let (volume, _) = stream.read(&VolumeReading::default())?;
+    /// assert!(volume.is_set(&[0, 0]) && !volume.is_set(&[1, 1]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn read(self, how: &VolumeReading) -> Result<(CubicalVolume, Vec<String>), Error> {
         let shape = self.header.shape.clone();
         let is_first_fastest = self.header.is_first_fastest;
@@ -493,7 +551,7 @@ fn begin<'r>(
         is_packed = start == GZIP;
         input = Box::new(std::io::Cursor::new(start).chain(input));
         if is_packed {
-            input = Box::new(BufReader::with_capacity(1 << 18, MultiGzDecoder::new(input)));
+            input = Box::new(BufReader::with_capacity(1 << 18, gunzipped(input)?));
         }
     }
     let header = match format {

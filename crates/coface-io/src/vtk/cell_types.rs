@@ -1,6 +1,6 @@
 //! The types of cells, by their numbers.
 
-use crate::assembly::Kind;
+use crate::element_kind::Kind;
 use coface_algebra::{Error, ErrorKind};
 
 /// What a cell of one type becomes.

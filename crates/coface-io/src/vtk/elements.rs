@@ -1,8 +1,9 @@
 //! The points and cells of a mesh as they are read, whatever the encoding.
 
+use super::cell_runs::Cells;
 use super::cell_types::CellType;
-use super::data::Cells;
-use crate::assembly::{Assembly, Kind};
+use crate::assembly::Assembly;
+use crate::element_kind::Kind;
 use coface_algebra::Error;
 
 /// A mesh in the making, and what each cell of the file became.

@@ -1,33 +1,12 @@
 //! Grids whose cells are told by three counts of points.
 
-use super::reading::Reader;
-use crate::assembly::Kind;
+use super::reader::{Grid, GridKind, Reader};
+use crate::element_kind::Kind;
 use coface_algebra::{Error, ErrorKind};
 use std::io::Read;
 
 /// Uniform and rectilinear grids may have so many points: they are not in the file, so it cannot vouch for them.
 const MOST_POINTS: u64 = 1 << 24;
-
-/// How the points of a grid are given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum GridKind {
-    /// By an origin and three steps.
-    Uniform,
-    /// By coordinates along three axes.
-    Rectilinear,
-    /// One by one.
-    Curved,
-}
-
-/// A grid as far as it has been read.
-#[derive(Debug, Default)]
-pub(super) struct Grid {
-    pub(super) kind: Option<GridKind>,
-    dimensions: Option<[u64; 3]>,
-    origin: [f64; 3],
-    spacing: Option<[f64; 3]>,
-    axes: [Option<Vec<f64>>; 3],
-}
 
 /// Reads what follows one of the keywords of a grid.
 pub(super) fn read_line<R: Read>(reader: &mut Reader<R>, keyword: &[u8]) -> Result<(), Error> {

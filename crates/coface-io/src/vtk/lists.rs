@@ -1,40 +1,9 @@
 //! Lists of points: counted lists, or offsets and connectivity.
 
-use super::reading::Reader;
+use super::reader::{Lists, Reader};
 use crate::values::NumberType;
 use coface_algebra::Error;
 use std::io::Read;
-
-/// Lists of points with the place of each in the file.
-pub(super) struct Lists {
-    starts: Vec<usize>,
-    points: Vec<u32>,
-    /// The line, or the byte, of each list; of all of them if there is one only.
-    places: Vec<u64>,
-    is_ascii: bool,
-}
-
-impl Default for Lists {
-    fn default() -> Self {
-        Self { starts: vec![0], points: Vec::new(), places: Vec::new(), is_ascii: true }
-    }
-}
-
-impl Lists {
-    pub(super) fn len(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    pub(super) fn list(&self, i: usize) -> &[u32] {
-        &self.points[self.starts[i]..self.starts[i + 1]]
-    }
-
-    /// A fault in list `i`.
-    pub(super) fn place(&self, i: usize, fault: Error) -> Error {
-        let place = self.places.get(i).or(self.places.last()).copied().unwrap_or(0);
-        if self.is_ascii { fault.at_line(place) } else { fault.at_byte(place) }
-    }
-}
 
 /// Reads the lists behind a keyword: `count size` and then each list behind its length, or, since version 5.1, the
 /// lengths of two arrays, `OFFSETS` and `CONNECTIVITY`.

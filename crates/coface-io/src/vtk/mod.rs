@@ -10,22 +10,31 @@
 //!
 //! [`CellShape`]: coface_complexes::cell_mesh::CellShape
 
+mod cell_runs;
 mod cell_types;
 mod data;
 mod elements;
 mod grids;
 mod lists;
+mod reader;
 mod reading;
 #[cfg(test)]
 mod tests;
+#[cfg(not(feature = "xml"))]
+mod without_xml;
 mod writing;
+#[cfg(feature = "xml")]
 mod xml_arrays;
+#[cfg(feature = "xml")]
 mod xml_reading;
-#[cfg(test)]
+#[cfg(all(test, feature = "xml", feature = "compression"))]
 mod xml_tests;
 mod xml_writing;
 
 pub use reading::read;
+#[cfg(not(feature = "xml"))]
+pub use without_xml::read_xml;
 pub use writing::{Encoding, write};
+#[cfg(feature = "xml")]
 pub use xml_reading::read_xml;
 pub use xml_writing::{XmlKind, write_xml};

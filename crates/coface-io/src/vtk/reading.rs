@@ -1,13 +1,13 @@
 //! The header, and the kinds of data sets.
 
 use super::cell_types::CellType;
-use super::data::{self, Place};
-use super::elements::Elements;
+use super::data;
 use super::grids;
-use super::lists::{Lists, read_lists};
+use super::lists::read_lists;
+use super::reader::{GridKind, Lists, Reader};
 use crate::Model;
-use crate::scanner::{Scanner, quoted};
-use crate::values::{Encoding, NumberType, Values};
+use crate::scanner::quoted;
+use crate::values::{Encoding, NumberType};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Read;
 
@@ -41,15 +41,7 @@ use std::io::Read;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    let mut reader = Reader {
-        values: Values::new(Scanner::new(input), Encoding::Ascii),
-        elements: Elements::new(),
-        cells: None,
-        has_dataset: false,
-        has_offsets: false,
-        grid: grids::Grid::default(),
-        data_place: None,
-    };
+    let mut reader = Reader::new(input);
     reader.read_header()?;
     while let Some(keyword) = reader.next_keyword()? {
         if !reader.read_section(&keyword)? {
@@ -58,18 +50,6 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     }
     reader.complete()?;
     reader.elements.assembly.finish()
-}
-
-pub(super) struct Reader<R> {
-    pub(super) values: Values<R>,
-    pub(super) elements: Elements,
-    /// The cells of an unstructured grid, before their types are known.
-    cells: Option<Lists>,
-    has_dataset: bool,
-    pub(super) has_offsets: bool,
-    pub(super) grid: grids::Grid,
-    /// What data that follow are on; `None` before the first.
-    pub(super) data_place: Option<Place>,
 }
 
 impl<R: Read> Reader<R> {
@@ -121,9 +101,9 @@ impl<R: Read> Reader<R> {
                 let dataset = self.values.scanner.expect_token("the kind of data set")?.to_ascii_uppercase();
                 match dataset.as_slice() {
                     b"UNSTRUCTURED_GRID" | b"POLYDATA" => {}
-                    b"STRUCTURED_POINTS" => self.grid.kind = Some(grids::GridKind::Uniform),
-                    b"RECTILINEAR_GRID" => self.grid.kind = Some(grids::GridKind::Rectilinear),
-                    b"STRUCTURED_GRID" => self.grid.kind = Some(grids::GridKind::Curved),
+                    b"STRUCTURED_POINTS" => self.grid.kind = Some(GridKind::Uniform),
+                    b"RECTILINEAR_GRID" => self.grid.kind = Some(GridKind::Rectilinear),
+                    b"STRUCTURED_GRID" => self.grid.kind = Some(GridKind::Curved),
                     _ => {
                         let message = format!("data sets of the kind {} hold no mesh", quoted(&dataset));
                         let error = Error::new(ErrorKind::UnsupportedFormat, message);
@@ -158,36 +138,6 @@ impl<R: Read> Reader<R> {
         Ok(true)
     }
 
-    fn header_error(&self, message: String, cure: &str) -> Error {
-        self.values.error(message).with_cure(cure)
-    }
-
-    pub(super) fn read_points(&mut self) -> Result<(), Error> {
-        if self.elements.assembly.vertex_count() > 0 {
-            return Err(self.header_error("the points are given twice".to_owned(), "keep one section POINTS"));
-        }
-        let count = self.values.scanner.expect_u64("the count of points")?;
-        let number = self.read_type()?;
-        self.values.end_line()?;
-        for _ in 0..count {
-            let mut point = [0.0; 3];
-            for coordinate in &mut point {
-                *coordinate = self.values.float(number, "a coordinate")?;
-            }
-            self.elements.assembly.add_vertex(&point).map_err(|fault| self.values.located(fault))?;
-        }
-        Ok(())
-    }
-
-    /// The type of the numbers of an array.
-    pub(super) fn read_type(&mut self) -> Result<NumberType, Error> {
-        let name = self.values.scanner.expect_token("a type of numbers")?.to_ascii_lowercase();
-        number_type(&name).ok_or_else(|| {
-            let message = format!("{} is no type of numbers", quoted(&name));
-            self.header_error(message, "use float, double, int, vtktypeint64 or their like")
-        })
-    }
-
     fn read_polydata(&mut self, keyword: &str, section: usize, cell_type: CellType) -> Result<(), Error> {
         let lists = read_lists(self, keyword)?;
         for i in 0..lists.len() {
@@ -217,24 +167,6 @@ impl<R: Read> Reader<R> {
         Ok(())
     }
 
-    /// The fault of an array of another type than numbers before the mesh.
-    pub(super) fn unreadable_field(&self, type_name: &[u8]) -> Error {
-        let message = format!("arrays of {} cannot be passed over", quoted(type_name));
-        let fault = Error::new(ErrorKind::UnsupportedFormat, message);
-        self.values.located(fault.with_cure("remove the FIELD before the points"))
-    }
-
-    /// Lines up to an empty one.
-    pub(super) fn skip_metadata(&mut self) -> Result<(), Error> {
-        self.values.scanner.next_line()?;
-        while let Some(line) = self.values.scanner.next_line()? {
-            if line.trim_ascii().is_empty() {
-                break;
-            }
-        }
-        Ok(())
-    }
-
     /// Sees to it that the mesh is all there.
     fn complete(&mut self) -> Result<(), Error> {
         let ended =
@@ -250,22 +182,4 @@ impl<R: Read> Reader<R> {
         }
         Ok(())
     }
-}
-
-/// The type of numbers of this name.
-pub(super) fn number_type(name: &[u8]) -> Option<NumberType> {
-    Some(match name {
-        b"char" | b"signed_char" | b"vtktypeint8" => NumberType::Int8,
-        b"unsigned_char" | b"vtktypeuint8" => NumberType::UInt8,
-        b"short" | b"vtktypeint16" => NumberType::Int16,
-        b"unsigned_short" | b"vtktypeuint16" => NumberType::UInt16,
-        // Ids are written as 32-bit numbers whatever they are in memory.
-        b"int" | b"vtkidtype" | b"vtktypeint32" => NumberType::Int32,
-        b"unsigned_int" | b"vtktypeuint32" => NumberType::UInt32,
-        b"long" | b"long_long" | b"vtktypeint64" => NumberType::Int64,
-        b"unsigned_long" | b"unsigned_long_long" | b"vtktypeuint64" => NumberType::UInt64,
-        b"float" | b"vtktypefloat32" => NumberType::Float32,
-        b"double" | b"vtktypefloat64" => NumberType::Float64,
-        _ => return None,
-    })
 }

@@ -1,5 +1,6 @@
 //! Arrays of a VTK XML file: text, base64 or bytes, compressed or not.
 
+use crate::features::inflated;
 use crate::numbers::Numbers;
 use crate::scanner::Scanner;
 use crate::values::{Encoding, NumberType, Values};
@@ -169,13 +170,12 @@ impl Storage<'_> {
             let packed = stream.take(length)?;
             let before = bytes.len() as u64;
             // Not a byte more is unpacked than was promised, so that a small file cannot fill memory with what nobody asked for.
-            flate2::read::ZlibDecoder::new(&packed[..])
-                .take(expected.saturating_add(1))
-                .read_to_end(&mut bytes)
-                .map_err(|error| {
+            inflated(&packed[..])?.take(expected.saturating_add(1)).read_to_end(&mut bytes).map_err(
+                |error| {
                     Error::parse(format!("block {i} cannot be unpacked: {error}"))
                         .with_cure("the file is damaged: write it again")
-                })?;
+                },
+            )?;
             if bytes.len() as u64 - before != expected {
                 let found = bytes.len() as u64 - before;
                 let found = if found > expected { "more".to_owned() } else { format!("only {found}") };

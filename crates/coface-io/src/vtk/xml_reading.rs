@@ -1,7 +1,7 @@
 //! Reading VTK XML: the pieces of a mesh.
 
+use super::cell_runs::{Cells, KINDS};
 use super::cell_types::CellType;
-use super::data::{Cells, KINDS};
 use super::elements::Elements;
 use super::xml_arrays::{Appended, Array, Storage, located, natural};
 use crate::numbers::Numbers;

@@ -38,6 +38,13 @@ pub struct BoundaryCurve {
 
 impl BoundaryCurve {
     /// The curve to be fitted to these points; the first is not repeated.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert_eq!(curve.points().len(), 3);
+    /// ```
     pub fn new(points: Vec<[f64; 2]>) -> Self {
         Self { points, kinks: Vec::new(), kink_names: None, name: None, knots: None, curve: None, line: None }
     }
@@ -68,31 +75,73 @@ impl BoundaryCurve {
     }
 
     /// The points at the knots, the first not repeated.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert_eq!(curve.points()[1], [1.0, 0.0]);
+    /// ```
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
     }
 
     /// The numbers of the points that are kinks, as the file has them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert!(curve.kinks().is_empty());
+    /// ```
     pub fn kinks(&self) -> &[u32] {
         &self.kinks
     }
 
     /// The names of the kinks, if the file has any.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert_eq!(curve.kink_names(), None);
+    /// ```
     pub fn kink_names(&self) -> Option<&[u32]> {
         self.kink_names.as_deref()
     }
 
     /// The name.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert_eq!(curve.name(), None);
+    /// ```
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
     /// The line of the file that it begins at, if that is known.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert_eq!(curve.line(), None);
+    /// ```
     pub fn line(&self) -> Option<u64> {
         self.line
     }
 
     /// Whether the file has more of the curve than its points: pieces that nothing is fitted to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert!(!curve.has_pieces());
+    /// ```
     pub fn has_pieces(&self) -> bool {
         self.curve.is_some()
     }
@@ -101,6 +150,15 @@ impl BoundaryCurve {
     ///
     /// # Errors
     /// Those of [`Curve::fit_closed`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryCurve;
+    /// use coface_yin::{EndCondition, Order};
+    /// let curve = BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// assert_eq!(curve.curve(Order::LINEAR, &EndCondition::NotAKnot)?.signed_area(), 0.5);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn curve(&self, order: Order, ends: &EndCondition) -> Result<Curve<'static>, Error> {
         if let Some(curve) = &self.curve {
             return match curve.order() < order {
@@ -183,6 +241,13 @@ pub struct BoundaryDrawing {
 
 impl BoundaryDrawing {
     /// A drawing without curves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryDrawing;
+    /// use coface_yin::Order;
+    /// assert!(BoundaryDrawing::new(Order::LINEAR).curves().is_empty());
+    /// ```
     pub fn new(order: Order) -> Self {
         Self {
             order,
@@ -196,11 +261,27 @@ impl BoundaryDrawing {
     }
 
     /// The whole plane.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::BoundaryDrawing;
+    /// use coface_yin::Order;
+    /// assert!(BoundaryDrawing::plane(Order::LINEAR).is_plane());
+    /// ```
     pub fn plane(order: Order) -> Self {
         Self { is_plane: true, ..Self::new(order) }
     }
 
     /// Adds curves of a group.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert_eq!(drawing.groups(), [(Filling::Left, 0..1)]);
+    /// ```
     pub fn push(&mut self, filling: Filling, curves: Vec<BoundaryCurve>) {
         let start = self.curves.len();
         self.curves.extend(curves);
@@ -223,6 +304,15 @@ impl BoundaryDrawing {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming the curve and the fault.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert!(drawing.check().is_ok());
+    /// ```
     pub fn check(&self) -> Result<(), Error> {
         for (number, curve) in self.curves.iter().enumerate() {
             let check = curve.check(number);
@@ -255,36 +345,99 @@ impl BoundaryDrawing {
     }
 
     /// The order of the curves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert_eq!(drawing.order(), Order::LINEAR);
+    /// ```
     pub fn order(&self) -> Order {
         self.order
     }
 
     /// Whether the set is the whole plane.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert!(!drawing.is_plane());
+    /// ```
     pub fn is_plane(&self) -> bool {
         self.is_plane
     }
 
     /// All curves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert_eq!(drawing.curves().len(), 1);
+    /// ```
     pub fn curves(&self) -> &[BoundaryCurve] {
         &self.curves
     }
 
     /// The groups: what is inside, and the range of their curves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert_eq!(drawing.groups(), [(Filling::Left, 0..1)]);
+    /// ```
     pub fn groups(&self) -> &[(Filling, Range<usize>)] {
         &self.groups
     }
 
     /// The first name that no kink ever had, if the file says it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert_eq!(drawing.next_kink_name(), None);
+    /// ```
     pub fn next_kink_name(&self) -> Option<u32> {
         self.next_kink_name
     }
 
     /// What is odd, or was changed: one sentence each.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert!(drawing.warnings().is_empty());
+    /// ```
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
 
     /// The format of the file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+    /// use coface_yin::Order;
+    /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    /// assert_eq!(drawing.format(), None);
+    /// ```
     pub fn format(&self) -> Option<Format> {
         self.format
     }

@@ -27,7 +27,7 @@ const MOST_CHORDS: f64 = 1e6;
 /// # Ok(()) }
 /// ```
 pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Error> {
-    crate::svg::check_tolerance(tolerance)?;
+    check_tolerance(tolerance)?;
     let mut corners = Vec::new();
     let mut level: Vec<[f64; 2]> = Vec::new();
     for piece in 0..curve.piece_count() {
@@ -65,4 +65,13 @@ pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Err
         }
     }
     Ok(corners)
+}
+
+/// `InvalidInput` unless this is a distance of chords from curves.
+pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
+    if tolerance > 0.0 && tolerance.is_finite() {
+        return Ok(());
+    }
+    Err(Error::invalid(format!("{tolerance} is no distance of chords from curves"))
+        .with_cure("give a finite length above 0, in the unit of the drawing"))
 }

@@ -1,4 +1,4 @@
 //! Tests of `coface-io`, in one program: each test program links everything anew.
 
-mod doors;
-mod mesh_doors;
+mod formats;
+mod mesh_formats;

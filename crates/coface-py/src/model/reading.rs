@@ -17,10 +17,7 @@ pub(crate) fn read_options(
     format: Option<&str>,
     flatten: Option<f64>,
 ) -> PyResult<ReadOptions> {
-    let mut options = ReadOptions::default();
-    options.format = format_of(py, format)?;
-    options.flatten = flatten;
-    Ok(options)
+    Ok(ReadOptions::new().format(format_of(py, format)?).flatten(flatten))
 }
 
 /// Reads a model from a file; its content and its name decide the format.

@@ -54,19 +54,32 @@ impl Reading {
     }
 
     fn options(self) -> ReadOptions {
-        let mut options = ReadOptions::default();
-        (options.format, options.flatten, options.volume) = (self.format, self.flatten, self.volume);
-        options
+        ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume)
     }
 }
 
 impl ReportRequest {
     /// A request for the report on this file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::ReportRequest;
+    /// let request = ReportRequest::new("a.off");
+    /// assert_eq!(request.path.to_str(), Some("a.off"));
+    /// ```
     pub fn new(path: impl Into<PathBuf>) -> Self {
         Self { path: path.into(), reading: Reading::default() }
     }
 
     /// The request as a line of JSON. Names of files that are no text are lists of bytes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::ReportRequest;
+    /// let request = ReportRequest::new("a.off");
+    /// assert_eq!(ReportRequest::from_line(&request.to_line())?, request);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn to_line(&self) -> String {
         let mut value = self.reading.to_json();
         value["path"] = path_to_json(&self.path);
@@ -77,6 +90,15 @@ impl ReportRequest {
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if there is none in it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::ReportRequest;
+    /// let request = ReportRequest::new("a.off");
+    /// assert_eq!(ReportRequest::from_line(&request.to_line())?, request);
+    /// assert!(ReportRequest::from_line("[]").is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn from_line(line: &str) -> Result<Self, Error> {
         let fault = || Error::parse("this is no request for a report");
         let value: Value = serde_json::from_str(line).map_err(|_| fault())?;

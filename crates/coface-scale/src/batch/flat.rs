@@ -89,6 +89,16 @@ impl Columns {
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if it is no object.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::Columns;
+    /// let row = serde_json::json!({"path": "a.off", "f_vector": [3, 3, 1]});
+    /// let mut columns = Columns::default();
+    /// columns.see(&row)?;
+    /// assert!(columns.see(&serde_json::json!([])).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn see(&mut self, row: &Value) -> Result<(), Error> {
         if !row.is_object() {
             return Err(Error::parse("a row is no object"));
@@ -100,6 +110,16 @@ impl Columns {
     }
 
     /// The names of the columns, `seconds` only with timings.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::Columns;
+    /// let row = serde_json::json!({"path": "a.off", "f_vector": [3, 3, 1]});
+    /// let mut columns = Columns::default();
+    /// columns.see(&row)?;
+    /// assert_eq!(columns.names(false)[0], "path");
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn names(&self, timings: bool) -> Vec<String> {
         let mut names = Vec::new();
         for (name, _, form) in columns(timings) {
@@ -116,6 +136,16 @@ impl Columns {
     }
 
     /// The values of a row, one a column; null where there is none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::Columns;
+    /// let row = serde_json::json!({"path": "a.off", "f_vector": [3, 3, 1]});
+    /// let mut columns = Columns::default();
+    /// columns.see(&row)?;
+    /// assert_eq!(columns.values(&row, false).len(), columns.names(false).len());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn values(&self, row: &Value, timings: bool) -> Vec<Value> {
         let mut values = Vec::new();
         for (_, pointer, form) in columns(timings) {

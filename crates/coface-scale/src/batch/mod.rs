@@ -65,6 +65,12 @@ pub struct Summary {
 
 impl Summary {
     /// The number of rows that are errors.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::Summary;
+    /// assert_eq!(Summary::default().error_count(), 0);
+    /// ```
     pub fn error_count(&self) -> usize {
         self.errors.values().sum()
     }
@@ -82,6 +88,12 @@ const STAGE: &str = "examining files";
 
 impl Batch {
     /// These files, read by what their names and contents tell, with timings.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::Batch;
+    /// assert!(Batch::new(vec!["a.off".into()]).timings);
+    /// ```
     pub fn new(files: Vec<PathBuf>) -> Self {
         Self { files, reading: Reading::default(), timings: true, restart: false }
     }

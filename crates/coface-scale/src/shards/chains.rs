@@ -70,6 +70,21 @@ pub struct ShardTerm {
 ///
 /// # Complexity
 /// Smith transforms of what is left.
+///
+/// # Examples
+/// A circle of three edges in one shard.
+/// ```
+/// use coface_algebra::chains::{Partition, Parts};
+/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_scale::shards;
+/// use coface_scale::shards::ShardPlace;
+/// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]])?.chain_complex()?;
+/// let part = Partition::by_walk(&circle, 1)?.part(0)?;
+/// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
+/// let chains = shards::root_chains(&shards::reduce(&shard)?)?;
+/// assert_eq!(shards::ShardChains::from_bytes(&chains)?.degrees[1].len(), 1);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn root_chains(root: &[u8]) -> Result<Vec<u8>, Error> {
     let root = open_root(root)?;
     let degrees = reduced_generators(root.left.complex()).into_iter().enumerate().map(|(degree, found)| {
@@ -116,6 +131,22 @@ pub fn chains_below_merge<B: AsRef<[u8]>>(
 ///
 /// # Complexity
 /// That of reducing the shard, unless no cell of the chains is its own.
+///
+/// # Examples
+/// A circle of three edges in one shard.
+/// ```
+/// use coface_algebra::chains::{Partition, Parts};
+/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_scale::shards;
+/// use coface_scale::shards::ShardPlace;
+/// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]])?.chain_complex()?;
+/// let part = Partition::by_walk(&circle, 1)?.part(0)?;
+/// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
+/// let chains = shards::root_chains(&shards::reduce(&shard)?)?;
+/// let cycles = shards::ShardChains::from_bytes(&shards::chains_on_cells(&shard, &chains)?)?;
+/// assert_eq!(cycles.degrees[1][0].terms.len(), 3);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn chains_on_cells(shard: &[u8], chains: &[u8]) -> Result<Vec<u8>, Error> {
     let chains = ShardChains::from_bytes(chains)?;
     let shard = Shard::open(shard)?;
@@ -229,6 +260,22 @@ impl ShardChains {
     }
 
     /// The chains as a container.
+    ///
+    /// # Examples
+    /// A circle of three edges in one shard.
+    /// ```
+    /// use coface_algebra::chains::{Partition, Parts};
+    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// use coface_scale::shards;
+    /// use coface_scale::shards::ShardPlace;
+    /// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]])?.chain_complex()?;
+    /// let part = Partition::by_walk(&circle, 1)?.part(0)?;
+    /// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
+    /// let chains = shards::root_chains(&shards::reduce(&shard)?)?;
+    /// let chains = shards::ShardChains::from_bytes(&chains)?;
+    /// assert_eq!(shards::ShardChains::from_bytes(&chains.to_bytes())?, chains);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut writer = ContainerWriter::new(Kind::Chains);
         let level = self.level.map_or(0, |level| u64::from(level) + 1);
@@ -258,6 +305,22 @@ impl ShardChains {
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) with the byte for any damage.
+    ///
+    /// # Examples
+    /// A circle of three edges in one shard.
+    /// ```
+    /// use coface_algebra::chains::{Partition, Parts};
+    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// use coface_scale::shards;
+    /// use coface_scale::shards::ShardPlace;
+    /// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]])?.chain_complex()?;
+    /// let part = Partition::by_walk(&circle, 1)?.part(0)?;
+    /// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
+    /// let chains = shards::root_chains(&shards::reduce(&shard)?)?;
+    /// assert_eq!(shards::ShardChains::from_bytes(&chains)?.level, Some(0));
+    /// assert!(shards::ShardChains::from_bytes(&shard).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let container = Container::open(bytes, Kind::Chains)?;
         let lie = |role, degree, message| container.lie(role, degree, message);

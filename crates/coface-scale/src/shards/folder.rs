@@ -8,7 +8,6 @@ use coface_algebra::progress;
 use coface_algebra::{Error, ErrorKind};
 use coface_io::container::{Kind, checksum_of_header};
 use coface_io::replace_file;
-use coface_mapped::MappedFile;
 use coface_topology::Homology;
 use rayon::prelude::*;
 use std::fs::{self, File};
@@ -100,8 +99,10 @@ fn in_file(path: &Path) -> impl Fn(Error) -> Error + '_ {
     move |error| error.in_file(path.display().to_string())
 }
 
-/// A file as bytes in memory.
-fn mapped(path: &Path) -> Result<MappedFile, Error> {
+/// The bytes of a shard or of a reduced one.
+///
+/// They are copied and not mapped: the folder is open to other programs, and a copy keeps its checksum whatever becomes of the file.
+fn bytes_of(path: &Path) -> Result<Vec<u8>, Error> {
     let fault = |error: std::io::Error| {
         let error = match error.kind() {
             std::io::ErrorKind::NotFound => {
@@ -111,11 +112,11 @@ fn mapped(path: &Path) -> Result<MappedFile, Error> {
         };
         in_file(path)(error)
     };
-    MappedFile::open(path).map_err(fault)
+    fs::read(path).map_err(fault)
 }
 
 /// The checksum that a container says it has.
-fn told_checksum(path: &Path, kind: Kind) -> Result<u64, Error> {
+fn stated_checksum(path: &Path, kind: Kind) -> Result<u64, Error> {
     let mut start = Vec::new();
     let file = File::open(path).map_err(Error::from)?;
     let length = file.metadata()?.len();
@@ -133,6 +134,20 @@ fn told_checksum(path: &Path, kind: Kind) -> Result<u64, Error> {
 ///
 /// # Complexity
 /// As of [`reduce`]; one look at every byte of what is finished.
+///
+/// # Examples
+/// The boundary of a tetrahedron in three shards.
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// use coface_scale::shards::{ShardRequest, reduce_file, shard_model};
+/// let folder = std::env::temp_dir().join("coface-shards-reduce-file");
+/// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+/// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+/// assert!(reduce_file(&shards.shard_path(1), false)?.is_new);
+/// # std::fs::remove_dir_all(&folder)?;
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn reduce_file(shard: &Path, replaces: bool) -> Result<ReducedStep, Error> {
     if shard.extension().is_none_or(|extension| extension != "shard") {
         return Err(in_file(shard)(
@@ -141,13 +156,13 @@ pub fn reduce_file(shard: &Path, replaces: bool) -> Result<ReducedStep, Error> {
         ));
     }
     let target = shard.with_extension("reduced");
-    let source = || told_checksum(shard, Kind::Shard);
+    let source = || stated_checksum(shard, Kind::Shard);
     step(
         &target,
         replaces,
         |_| Ok(vec![source()?]),
         || {
-            let bytes = mapped(shard)?;
+            let bytes = bytes_of(shard)?;
             reduce(&bytes).map_err(in_file(shard))
         },
     )
@@ -160,7 +175,7 @@ fn step(
     sources: impl Fn(&ReducedSummary) -> Result<Vec<u64>, Error>,
     make: impl FnOnce() -> Result<Vec<u8>, Error>,
 ) -> Result<ReducedStep, Error> {
-    let finished = (!replaces && target.exists()).then(|| summary(&mapped(target)?)).and_then(Result::ok);
+    let finished = (!replaces && target.exists()).then(|| summary(&bytes_of(target)?)).and_then(Result::ok);
     if let Some(summary) = finished
         && sources(&summary).is_ok_and(|sources| sources == summary.sources)
     {
@@ -210,6 +225,20 @@ impl ShardFolder {
     ///
     /// # Errors
     /// [`ErrorKind::Io`] where there is none, or none with a list of shards; [`ErrorKind::Parse`] for a list that is none.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardFolder, ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-open");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert_eq!(ShardFolder::open(&folder)?.manifest().part_count, 3);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn open(path: &Path) -> Result<Self, Error> {
         let list = path.join(MANIFEST);
         if !list.exists() {
@@ -222,27 +251,97 @@ impl ShardFolder {
     }
 
     /// The path.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-path");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert_eq!(shards.path(), folder);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn path(&self) -> &Path {
         &self.path
     }
 
     /// What the shards are.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-manifest");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert_eq!(shards.manifest().part_count, 3);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn manifest(&self) -> &ShardManifest {
         &self.manifest
     }
 
     /// The place of a shard or of what is left of some.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-place");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert_eq!(shards.place(0, 2).number, 2);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn place(&self, level: u32, number: u32) -> ShardPlace {
         let ShardManifest { complex, part_count, fan_in, .. } = self.manifest;
         ShardPlace { complex, part_count, fan_in, level, number }
     }
 
     /// The file of a shard.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-shard-path");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert_eq!(shards.shard_path(2), folder.join("part-000002.shard"));
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn shard_path(&self, number: u32) -> PathBuf {
         self.path.join(format!("part-{number:06}.shard"))
     }
 
     /// The file of a reduced shard.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-reduced-path");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert_eq!(shards.reduced_path(1, 0), folder.join("level-1-000000.reduced"));
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn reduced_path(&self, level: u32, number: u32) -> PathBuf {
         self.path.join(match level {
             0 => format!("part-{number:06}.reduced"),
@@ -263,6 +362,20 @@ impl ShardFolder {
     ///
     /// # Errors
     /// As of [`reduce_file`]; [`ErrorKind::InvalidInput`] for a shard of another complex.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-reduce");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// assert!(shards.reduce(0, false)?.is_new && !shards.reduce(0, false)?.is_new);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn reduce(&self, number: u32, replaces: bool) -> Result<ReducedStep, Error> {
         let step = reduce_file(&self.shard_path(number), replaces)?;
         self.check(&step, self.place(0, number))?;
@@ -273,15 +386,30 @@ impl ShardFolder {
     ///
     /// # Errors
     /// As of [`merge`]; [`ErrorKind::Io`] where files cannot be read or written. All name a file.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-merge");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
+    /// assert!(shards.merge(1, 0, false)?.summary.is_root);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn merge(&self, level: u32, number: u32, replaces: bool) -> Result<ReducedStep, Error> {
         let place = self.place(level, number);
         let below = level.saturating_sub(1);
         let children: Vec<PathBuf> = place.children().map(|child| self.reduced_path(below, child)).collect();
         let target = self.reduced_path(level, number);
         let sources =
-            |_: &ReducedSummary| children.iter().map(|path| told_checksum(path, Kind::Reduced)).collect();
+            |_: &ReducedSummary| children.iter().map(|path| stated_checksum(path, Kind::Reduced)).collect();
         let step = step(&target, replaces, sources, || {
-            let bytes = children.iter().map(|path| mapped(path)).collect::<Result<Vec<_>, _>>()?;
+            let bytes = children.iter().map(|path| bytes_of(path)).collect::<Result<Vec<_>, _>>()?;
             merge(place, &bytes).map_err(in_file(&self.path))
         })?;
         self.check(&step, place)?;
@@ -313,6 +441,21 @@ impl ShardFolder {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming those that are missing, with the command that makes them; [`ErrorKind::Parse`] for a damaged one.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-reduced-shards");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
+    /// assert_eq!(shards.reduced_shards()?.len(), 3);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn reduced_shards(&self) -> Result<Vec<ReducedStep>, Error> {
         let steps = progress::stage("looking at reduced parts", self.manifest.part_count as usize);
         let found: Vec<Option<ReducedStep>> = (0..self.manifest.part_count)
@@ -323,13 +466,13 @@ impl ShardFolder {
                 if !path.exists() {
                     return Ok(None);
                 }
-                let summary = summary(&mapped(&path)?).map_err(|error| {
+                let summary = summary(&bytes_of(&path)?).map_err(|error| {
                     in_file(&path)(error.with_cure(format!("coface reduce {}", shard.display())))
                 })?;
                 let step = ReducedStep { path, is_new: false, summary };
                 self.check(&step, self.place(0, number))?;
                 let is_current = !shard.exists()
-                    || told_checksum(&shard, Kind::Shard)
+                    || stated_checksum(&shard, Kind::Shard)
                         .is_ok_and(|checksum| step.summary.sources == [checksum]);
                 Ok(is_current.then_some(step))
             })
@@ -359,6 +502,21 @@ impl ShardFolder {
     ///
     /// # Complexity
     /// That of the merges, in parallel within a level.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-merge-all");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
+    /// assert_eq!(shards.merge_all(false)?.homology.betti_numbers(), [1, 0, 1]);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn merge_all(&self, replaces: bool) -> Result<FolderSummary, Error> {
         self.merge_all_by(|level, number| self.merge(level, number, replaces))
     }
@@ -367,6 +525,22 @@ impl ShardFolder {
     ///
     /// # Errors
     /// As of [`merge_all`](Self::merge_all); those of `merge`.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-merge-all-by");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
+    /// let found = shards.merge_all_by(|level, number| shards.merge(level, number, false))?;
+    /// assert_eq!(found.cells, [4, 6, 4]);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn merge_all_by(
         &self,
         merge: impl Fn(u32, u32) -> Result<ReducedStep, Error> + Sync,
@@ -378,7 +552,7 @@ impl ShardFolder {
             if let [step] = &steps[..]
                 && step.summary.is_root
             {
-                let homology = root_homology(&mapped(&step.path)?).map_err(in_file(&step.path))?;
+                let homology = root_homology(&bytes_of(&step.path)?).map_err(in_file(&step.path))?;
                 return Ok(FolderSummary { homology, cells: step.summary.cells.clone(), levels });
             }
             let level = levels.len() as u32;
@@ -397,9 +571,25 @@ impl ShardFolder {
     ///
     /// # Errors
     /// [`ErrorKind::Io`] where it is not there; [`ErrorKind::Parse`] for any damage.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-is-root");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
+    /// shards.merge_all(false)?;
+    /// assert!(shards.is_root(1)?);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_root(&self, level: u32) -> Result<bool, Error> {
         let path = self.reduced_path(level, 0);
-        Ok(summary(&mapped(&path)?).map_err(in_file(&path))?.is_root)
+        Ok(summary(&bytes_of(&path)?).map_err(in_file(&path))?.is_root)
     }
 
     /// Cycles on the cells of the complex that generate its homology, from a folder that is merged.
@@ -409,18 +599,34 @@ impl ShardFolder {
     ///
     /// # Complexity
     /// Matchings are made once more for the parts that a cycle meets.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron in three shards.
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// use coface_scale::shards::{ShardRequest, shard_model};
+    /// let folder = std::env::temp_dir().join("coface-shards-generators");
+    /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
+    /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
+    /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
+    /// shards.merge_all(false)?;
+    /// assert_eq!(shards.generators()?.degrees[2][0].terms.len(), 4);
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn generators(&self) -> Result<ShardChains, Error> {
         let mut level = 0;
         while !self.is_root(level)? {
             level += 1;
         }
         let root = self.reduced_path(level, 0);
-        let mut chains = root_chains(&mapped(&root)?).map_err(in_file(&root))?;
+        let mut chains = root_chains(&bytes_of(&root)?).map_err(in_file(&root))?;
         for level in (1..=level).rev() {
             let width = self.place(level, 0).width(level);
             let pieces = (0..width).into_par_iter().map(|number| {
                 let place = self.place(level, number);
-                let children = place.children().map(|child| mapped(&self.reduced_path(level - 1, child)));
+                let children = place.children().map(|child| bytes_of(&self.reduced_path(level - 1, child)));
                 let children = children.collect::<Result<Vec<_>, _>>()?;
                 chains_below_merge(place, &children, &chains).map_err(in_file(&self.path))
             });
@@ -430,7 +636,7 @@ impl ShardFolder {
         let steps = progress::stage("taking chains down", self.manifest.part_count as usize);
         for number in 0..self.manifest.part_count {
             let path = self.shard_path(number);
-            let piece = chains_on_cells(&mapped(&path)?, &chains).map_err(in_file(&path))?;
+            let piece = chains_on_cells(&bytes_of(&path)?, &chains).map_err(in_file(&path))?;
             sum = Some(match sum {
                 Some(sum) => sum_chains(&[sum, piece])?,
                 None => piece,

@@ -1,18 +1,12 @@
 //! Shards of grids and volumes of voxels: a box each, as a description, with its voxels where not all are set.
 
-use super::folder::ShardFolder;
-use super::manifest::{ShardManifest, ShardSource};
 use super::place::ShardPlace;
-use super::shard::write_grid_shard;
 use coface_algebra::Error;
 use coface_algebra::chains::Part;
-use coface_algebra::progress;
 use coface_complexes::cubical::{
     CubicalBlocks, FullVoxels, SimplicialBlocks, VoxelBoxes, VoxelWindow, Voxels,
 };
-use coface_io::container::{Container, ContainerWriter, Role, hash_array};
-use std::path::Path;
-use xxhash_rust::xxh3::Xxh3;
+use coface_io::container::{Container, ContainerWriter, Role};
 
 /// What the voxels of a grid are cut into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,94 +39,42 @@ pub enum GridSort {
 pub struct GridShards {
     sort: GridSort,
     boxes: VoxelBoxes,
-    fan_in: u32,
-}
-
-/// A folder that the shards of a volume are written to, in any order.
-#[derive(Debug)]
-pub struct VolumeFolder {
-    grid: GridShards,
-    folder: ShardFolder,
+    pub(super) fan_in: u32,
 }
 
 impl GridShards {
     /// The boxes of a grid, whose complexes are merged by so many.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::VoxelBoxes;
+    /// use coface_scale::shards::{GridShards, GridSort};
+    /// let boxes = VoxelBoxes::at_least(&[4, 4], &[true; 2], 2)?;
+    /// let grid = GridShards::new(GridSort::Cubes, boxes, 8);
+    /// assert_eq!(grid.boxes().count(), 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(sort: GridSort, boxes: VoxelBoxes, fan_in: u32) -> Self {
         Self { sort, boxes, fan_in }
     }
 
     /// The boxes, which are the parts.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::VoxelBoxes;
+    /// use coface_scale::shards::{GridShards, GridSort};
+    /// let boxes = VoxelBoxes::at_least(&[4, 4], &[true; 2], 2)?;
+    /// let grid = GridShards::new(GridSort::Cubes, boxes, 8);
+    /// assert_eq!(grid.boxes().shape(), [4, 4]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn boxes(&self) -> &VoxelBoxes {
         &self.boxes
     }
 
-    /// Begins to write the shards of a volume of this shape. `content` is a number that this volume has and others have not, such as a hash of
-    /// its file; shards of another one in the folder are refused unless they are to be replaced.
-    ///
-    /// # Errors
-    /// Those of [`ShardFolder::create`].
-    pub fn create(
-        &self,
-        folder: &Path,
-        source: ShardSource,
-        content: u64,
-        replaces: bool,
-    ) -> Result<VolumeFolder, Error> {
-        let mut hash = Xxh3::new();
-        hash_array(&mut hash, &self.to_numbers());
-        hash_array(&mut hash, &[u64::from(self.fan_in), content]);
-        let manifest = ShardManifest::new(hash.digest(), self.boxes.count(), self.fan_in, source);
-        let folder = ShardFolder::create(folder, manifest, replaces)?;
-        Ok(VolumeFolder { grid: self.clone(), folder })
-    }
-
-    /// Writes the shards of the grid with every voxel set.
-    ///
-    /// # Errors
-    /// Those of [`ShardFolder::create`]; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io).
-    ///
-    /// # Complexity
-    /// A few hundred bytes a shard.
-    pub fn shard_full(
-        &self,
-        folder: &Path,
-        source: ShardSource,
-        replaces: bool,
-    ) -> Result<ShardFolder, Error> {
-        let shards = self.create(folder, source, 0, replaces)?;
-        let steps = progress::stage("writing shards", self.boxes.count() as usize);
-        for number in 0..self.boxes.count() {
-            let place = shards.folder.place(0, number);
-            shards.folder.write_shard(number, |out| write_grid_shard(place, self, None, out).map(|_| ()))?;
-            steps.advance(1);
-        }
-        shards.finish()
-    }
-
-    /// Writes the shards of a volume, window by window; `content` as in [`create`](Self::create).
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a volume of another shape; those of [`Voxels::window`] and [`ShardFolder::create`];
-    /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io).
-    pub fn shard_volume(
-        &self,
-        volume: &(impl Voxels + ?Sized),
-        folder: &Path,
-        source: ShardSource,
-        content: u64,
-        replaces: bool,
-    ) -> Result<ShardFolder, Error> {
-        let shards = self.create(folder, source, content, replaces)?;
-        let steps = progress::stage("writing shards", self.boxes.count() as usize);
-        for number in 0..self.boxes.count() {
-            shards.write(number, &volume.window(&self.boxes.voxels(number))?)?;
-            steps.advance(1);
-        }
-        shards.finish()
-    }
-
     /// The numbers that describe the grid.
-    fn to_numbers(&self) -> Vec<u32> {
+    pub(super) fn to_numbers(&self) -> Vec<u32> {
         let sort = u32::from(self.sort == GridSort::Simplices);
         let mut numbers = vec![sort, self.boxes.shape().len() as u32];
         numbers.extend(self.boxes.shape());
@@ -247,47 +189,6 @@ fn chain_of_sets(axis_count: u32, number: u64) -> Vec<u32> {
     walk((1 << axis_count) - 1, &mut Vec::new(), &mut all);
     all.sort_by_key(Vec::len);
     all.swap_remove(number as usize)
-}
-
-impl VolumeFolder {
-    /// The boxes, which are the parts.
-    pub fn boxes(&self) -> &VoxelBoxes {
-        &self.grid.boxes
-    }
-
-    /// Writes the shard of a box from its window.
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for the window of another box; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io).
-    ///
-    /// # Panics
-    /// If there is no such box.
-    pub fn write(&self, number: u32, window: &VoxelWindow) -> Result<(), Error> {
-        let boxes = self.boxes();
-        let is_own = window.shape() == boxes.shape()
-            && window.is_periodic() == boxes.is_periodic()
-            && *window.inner() == boxes.voxels(number);
-        if !is_own {
-            return Err(Error::invalid(format!("a window of other voxels was given for part {number}"))
-                .with_cure("take the windows of the boxes"));
-        }
-        let place = self.folder.place(0, number);
-        let words = Some(window.words());
-        self.folder.write_shard(number, |out| write_grid_shard(place, &self.grid, words, out).map(|_| ()))
-    }
-
-    /// Says that all shards are written.
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming a shard that is not; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io).
-    pub fn finish(self) -> Result<ShardFolder, Error> {
-        let missing = (0..self.boxes().count()).find(|&number| !self.folder.shard_path(number).exists());
-        if let Some(number) = missing {
-            return Err(Error::invalid(format!("the shard of box {number} was not written")));
-        }
-        self.folder.finish()?;
-        Ok(self.folder)
-    }
 }
 
 /// Appends the description of a grid, and the voxels of a box.

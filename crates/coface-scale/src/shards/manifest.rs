@@ -32,6 +32,12 @@ const VERSION: u64 = 1;
 
 impl ShardManifest {
     /// A manifest.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::{ShardManifest, ShardSource};
+    /// assert_eq!(ShardManifest::new(7, 3, 8, ShardSource::default()).part_count, 3);
+    /// ```
     pub fn new(complex: u64, part_count: u32, fan_in: u32, source: ShardSource) -> Self {
         Self { complex, part_count, fan_in, source }
     }

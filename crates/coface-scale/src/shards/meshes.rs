@@ -7,14 +7,14 @@ use super::folder::ShardFolder;
 use super::manifest::ShardManifest;
 use super::models::ShardRequest;
 use super::owners::{Owners, scattered};
+use super::scratch::Scratch;
 use super::shard::write_shard;
 use coface_algebra::Error;
 use coface_algebra::chains::{ChainComplex, Part};
 use coface_algebra::progress;
 use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_io::container::array_of_bytes;
-use coface_io::{Format, stream_mesh};
-use coface_mapped::MappedFile;
+use coface_io::{Format, NO_VERTEX, stream_mesh};
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::Xxh3;
 
 /// No vertex, no part.
-const NONE: u32 = u32::MAX;
+const NONE: u32 = NO_VERTEX;
 /// A vertex that several parts have.
 const SHARED: u32 = u32::MAX - 1;
 /// So many elements are looked at to find planes, at most.
@@ -67,9 +67,11 @@ pub fn shard_mesh_file(
         return Ok(None);
     }
     let scratch = Scratch::new(folder)?;
-    let Some(streamed) = stream_mesh(file, format, &scratch.path)? else { return Ok(None) };
-    let vertices = MappedFile::open(streamed.vertex_path())?;
-    let elements = MappedFile::open(streamed.element_path())?;
+    let [vertices, elements] = [scratch.stream()?, scratch.stream()?];
+    if !stream_mesh(file, format, [Box::new(vertices.clone()), Box::new(elements.clone())])? {
+        return Ok(None);
+    }
+    let (vertices, elements) = (vertices.into_map()?, elements.into_map()?);
     let (vertices, elements) = (array_of_bytes::<f64>(&vertices), array_of_bytes::<u32>(&elements));
     let element_count = elements.len() / 4;
     // A tetrahedron has about as many cells and incidences as this, those that others share counted for each of them in part.
@@ -85,7 +87,7 @@ pub fn shard_mesh_file(
     let complex = mesh.number(request.fan_in);
     let manifest = ShardManifest::new(complex, part_count, request.fan_in, request.source.clone());
     let shards = ShardFolder::create(folder, manifest, request.replaces)?;
-    let mut records = Records::new(&scratch.path, part_count);
+    let mut records = Records::new(scratch.path(), part_count);
     let dimension = mesh.distribute(&planes, &sharing, &mut records)?;
     records.flush()?;
     // Ids: where a stratum begins, then the rank within it.
@@ -113,28 +115,6 @@ pub fn shard_mesh_file(
     }
     shards.finish()?;
     Ok(Some(shards))
-}
-
-/// A folder for files that are needed while shards are made.
-struct Scratch {
-    path: PathBuf,
-}
-
-impl Scratch {
-    fn new(folder: &Path) -> Result<Self, Error> {
-        let path = folder.join(".scratch");
-        // What a run that was killed has left.
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).map_err(|error| Error::from(error).in_file(path.display().to_string()))?;
-        Ok(Self { path })
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // What cannot be removed is removed by the next run.
-        let _ = fs::remove_dir_all(&self.path);
-    }
 }
 
 /// What was read.
@@ -375,7 +355,7 @@ impl<'a> Records<'a> {
     }
 
     fn read(&self, part: u32) -> Result<Vec<u32>, Error> {
-        Ok(array_of_bytes::<u32>(&MappedFile::open(self.path(part as usize))?).into_owned())
+        Ok(array_of_bytes::<u32>(&fs::read(self.path(part as usize))?).into_owned())
     }
 }
 

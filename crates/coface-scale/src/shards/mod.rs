@@ -27,14 +27,16 @@ mod names;
 mod owners;
 mod place;
 mod reduced;
+mod scratch;
 mod shard;
+mod volume_folder;
 mod volumes;
 
 pub use chains::{
     ShardChain, ShardChains, ShardTerm, chains_below_merge, chains_on_cells, root_chains, sum_chains,
 };
 pub use folder::{FolderLevel, FolderSummary, ReducedStep, ShardFolder, reduce_file};
-pub use grid::{GridShards, GridSort, VolumeFolder};
+pub use grid::{GridShards, GridSort};
 pub use manifest::{ShardManifest, ShardSource};
 pub use meshes::shard_mesh_file;
 pub use models::{ShardRequest, shard_model};
@@ -42,4 +44,5 @@ pub use owners::Owners;
 pub use place::ShardPlace;
 pub use reduced::{ReducedSummary, merge, reduce, root_homology, summary};
 pub use shard::{part_of_shard, shard_of_part};
+pub use volume_folder::VolumeFolder;
 pub use volumes::{shard_grid, shard_volume, shard_volume_file};

@@ -47,6 +47,13 @@ impl ShardRequest {
     }
 
     /// So many shards of something with this name, merged by eights, cut by positions or by a walk.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardRequest;
+    /// let request = ShardRequest::new("sphere", 3);
+    /// assert_eq!((request.part_count, request.fan_in, request.replaces), (3, 8, false));
+    /// ```
     pub fn new(name: impl Into<String>, part_count: u32) -> Self {
         let source = ShardSource { name: name.into(), kind: "model".to_owned(), fingerprint: String::new() };
         Self { source, part_count, part_memory: None, fan_in: 8, owners: Owners::default(), replaces: false }

@@ -49,18 +49,42 @@ impl ShardPlace {
     }
 
     /// Another place in the same tree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardPlace;
+    /// let place = ShardPlace::new(7, 10, 4, 9)?;
+    /// assert_eq!(place.at(1, 2).level, 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     #[must_use]
     pub fn at(self, level: u32, number: u32) -> Self {
         Self { level, number, ..self }
     }
 
     /// How many there are of a level; from some level on it is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardPlace;
+    /// let place = ShardPlace::new(7, 10, 4, 9)?;
+    /// assert_eq!([0, 1, 2].map(|level| place.width(level)), [10, 3, 1]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn width(self, level: u32) -> u32 {
         // Beyond 32 levels one is left whatever the fan-in.
         (0..level.min(32)).fold(self.part_count, |width, _| width.div_ceil(self.fan_in))
     }
 
     /// The numbers of those of the level below that are merged here.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardPlace;
+    /// let place = ShardPlace::new(7, 10, 4, 9)?;
+    /// assert_eq!(place.at(1, 2).children(), 8..10);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn children(self) -> std::ops::Range<u32> {
         let below = u64::from(self.width(self.level.saturating_sub(1)));
         let first = u64::from(self.number) * u64::from(self.fan_in);

@@ -127,6 +127,20 @@ pub fn merge<B: AsRef<[u8]>>(place: ShardPlace, children: &[B]) -> Result<Vec<u8
 ///
 /// # Complexity
 /// Smith normal forms of what is left.
+///
+/// # Examples
+/// A circle of three edges in one shard.
+/// ```
+/// use coface_algebra::chains::{Partition, Parts};
+/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_scale::shards;
+/// use coface_scale::shards::ShardPlace;
+/// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]])?.chain_complex()?;
+/// let part = Partition::by_walk(&circle, 1)?.part(0)?;
+/// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
+/// assert_eq!(shards::root_homology(&shards::reduce(&shard)?)?.betti_numbers(), [1, 1]);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn root_homology(root: &[u8]) -> Result<Homology, Error> {
     Ok(homology(open_root(root)?.left.complex()))
 }

@@ -100,6 +100,20 @@ pub(super) fn write_grid_shard(
 ///
 /// # Complexity
 /// Linear.
+///
+/// # Examples
+/// A circle of three edges in one shard.
+/// ```
+/// use coface_algebra::chains::{Partition, Parts};
+/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_scale::shards;
+/// use coface_scale::shards::ShardPlace;
+/// let circle = SimplicialComplex::from_facets(&[[0, 1], [1, 2], [0, 2]])?.chain_complex()?;
+/// let part = Partition::by_walk(&circle, 1)?.part(0)?;
+/// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
+/// assert_eq!(shards::part_of_shard(&shard)?, part);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 pub fn part_of_shard(shard: &[u8]) -> Result<Part, Error> {
     Shard::open(shard)?.part()
 }

@@ -42,6 +42,13 @@ pub enum Loss {
 
 impl Loss {
     /// One word for it: `time`, `memory`, `crash`, `killed`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::workers::Loss;
+    /// let loss = Loss::Memory { limit: None };
+    /// assert_eq!(loss.kind(), "memory");
+    /// ```
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Time { .. } => "time",
@@ -52,6 +59,13 @@ impl Loss {
     }
 
     /// What to do about it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::workers::Loss;
+    /// let loss = Loss::Memory { limit: None };
+    /// assert_eq!(loss.cure(), "use a machine with more memory");
+    /// ```
     pub fn cure(&self) -> &'static str {
         match self {
             Self::Time { .. } => "allow more time",

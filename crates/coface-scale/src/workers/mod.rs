@@ -19,6 +19,6 @@ mod serving;
 
 pub use limits::{Limits, bytes_text, parse_bytes, parse_duration, seconds_text};
 pub use loss::Loss;
-pub use pool::{Answer, Outcome, WorkerPool};
-pub use process::WorkerCommand;
+pub use pool::{Outcome, WorkerPool};
+pub use process::{Answer, WorkerCommand};
 pub use serving::serve;

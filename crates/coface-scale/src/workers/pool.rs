@@ -1,7 +1,7 @@
 //! The pool: requests to worker processes, answers from them.
 
 use super::{Limits, Loss};
-use crate::workers::process::{Reply, WorkerCommand, WorkerProcess};
+use crate::workers::process::{Answer, Reply, WorkerCommand, WorkerProcess};
 use coface_algebra::progress;
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;
@@ -9,15 +9,6 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::Duration;
-
-/// What a worker said to a request.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Answer {
-    /// The line that it answered, without its end.
-    pub line: String,
-    /// The time from request to answer.
-    pub time: Duration,
-}
 
 /// What became of a request.
 pub type Outcome = Result<Answer, Loss>;
@@ -58,11 +49,25 @@ const TICK: Duration = Duration::from_millis(50);
 
 impl WorkerPool {
     /// A pool of at most `count` workers at once, at least one. None is started yet.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::workers::{Limits, WorkerCommand, WorkerPool};
+    /// let pool = WorkerPool::new(WorkerCommand::new("cat", [""; 0]), 2, Limits::default());
+    /// assert_eq!(pool.limits(), Limits::default());
+    /// ```
     pub fn new(command: WorkerCommand, count: usize, limits: Limits) -> Self {
         Self { command, count: count.max(1), limits }
     }
 
     /// What a request may take.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::workers::{Limits, WorkerCommand, WorkerPool};
+    /// let pool = WorkerPool::new(WorkerCommand::new("cat", [""; 0]), 2, Limits::default());
+    /// assert_eq!(pool.limits().time, None);
+    /// ```
     pub fn limits(&self) -> Limits {
         self.limits
     }

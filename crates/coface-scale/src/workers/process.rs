@@ -2,7 +2,6 @@
 
 use crate::workers::Limits;
 use crate::workers::loss::Loss;
-use crate::workers::pool::Answer;
 use coface_algebra::{Error, ErrorKind};
 use std::collections::VecDeque;
 use std::ffi::OsString;
@@ -13,6 +12,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
+
+/// What a worker said to a request.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Answer {
+    /// The line that it answered, without its end.
+    pub line: String,
+    /// The time from request to answer.
+    pub time: Duration,
+}
 
 /// How a worker is started: a program that calls [`serve`](crate::workers::serve).
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -83,6 +83,16 @@ impl YinSet {
     ///
     /// # Errors
     /// As [`Self::combine`].
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert_eq!(a.meet(&b)?.area(), Some(2.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn meet(&self, other: &Self) -> Result<Self, Error> {
         Self::meet_all(&[self, other])
     }
@@ -91,6 +101,16 @@ impl YinSet {
     ///
     /// # Errors
     /// As [`Self::combine`].
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert_eq!(a.join(&b)?.area(), Some(6.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn join(&self, other: &Self) -> Result<Self, Error> {
         Self::join_all(&[self, other])
     }
@@ -99,6 +119,16 @@ impl YinSet {
     ///
     /// # Errors
     /// As [`Self::combine`].
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert_eq!(a.difference(&b)?.area(), Some(2.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn difference(&self, other: &Self) -> Result<Self, Error> {
         Self::combine(&[self, other], &BooleanFormula::difference(2)).map(Combination::into_set)
     }
@@ -107,6 +137,16 @@ impl YinSet {
     ///
     /// # Errors
     /// As [`Self::combine`].
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert_eq!(a.symmetric_difference(&b)?.area(), Some(4.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn symmetric_difference(&self, other: &Self) -> Result<Self, Error> {
         Self::combine(&[self, other], &BooleanFormula::xor(2)).map(Combination::into_set)
     }
@@ -118,6 +158,16 @@ impl YinSet {
     ///
     /// # Complexity
     /// As [`Self::combine`], but faces cost only as much as curves wind around them.
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert_eq!(YinSet::meet_all(&[&a, &b])?.area(), Some(2.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn meet_all(sets: &[&Self]) -> Result<Self, Error> {
         let membership = Membership::new(sets);
         let unbounded = sets.iter().filter(|set| !set.is_bounded()).count();
@@ -132,6 +182,16 @@ impl YinSet {
     ///
     /// # Complexity
     /// As [`Self::meet_all`].
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert_eq!(YinSet::join_all(&[&a, &b])?.area(), Some(6.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn join_all(sets: &[&Self]) -> Result<Self, Error> {
         let membership = Membership::new(sets);
         let unbounded = sets.iter().filter(|set| !set.is_bounded()).count();
@@ -159,6 +219,16 @@ impl YinSet {
     ///
     /// # Errors
     /// As [`Self::combine`].
+    ///
+    /// # Examples
+    /// Two squares of side 2 that share half of their area.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// let (a, b) = (YinSet::new(&[square.translated([1.0, 0.0])])?, YinSet::new(&[square])?);
+    /// assert!(a.join(&b)?.has_points_of(&b.join(&a)?)? && !a.has_points_of(&b)?);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn has_points_of(&self, other: &Self) -> Result<bool, Error> {
         Ok(!Self::has_points(&[self, other], |inside| inside(0) != inside(1))?)
     }
@@ -184,6 +254,14 @@ impl YinSet {
     ///
     /// # Complexity
     /// That of an overlay for each round; most sets need one, which finds nothing to do.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// assert_eq!(square.normalized()?.round_count(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn normalized(&self) -> Result<Normalized, Error> {
         const MOST_ROUNDS: usize = 100;
         let mut set = self.clone();
@@ -209,16 +287,40 @@ pub struct Normalized {
 
 impl Normalized {
     /// The set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// assert_eq!(square.normalized()?.set(), &square);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn set(&self) -> &YinSet {
         &self.set
     }
 
     /// The set alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// assert_eq!(square.normalized()?.into_set(), square);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn into_set(self) -> YinSet {
         self.set
     }
 
     /// How often curves were cut and rounded; 0 for sets that were valid.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// assert_eq!(square.normalized()?.round_count(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn round_count(&self) -> usize {
         self.round_count
     }

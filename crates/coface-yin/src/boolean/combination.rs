@@ -55,16 +55,46 @@ pub struct Combination {
 
 impl Combination {
     /// The set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert_eq!(same.set().area(), Some(4.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn set(&self) -> &YinSet {
         &self.set
     }
 
     /// The set alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert_eq!(same.into_set().area(), Some(4.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn into_set(self) -> YinSet {
         self.set
     }
 
     /// Where the pieces of the boundary come from, those of one curve after those of another.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert_eq!((same.sources().len(), same.sources()[0].operand), (4, 0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn sources(&self) -> &[PieceSource] {
         &self.sources
     }
@@ -73,6 +103,16 @@ impl Combination {
     ///
     /// # Panics
     /// If there is no such piece.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert_eq!(same.sources_of(0).count(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn sources_of(&self, piece: usize) -> impl Iterator<Item = &PieceSource> + '_ {
         let from = self.other_sources.partition_point(|&(own, _)| (own as usize) < piece);
         let others = self.other_sources[from..].iter().take_while(move |&&(own, _)| own as usize == piece);
@@ -81,6 +121,16 @@ impl Combination {
 
     /// The number of curves that were so small that rounding left less than three different knots of them. They are not part of the
     /// set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert_eq!(same.collapsed_curve_count(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn collapsed_curve_count(&self) -> usize {
         self.collapsed_count
     }
@@ -101,6 +151,16 @@ impl Combination {
     /// twice, which exact arithmetic decides to about 2^-45 of the extent; pieces that are equal; and everything that is farther apart
     /// than the resolution. Two curved pieces that
     /// touch elsewhere than in a common knot, or run along each other without being equal, are told.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert!(same.report().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn report(&self) -> &[UncertifiedDecision] {
         &self.report
     }

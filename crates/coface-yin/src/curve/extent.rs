@@ -59,6 +59,14 @@ impl Curve<'_> {
     ///
     /// # Complexity
     /// Linear in the pieces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.bounding_box(), [[0.0, 0.0], [2.0, 2.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn bounding_box(&self) -> [[f64; 2]; 2] {
         let degree = self.order().degree();
         let knot_points: Vec<[f64; 2]> = self.controls().iter().step_by(degree).copied().collect();

@@ -4,15 +4,12 @@ use super::bernstein::{self, Piece};
 use super::block_tridiagonal::{cyclic_solution, open_solution};
 use super::hermite::{BlockRow, Chord, Columns, HermiteRules, binomial};
 use super::separators::{Elimination, Separators};
-use super::{Curve, EndCondition, Order, distance};
+use super::{Curve, EndCondition, Order, checked_chord_lengths};
 use coface_algebra::Error;
 use coface_geometry::predicates::orientation;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::ops::Range;
-
-/// So many chords are worth a task of their own.
-const AT_ONCE: usize = 1 << 14;
 
 impl Curve<'static> {
     /// The spline of an order through points, with the cumulated distance of the points as parameter.
@@ -94,49 +91,6 @@ impl Curve<'static> {
         };
         Ok(Self::from_trusted(order, controls, knots))
     }
-}
-
-/// The chord lengths, which rise.
-pub(crate) fn checked_chord_lengths(points: &[[f64; 2]]) -> Result<Vec<f64>, Error> {
-    if points.len() < 2 {
-        return Err(Error::invalid(format!("{} points make no curve", points.len()))
-            .with_cure("give two points or more"));
-    }
-    let not_finite = |at: usize| Error::invalid(format!("point {at} is not finite"));
-    if points[0].iter().any(|x| !x.is_finite()) {
-        return Err(not_finite(0));
-    }
-    let mut knots = vec![0.0; points.len()];
-    let chord = |(knot, pair): (&mut f64, &[[f64; 2]])| *knot = distance(pair[0], pair[1]);
-    if points.len() < AT_ONCE {
-        knots[1..].iter_mut().zip(points.windows(2)).for_each(chord);
-    } else {
-        let lengths = knots[1..].par_iter_mut().zip(points.par_windows(2));
-        lengths.with_min_len(AT_ONCE).for_each(chord);
-    }
-    // They are added up in order, so that sums do not depend on the number of threads.
-    let mut length = 0.0;
-    for (at, (knot, pair)) in knots[1..].iter_mut().zip(points.windows(2)).enumerate() {
-        let next = length + *knot;
-        if !(next > length && next.is_finite()) {
-            let at = at + 1;
-            return Err(if pair[1].iter().any(|x| !x.is_finite()) {
-                not_finite(at)
-            } else if pair[0] == pair[1] {
-                Error::invalid(format!("points {} and {at} are equal", at - 1))
-                    .with_cure("leave out one of them")
-            } else {
-                Error::invalid(format!(
-                    "the chord from point {} to point {at} has no length that counts",
-                    at - 1
-                ))
-                .with_cure("give points whose distances are of similar size")
-            });
-        }
-        length = next;
-        *knot = length;
-    }
-    Ok(knots)
 }
 
 /// Whether points are on a line, one after the other.

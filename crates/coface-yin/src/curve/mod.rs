@@ -21,10 +21,9 @@ mod separators;
 
 pub use end_condition::EndCondition;
 pub(crate) use extent::monotone_breaks;
-pub(crate) use fit::checked_chord_lengths;
 pub use location::Location;
 pub(crate) use location::piece_crossings;
 pub(crate) use measures::gauss_legendre;
 pub use order::Order;
 pub use piecewise::Curve;
-pub(crate) use piecewise::{chord_lengths, distance};
+pub(crate) use piecewise::{checked_chord_lengths, chord_lengths, distance};

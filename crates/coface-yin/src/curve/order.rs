@@ -29,6 +29,14 @@ impl Order {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) unless the number is 2, 4, 6 or 8.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Order;
+    /// assert_eq!(Order::new(4)?, Order::CUBIC);
+    /// assert!(Order::new(3).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(order: usize) -> Result<Self, Error> {
         match order {
             2 | 4 | 6 | 8 => Ok(Self(order as u8)),
@@ -38,11 +46,23 @@ impl Order {
     }
 
     /// The number of coefficients.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Order;
+    /// assert_eq!(Order::CUBIC.value(), 4);
+    /// ```
     pub fn value(self) -> usize {
         usize::from(self.0)
     }
 
     /// The degree of the polynomials.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Order;
+    /// assert_eq!(Order::CUBIC.degree(), 3);
+    /// ```
     pub fn degree(self) -> usize {
         self.value() - 1
     }

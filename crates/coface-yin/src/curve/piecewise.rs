@@ -1,9 +1,13 @@
 //! Piecewise polynomial curves in the plane.
 
 use super::bernstein::Piece;
-use super::{Order, bernstein, checked_chord_lengths};
+use super::{Order, bernstein};
 use coface_algebra::{Error, ErrorKind};
+use rayon::prelude::*;
 use std::borrow::Cow;
+
+/// So many chords are worth a task of their own.
+const AT_ONCE: usize = 1 << 14;
 
 /// A curve made of polynomial pieces, each from one knot to the next.
 ///
@@ -37,6 +41,15 @@ impl Curve<'static> {
     /// # Errors
     /// [`ErrorKind::Shape`] when the counts do not fit together; [`ErrorKind::InvalidInput`] naming a number that is not finite or
     /// a knot that is not above the one before it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order};
+    /// let segment = Curve::from_controls(Order::LINEAR, vec![[0.0, 0.0], [3.0, 4.0]], vec![0.0, 5.0])?;
+    /// assert_eq!(segment.piece_count(), 1);
+    /// assert!(Curve::from_controls(Order::CUBIC, vec![[0.0, 0.0], [3.0, 4.0]], vec![0.0, 5.0]).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn from_controls(order: Order, controls: Vec<[f64; 2]>, knots: Vec<f64>) -> Result<Self, Error> {
         let piece_count = knots.len().saturating_sub(1);
         if piece_count == 0 || controls.len() != piece_count * order.degree() + 1 {
@@ -69,6 +82,14 @@ impl Curve<'static> {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming a point that is not finite or equal to the one before it, and for less than two points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.signed_area(), 4.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn polyline(points: &[[f64; 2]]) -> Result<Self, Error> {
         Ok(Self::from_trusted(Order::LINEAR, points.to_vec(), checked_chord_lengths(points)?))
     }
@@ -93,21 +114,54 @@ impl<'a> Curve<'a> {
     }
 
     /// The number of coefficients of each polynomial.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.order(), Order::LINEAR);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn order(&self) -> Order {
         self.order
     }
 
     /// The number of polynomial pieces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.piece_count(), 4);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn piece_count(&self) -> usize {
         self.knots.len() - 1
     }
 
     /// The parameters at which pieces begin and end, one more than there are pieces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.knots(), [0.0, 2.0, 4.0, 6.0, 8.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn knots(&self) -> &[f64] {
         &self.knots
     }
 
     /// All control points in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order};
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.controls().len(), 5);
+    /// assert_eq!(square.raised(Order::CUBIC)?.controls().len(), 13);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn controls(&self) -> &[[f64; 2]] {
         &self.controls
     }
@@ -116,6 +170,14 @@ impl<'a> Curve<'a> {
     ///
     /// # Panics
     /// If there is no such piece.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.piece(1), [[2.0, 0.0], [2.0, 2.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn piece(&self, piece: usize) -> &[[f64; 2]] {
         let first = piece * self.order.degree();
         &self.controls[first..=first + self.order.degree()]
@@ -125,11 +187,27 @@ impl<'a> Curve<'a> {
     ///
     /// # Panics
     /// If there is no such knot.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert_eq!(square.knot_point(2), [2.0, 2.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn knot_point(&self, knot: usize) -> [f64; 2] {
         self.controls[knot * self.order.degree()]
     }
 
     /// Whether the curve ends in the point where it begins.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Curve;
+    /// let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
+    /// assert!(square.is_closed());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_closed(&self) -> bool {
         self.controls.first() == self.controls.last()
     }
@@ -171,6 +249,15 @@ impl<'a> Curve<'a> {
     }
 
     /// The same curve with its own storage.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let curve: Curve<'static> = square.curve(0).into_owned();
+    /// assert_eq!(curve, square.curve(0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn into_owned(self) -> Curve<'static> {
         Curve {
             order: self.order,
@@ -198,4 +285,47 @@ pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     let square = x * x + y * y;
     // The square root alone is quicker, where squares are ordinary numbers.
     if (1e-280..1e280).contains(&square) { square.sqrt() } else { x.hypot(y) }
+}
+
+/// The chord lengths, which rise.
+pub(crate) fn checked_chord_lengths(points: &[[f64; 2]]) -> Result<Vec<f64>, Error> {
+    if points.len() < 2 {
+        return Err(Error::invalid(format!("{} points make no curve", points.len()))
+            .with_cure("give two points or more"));
+    }
+    let not_finite = |at: usize| Error::invalid(format!("point {at} is not finite"));
+    if points[0].iter().any(|x| !x.is_finite()) {
+        return Err(not_finite(0));
+    }
+    let mut knots = vec![0.0; points.len()];
+    let chord = |(knot, pair): (&mut f64, &[[f64; 2]])| *knot = distance(pair[0], pair[1]);
+    if points.len() < AT_ONCE {
+        knots[1..].iter_mut().zip(points.windows(2)).for_each(chord);
+    } else {
+        let lengths = knots[1..].par_iter_mut().zip(points.par_windows(2));
+        lengths.with_min_len(AT_ONCE).for_each(chord);
+    }
+    // They are added up in order, so that sums do not depend on the number of threads.
+    let mut length = 0.0;
+    for (at, (knot, pair)) in knots[1..].iter_mut().zip(points.windows(2)).enumerate() {
+        let next = length + *knot;
+        if !(next > length && next.is_finite()) {
+            let at = at + 1;
+            return Err(if pair[1].iter().any(|x| !x.is_finite()) {
+                not_finite(at)
+            } else if pair[0] == pair[1] {
+                Error::invalid(format!("points {} and {at} are equal", at - 1))
+                    .with_cure("leave out one of them")
+            } else {
+                Error::invalid(format!(
+                    "the chord from point {} to point {at} has no length that counts",
+                    at - 1
+                ))
+                .with_cure("give points whose distances are of similar size")
+            });
+        }
+        length = next;
+        *knot = length;
+    }
+    Ok(knots)
 }

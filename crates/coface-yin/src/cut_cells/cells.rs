@@ -35,16 +35,46 @@ pub struct CutCell {
 
 impl CutCell {
     /// The column.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.cell(1, 0).map(|cell| cell.column()), Some(1));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn column(&self) -> usize {
         self.column as usize
     }
 
     /// The row.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.cell(1, 0).map(|cell| cell.row()), Some(0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn row(&self) -> usize {
         self.row as usize
     }
 
     /// The area of what of the set is in the cell.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.cell(1, 0).map(|cell| cell.area()), Some(0.5));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn area(&self) -> f64 {
         self.area
     }
@@ -55,6 +85,16 @@ impl CutCell {
     }
 
     /// How much of the cell belongs to the set.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Coverage, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.cell(1, 0).map(|cell| cell.coverage()), Some(Coverage::Cut));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn coverage(&self) -> Coverage {
         self.coverage
     }
@@ -94,6 +134,16 @@ impl<'a> CutCells<'a> {
     ///
     /// # Complexity
     /// $O(c + n \log c + k \log k)$ time for c cells, n pieces and k arcs; one byte a cell, and 80 bytes an arc.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.total_area(), 2.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(set: &'a YinSet, grid: CartesianGrid) -> Result<Self, Error> {
         check_size(set, &grid)?;
         let mut arcs = arcs_of(set, &grid);
@@ -175,6 +225,16 @@ impl<'a> CutCells<'a> {
     }
 
     /// The grid.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.grid().cell_counts(), [2, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn grid(&self) -> &CartesianGrid {
         &self.grid
     }
@@ -183,6 +243,16 @@ impl<'a> CutCells<'a> {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Coverage, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.coverage(1, 1), Coverage::Empty);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn coverage(&self, column: usize, row: usize) -> Coverage {
         let [columns, _] = self.grid.cell_counts();
         assert!(column < columns, "there are {columns} columns");
@@ -190,6 +260,16 @@ impl<'a> CutCells<'a> {
     }
 
     /// The coverage of all cells, row by row.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Coverage, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.coverages()[0], Coverage::Full);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn coverages(&self) -> &[Coverage] {
         &self.coverage
     }
@@ -200,6 +280,16 @@ impl<'a> CutCells<'a> {
     }
 
     /// A cell, if it has boundary.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert!(cells.cell(1, 0).is_some() && cells.cell(1, 1).is_none());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn cell(&self, column: usize, row: usize) -> Option<&CutCell> {
         let at = self.cells.binary_search_by_key(&(row, column), |cell| (cell.row(), cell.column())).ok()?;
         Some(&self.cells[at])
@@ -215,6 +305,16 @@ impl<'a> CutCells<'a> {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!([cells.area(0, 0), cells.area(1, 0), cells.area(1, 1)], [1.0, 0.5, 0.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn area(&self, column: usize, row: usize) -> f64 {
         if let Some(cell) = self.cell(column, row) {
             return cell.area;
@@ -230,6 +330,16 @@ impl<'a> CutCells<'a> {
     ///
     /// # Complexity
     /// $O(c)$ for c cells.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.total_area(), 2.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn total_area(&self) -> f64 {
         let [columns, _] = self.grid.cell_counts();
         let mut sum = Sum::default();
@@ -255,6 +365,16 @@ impl<'a> CutCells<'a> {
     }
 
     /// The number of cells of a coverage.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Coverage, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// assert_eq!(cells.count(Coverage::Empty), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn count(&self, coverage: Coverage) -> usize {
         self.coverage.iter().filter(|&&own| own == coverage).count()
     }

@@ -27,6 +27,14 @@ impl CartesianGrid {
     /// # Errors
     /// [`ErrorKind::InvalidInput`] for no cells, numbers that are not finite, and spacings that are not positive or too small for the
     /// origin; [`ErrorKind::TooLarge`] above 2^30 cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::CartesianGrid;
+    /// let grid = CartesianGrid::new([0.0, 0.0], [1.0, 0.5], [2, 4])?;
+    /// assert_eq!(grid.cell_box(1, 3), [[1.0, 1.5], [2.0, 2.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(origin: [f64; 2], spacing: [f64; 2], counts: [usize; 2]) -> Result<Self, Error> {
         check_counts(counts)?;
         for axis in 0..2 {
@@ -49,6 +57,14 @@ impl CartesianGrid {
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming a line that is not finite or not beyond the one before it, and for fewer than two lines;
     /// [`ErrorKind::TooLarge`] above 2^30 cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::CartesianGrid;
+    /// let grid = CartesianGrid::with_lines([vec![0.0, 1.0, 4.0], vec![0.0, 2.0]])?;
+    /// assert_eq!(grid.cell_box(1, 0), [[1.0, 0.0], [4.0, 2.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn with_lines(lines: [Vec<f64>; 2]) -> Result<Self, Error> {
         check_counts([0, 1].map(|axis| lines[axis].len().saturating_sub(1)))?;
         for (axis, own) in lines.iter().enumerate() {
@@ -68,6 +84,14 @@ impl CartesianGrid {
     }
 
     /// The numbers of columns and rows.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::CartesianGrid;
+    /// let grid = CartesianGrid::new([0.0, 0.0], [1.0, 0.5], [2, 4])?;
+    /// assert_eq!(grid.cell_counts(), [2, 4]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn cell_counts(&self) -> [usize; 2] {
         [0, 1].map(|axis| self.lines[axis].len() - 1)
     }
@@ -76,6 +100,14 @@ impl CartesianGrid {
     ///
     /// # Panics
     /// If the axis is not 0 or 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::CartesianGrid;
+    /// let grid = CartesianGrid::new([0.0, 0.0], [1.0, 0.5], [2, 4])?;
+    /// assert_eq!(grid.lines(0), [0.0, 1.0, 2.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn lines(&self, axis: usize) -> &[f64] {
         &self.lines[axis]
     }
@@ -84,6 +116,14 @@ impl CartesianGrid {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::CartesianGrid;
+    /// let grid = CartesianGrid::new([0.0, 0.0], [1.0, 0.5], [2, 4])?;
+    /// assert_eq!(grid.cell_box(0, 1), [[0.0, 0.5], [1.0, 1.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn cell_box(&self, column: usize, row: usize) -> [[f64; 2]; 2] {
         [0, 1].map(|step| [self.lines[0][column + step], self.lines[1][row + step]])
     }

@@ -106,6 +106,17 @@ impl CutCells<'_> {
     ///
     /// # Errors
     /// If a walk is no closed curve: rounding left it without area.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// let cell = cells.cell(1, 0).expect("the boundary runs through it");
+    /// assert_eq!(cells.part_curves(cell)?.len(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn part_curves(&self, cell: &CutCell) -> Result<Vec<(Curve<'static>, Vec<u32>)>, Error> {
         let order = self.set.order();
         let arcs = self.arcs(cell);
@@ -140,6 +151,17 @@ impl CutCells<'_> {
     ///
     /// # Errors
     /// If rounding at the lines of the grid left curves that bound no set.
+    ///
+    /// # Examples
+    /// A triangle on four unit squares.
+    /// ```
+    /// use coface_yin::{CartesianGrid, Curve, CutCells, YinSet};
+    /// let triangle = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let cells = CutCells::new(&triangle, CartesianGrid::new([0.0, 0.0], [1.0, 1.0], [2, 2])?)?;
+    /// let cell = cells.cell(1, 0).expect("the boundary runs through it");
+    /// assert_eq!(cells.part(cell)?.area(), Some(0.5));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn part(&self, cell: &CutCell) -> Result<YinSet, Error> {
         let parts = self.part_curves(cell)?;
         if parts.is_empty() {

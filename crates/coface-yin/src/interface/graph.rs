@@ -1,45 +1,9 @@
 //! Graphs of interfaces.
 
-use super::trails::{Trail, fitted_edges, trails_of};
+use super::trails::{DirectedEdge, Trail, fitted_edges, trails_of};
 use crate::{Curve, Order};
 use coface_algebra::Error;
 use coface_algebra::Sign;
-
-/// An edge in one of its two directions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct DirectedEdge {
-    /// The edge.
-    pub edge: u32,
-    /// Along it or against it.
-    pub sign: Sign,
-}
-
-impl DirectedEdge {
-    /// The edge from its start to its end.
-    pub fn along(edge: u32) -> Self {
-        Self { edge, sign: Sign::Plus }
-    }
-
-    /// The edge from its end to its start.
-    pub fn against(edge: u32) -> Self {
-        Self { edge, sign: Sign::Minus }
-    }
-
-    /// The other direction.
-    pub fn reversed(self) -> Self {
-        Self { sign: self.sign.opposite(), ..self }
-    }
-
-    /// The place in arrays with two entries an edge.
-    pub(super) fn index(self) -> usize {
-        2 * self.edge as usize + usize::from(self.sign == Sign::Minus)
-    }
-
-    pub(super) fn at(index: usize) -> Self {
-        let edge = (index / 2) as u32;
-        if index.is_multiple_of(2) { Self::along(edge) } else { Self::against(edge) }
-    }
-}
 
 /// An arc of an interface.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,6 +73,17 @@ impl InterfaceGraph {
     ///
     /// # Complexity
     /// Linear in the markers, but for sorting the edges around each vertex.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.phase_area(0)?, 0.5);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(
         vertices: &[[f64; 2]],
         edges: &[InterfaceEdge],
@@ -184,16 +159,49 @@ impl InterfaceGraph {
     }
 
     /// The number of coefficients of the polynomials of the edges.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.order(), Order::LINEAR);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn order(&self) -> Order {
         self.order
     }
 
     /// The points where edges end.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.vertices(), [[0.0, 0.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vertices(&self) -> &[[f64; 2]] {
         &self.vertices
     }
 
     /// The number of edges.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.edge_count(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.ends.len()
     }
@@ -202,6 +210,17 @@ impl InterfaceGraph {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.ends(0), [0, 0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn ends(&self, edge: usize) -> [u32; 2] {
         self.ends[edge]
     }
@@ -210,6 +229,17 @@ impl InterfaceGraph {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.phases_of(0), [Some(0), None]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn phases_of(&self, edge: usize) -> [Option<u32>; 2] {
         self.phases[edge]
     }
@@ -218,16 +248,49 @@ impl InterfaceGraph {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.curve(0).piece_count(), 3);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn curve(&self, edge: usize) -> &Curve<'static> {
         &self.curves[edge]
     }
 
     /// The edges that were fitted together.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert!(graph.trails()[0].is_circuit());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn trails(&self) -> &[Trail] {
         &self.trails
     }
 
     /// The pairs of an edge that comes to a vertex and the one by which it goes on smoothly.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.smooth_pairs(), [around]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn smooth_pairs(&self) -> &[[DirectedEdge; 2]] {
         &self.smooth_pairs
     }
@@ -236,16 +299,49 @@ impl InterfaceGraph {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.degree(0), 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn degree(&self, vertex: usize) -> usize {
         self.around[vertex].len()
     }
 
     /// The vertices at which three or more edges end.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.junctions().count(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn junctions(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.vertices.len()).filter(|&vertex| self.around[vertex].len() > 2)
     }
 
     /// The phases that edges name, rising.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.phases(), [0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn phases(&self) -> Vec<u32> {
         let mut found: Vec<u32> = self.phases.iter().flatten().copied().flatten().collect();
         found.sort_unstable();
@@ -262,6 +358,17 @@ impl InterfaceGraph {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.edges_at(0).len(), 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn edges_at(&self, vertex: usize) -> &[DirectedEdge] {
         &self.around[vertex]
     }

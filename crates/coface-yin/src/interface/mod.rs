@@ -17,6 +17,7 @@ mod trails;
 
 pub use fault::InterfaceFault;
 pub(crate) use graph::Arcs;
-pub use graph::{DirectedEdge, InterfaceEdge, InterfaceGraph};
-pub use sets::{InterfaceOptions, Overlaps};
-pub use trails::Trail;
+pub use graph::{InterfaceEdge, InterfaceGraph};
+pub use partition::Overlaps;
+pub use sets::InterfaceOptions;
+pub use trails::{DirectedEdge, Trail};

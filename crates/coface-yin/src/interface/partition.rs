@@ -1,13 +1,25 @@
 //! The arcs between the phases that sets are.
 
+use super::DirectedEdge;
 use super::graph::Arcs;
 use super::overlaid::Overlaid;
-use super::{DirectedEdge, Overlaps};
 use crate::boolean::first_covering;
 use crate::{Curve, Order, YinSet};
 use coface_algebra::Error;
 use coface_algebra::Sign;
 use coface_arrange::planar::RingCells;
+
+/// Where points go that several sets have in common.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Overlaps {
+    /// Nowhere: sets that overlap are an error.
+    #[default]
+    Refused,
+    /// To the set that comes first.
+    ToTheFirst,
+    /// To the set that comes last.
+    ToTheLast,
+}
 
 /// The arcs between phases before anything is fitted.
 pub(super) struct Partition {

@@ -75,6 +75,17 @@ impl InterfaceGraph {
     ///
     /// At each vertex a walk goes on by the edge that comes first when turning clockwise from where it came; what is closed is cut off
     /// at once.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.phase_walks(0), [[DirectedEdge::along(0)]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn phase_walks(&self, phase: u32) -> Vec<Vec<DirectedEdge>> {
         let mut place = vec![0u32; 2 * self.edge_count()];
         for leaving in &self.around {
@@ -116,6 +127,17 @@ impl InterfaceGraph {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if no edge names the phase.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.phase_curves(0)?[0].signed_area(), 0.5);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn phase_curves(&self, phase: u32) -> Result<Vec<Curve<'static>>, Error> {
         let walks = self.phase_walks(phase);
         if walks.is_empty() {
@@ -150,6 +172,17 @@ impl InterfaceGraph {
     ///
     /// # Errors
     /// As [`Self::phase_curves`].
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.phase_area(0)?, 0.5);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn phase_area(&self, phase: u32) -> Result<f64, Error> {
         let mut sum = Sum::default();
         for curve in self.phase_curves(phase)? {

@@ -1,22 +1,10 @@
 //! Interfaces of Yin sets that lie side by side.
 
 use super::graph::Arcs;
-use super::partition::Partition;
+use super::partition::{Overlaps, Partition};
 use super::{DirectedEdge, InterfaceGraph};
 use crate::{Kinks, KnotIndex, Order, YinSet};
 use coface_algebra::Error;
-
-/// Where points go that several sets have in common.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Overlaps {
-    /// Nowhere: sets that overlap are an error.
-    #[default]
-    Refused,
-    /// To the set that comes first.
-    ToTheFirst,
-    /// To the set that comes last.
-    ToTheLast,
-}
 
 /// How sets become phases.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +20,13 @@ pub struct InterfaceOptions {
 
 impl InterfaceOptions {
     /// Edges of some order that end at all junctions, and overlaps refused.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{InterfaceOptions, Order, Overlaps};
+    /// let options = InterfaceOptions::new(Order::CUBIC);
+    /// assert_eq!((options.order, options.overlaps), (Order::CUBIC, Overlaps::Refused));
+    /// ```
     pub fn new(order: Order) -> Self {
         Self { order, smooth_angle: -1.0, overlaps: Overlaps::Refused }
     }

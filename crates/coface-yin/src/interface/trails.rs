@@ -1,9 +1,62 @@
 //! Edges that go on smoothly into each other, and their common splines.
 
-use super::DirectedEdge;
 use crate::{Curve, EndCondition, Order};
 use coface_algebra::Error;
 use coface_algebra::Sign;
+
+/// An edge in one of its two directions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DirectedEdge {
+    /// The edge.
+    pub edge: u32,
+    /// Along it or against it.
+    pub sign: Sign,
+}
+
+impl DirectedEdge {
+    /// The edge from its start to its end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::DirectedEdge;
+    /// assert_eq!(DirectedEdge::along(3).edge, 3);
+    /// ```
+    pub fn along(edge: u32) -> Self {
+        Self { edge, sign: Sign::Plus }
+    }
+
+    /// The edge from its end to its start.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::DirectedEdge;
+    /// assert_ne!(DirectedEdge::against(3), DirectedEdge::along(3));
+    /// ```
+    pub fn against(edge: u32) -> Self {
+        Self { edge, sign: Sign::Minus }
+    }
+
+    /// The other direction.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::DirectedEdge;
+    /// assert_eq!(DirectedEdge::against(3).reversed(), DirectedEdge::along(3));
+    /// ```
+    pub fn reversed(self) -> Self {
+        Self { sign: self.sign.opposite(), ..self }
+    }
+
+    /// The place in arrays with two entries an edge.
+    pub(super) fn index(self) -> usize {
+        2 * self.edge as usize + usize::from(self.sign == Sign::Minus)
+    }
+
+    pub(super) fn at(index: usize) -> Self {
+        let edge = (index / 2) as u32;
+        if index.is_multiple_of(2) { Self::along(edge) } else { Self::against(edge) }
+    }
+}
 
 /// Edges that are fitted by one spline.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,11 +67,33 @@ pub struct Trail {
 
 impl Trail {
     /// The edges in order.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert_eq!(graph.trails()[0].edges(), [DirectedEdge::along(0)]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn edges(&self) -> &[DirectedEdge] {
         &self.edges
     }
 
     /// Whether the last edge goes on smoothly into the first.
+    ///
+    /// # Examples
+    /// One triangle, whose boundary is an edge from a base point to itself.
+    /// ```
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// assert!(graph.trails()[0].is_circuit());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_circuit(&self) -> bool {
         self.is_circuit
     }

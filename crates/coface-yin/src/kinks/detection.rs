@@ -97,6 +97,15 @@ impl YinSet {
     ///
     /// # Errors
     /// As [`Self::detect_kinks`] and [`Self::reset_all_kinks`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    /// let smooth = YinSet::fit(&[ring], &[], Order::CUBIC, &EndCondition::NotAKnot)?;
+    /// assert_eq!(smooth.with_detected_kinks(1.0)?.curve(0).signed_area(), 4.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn with_detected_kinks(&self, angle: f64) -> Result<Self, Error> {
         let mut set = self.clone();
         set.reset_all_kinks(&self.detect_kinks(angle)?)?;

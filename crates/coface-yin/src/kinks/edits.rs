@@ -1,9 +1,10 @@
 //! Kinks that come and go.
 
 use super::apartness::{Tube, share_nothing, share_one_knot};
-use super::fitting::{piece_length, renamed};
+use super::fitting::renamed;
 use super::piece_boxes::{PieceBoxes, piece_box};
 use super::smooth_pieces::Span;
+use super::smooth_pieces::piece_length;
 use super::{Kinks, KnotIndex};
 use crate::{Curve, Order, YinSet};
 use coface_algebra::{Error, ErrorKind, VertexId};
@@ -13,6 +14,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// $O(\log m)$ for m kinks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// let corner = KnotIndex { curve: 0, knot: 2 };
+    /// let vertex = set.kinks().vertex(corner).expect("the corner is a kink");
+    /// assert_eq!(set.vertex_to_knot(vertex), Some(corner));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vertex_to_knot(&self, vertex: VertexId) -> Option<KnotIndex> {
         self.kinks().knot(vertex)
     }
@@ -21,6 +33,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// $O(\log m)$ for m kinks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// let corner = KnotIndex { curve: 0, knot: 2 };
+    /// let vertex = set.kinks().vertex(corner).expect("the corner is a kink");
+    /// assert_eq!(set.vertex_to_point(vertex), Some([1.0, 1.0]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vertex_to_point(&self, vertex: VertexId) -> Option<[f64; 2]> {
         let at = self.kinks().knot(vertex)?;
         Some(self.curve(at.curve as usize).knot_point(at.knot as usize))
@@ -33,6 +56,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// $O(\log m)$ for m kinks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// let corner = KnotIndex { curve: 0, knot: 2 };
+    /// assert_eq!(set.knot_to_vertex(corner)?.map(|vertex| vertex.index()), Some(1));
+    /// assert_eq!(set.knot_to_vertex(KnotIndex { curve: 0, knot: 1 })?, None);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn knot_to_vertex(&self, knot: KnotIndex) -> Result<Option<VertexId>, Error> {
         Ok(self.kinks().vertex(self.checked_knot(knot)?))
     }
@@ -93,6 +127,18 @@ impl YinSet {
     ///
     /// # Complexity
     /// As [`Self::insert_kink`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let mut set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// let corner = KnotIndex { curve: 0, knot: 2 };
+    /// let vertex = set.kinks().vertex(corner).expect("the corner is a kink");
+    /// assert_eq!(set.erase_kink(vertex)?, corner);
+    /// assert_eq!(set.kinks().len(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn erase_kink(&mut self, kink: VertexId) -> Result<KnotIndex, Error> {
         let Some(at) = self.kinks().knot(kink) else {
             return Err(Error::new(ErrorKind::NotInComplex, format!("there is no kink {kink:?}"))

@@ -1,6 +1,7 @@
 //! Closed curves through points, smooth between kinks.
 
 use super::KnotIndex;
+use super::smooth_pieces::piece_length;
 use crate::curve::chord_lengths;
 use crate::{Curve, EndCondition, Order, YinSet};
 use coface_algebra::Error;
@@ -196,16 +197,6 @@ impl YinSet {
         *set.kinks_mut() = kinks;
         Ok(set)
     }
-}
-
-/// The control points of the spline through points.
-pub(super) fn fitted(points: &[[f64; 2]], order: Order, ends: &EndCondition) -> Result<Vec<[f64; 2]>, Error> {
-    Ok(Curve::fit(points, order, ends)?.controls().to_vec())
-}
-
-/// The number of polynomials from one kink to the next of a closed curve; from a kink to itself they are all.
-pub(super) fn piece_length(first: usize, last: usize, count: usize) -> usize {
-    if last > first { last - first } else { last + count - first }
 }
 
 /// The same error, said of something.

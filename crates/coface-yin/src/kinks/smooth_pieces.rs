@@ -1,8 +1,7 @@
 //! What the polynomials between two kinks are.
 
-use super::fitting::{fitted, piece_length};
 use super::piece_boxes::PieceBoxes;
-use crate::{Curve, EndCondition};
+use crate::{Curve, EndCondition, Order};
 use coface_algebra::Error;
 use std::collections::BTreeMap;
 
@@ -91,4 +90,14 @@ impl SmoothPieces {
     pub(super) fn forget(&mut self, span: &Span) {
         self.remembered.remove(span);
     }
+}
+
+/// The control points of the spline through points.
+pub(super) fn fitted(points: &[[f64; 2]], order: Order, ends: &EndCondition) -> Result<Vec<[f64; 2]>, Error> {
+    Ok(Curve::fit(points, order, ends)?.controls().to_vec())
+}
+
+/// The number of polynomials from one kink to the next of a closed curve; from a kink to itself they are all.
+pub(super) fn piece_length(first: usize, last: usize, count: usize) -> usize {
+    if last > first { last - first } else { last + count - first }
 }

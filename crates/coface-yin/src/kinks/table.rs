@@ -68,21 +68,57 @@ impl Kinks {
     }
 
     /// The first name that no kink ever had.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// assert_eq!(set.kinks().next_name(), 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn next_name(&self) -> u32 {
         self.next_name
     }
 
     /// The number of kinks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// assert_eq!(set.kinks().len(), 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn len(&self) -> usize {
         self.by_knot.len()
     }
 
     /// Whether there are no kinks.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// assert!(!set.kinks().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.by_knot.is_empty()
     }
 
     /// The knots that are kinks, rising, each with its vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// assert_eq!(set.kinks().iter().map(|(at, _)| at.knot).collect::<Vec<_>>(), [0, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (KnotIndex, VertexId)> + '_ {
         self.by_knot.iter().map(|(&knot, &name)| (knot, VertexId::from_u32(name)))
     }
@@ -91,17 +127,47 @@ impl Kinks {
     ///
     /// # Complexity
     /// $O(\log m + k)$ for k kinks on the curve and m in all.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// assert_eq!(set.kinks().on_curve(0).collect::<Vec<_>>(), [0, 2]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn on_curve(&self, curve: u32) -> impl DoubleEndedIterator<Item = u32> + '_ {
         let [first, last] = [0, u32::MAX].map(|knot| KnotIndex { curve, knot });
         self.by_knot.range(first..=last).map(|(at, _)| at.knot)
     }
 
     /// The vertex of a knot that is a kink.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// let corner = KnotIndex { curve: 0, knot: 2 };
+    /// assert_eq!(set.kinks().vertex(corner).map(|vertex| vertex.index()), Some(1));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vertex(&self, knot: KnotIndex) -> Option<VertexId> {
         self.by_knot.get(&knot).map(|&name| VertexId::from_u32(name))
     }
 
     /// The knot of a vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let set = YinSet::fit(&[ring], &[vec![0, 2]], Order::LINEAR, &EndCondition::NotAKnot)?;
+    /// let corner = KnotIndex { curve: 0, knot: 2 };
+    /// let vertex = set.kinks().vertex(corner).expect("the corner is a kink");
+    /// assert_eq!(set.kinks().knot(vertex), Some(corner));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn knot(&self, vertex: VertexId) -> Option<KnotIndex> {
         self.by_name.get(&(vertex.index() as u32)).copied()
     }

@@ -25,6 +25,7 @@ mod common_end;
 mod contacts;
 mod frame;
 mod line_contact;
+mod meeting;
 mod overlaps;
 mod part_tree;
 mod parts;
@@ -41,6 +42,7 @@ mod tests;
 
 use frame::Frame;
 pub(crate) use frame::resolution;
+pub(crate) use meeting::{Meeting, Overlap};
 use parts::Pieces;
 use polynomial::Polynomial;
-pub(crate) use search::{Meeting, Meetings, Overlap};
+pub(crate) use search::Meetings;

@@ -3,10 +3,10 @@
 use super::common_end::{has_no_other_point, has_no_point_between};
 use super::contacts::{Cluster, Contact, clusters};
 use super::line_contact::{LineContact, line_contact};
+use super::meeting::Found;
 use super::overlaps::{foot, overlaps_of};
 use super::polynomial::{is_apart, is_near, size};
 use super::roots::{IMAGE, Transversal, transversal_root};
-use super::search::Found;
 use super::segments::{enclosure, meet_segments};
 use super::side_by_side::{SideBySide, side_by_side};
 use super::simple_fractions::{Fraction, meet_alone};

@@ -1,6 +1,6 @@
 //! Where two segments meet, exactly.
 
-use super::search::Found;
+use super::meeting::Found;
 use super::{Meeting, Overlap, Pieces};
 use coface_geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 

@@ -102,17 +102,50 @@ impl YinSet {
     ///
     /// # References
     /// Q. Zhang, Z. Li, *Boolean algebra of two-dimensional continua with arbitrarily complex topology* (2020).
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.curve_counts(), [1, 1]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn curve_counts(&self) -> [usize; 2] {
         let positive = (0..self.curve_count()).filter(|&curve| self.is_positive(curve)).count();
         [positive + usize::from(!self.is_bounded()), self.curve_count() - positive]
     }
 
     /// The number of connected components of the set.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.component_count(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn component_count(&self) -> usize {
         self.curve_counts()[0]
     }
 
     /// Whether the set is connected; the empty set is not.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert!(ring.is_connected());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn is_connected(&self) -> bool {
         self.component_count() == 1
     }
@@ -168,6 +201,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// That of two overlays of the curves.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.betti_closed()?, [1, 1]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn betti_closed(&self) -> Result<[usize; 2], Error> {
         let [components, _] = self.curve_counts();
         let atoms = self.atom_of_curves();

@@ -135,6 +135,14 @@ impl YinSet {
     ///
     /// # Complexity
     /// Linear in the pieces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0., 0.], [1., 0.], [2., 0.], [2., 2.], [0., 2.], [0., 0.]])?])?;
+    /// assert_eq!(square.straightened().curve(0).piece_count(), 4);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     #[must_use]
     pub fn straightened(&self) -> Self {
         let arena = self.arena();

@@ -67,6 +67,14 @@ impl YinSet {
     ///
     /// # Complexity
     /// As [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let bow = Curve::polyline(&[[0., 0.], [2., 2.], [2., 0.], [0., 2.], [0., 0.]])?;
+    /// assert!(YinSet::fault(&[bow])?.is_some());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn fault(curves: &[Curve<'_>]) -> Result<Option<YinFault>, Error> {
         Ok(match arena_of(curves)? {
             Ok(arena) => lying(&arena)?.err(),
@@ -82,6 +90,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// As [`Self::new`].
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert!(ring.validate()?.is_none());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn validate(&self) -> Result<Option<YinFault>, Error> {
         if self.curve_count() == 0 {
             return Ok(None);

@@ -32,6 +32,17 @@ impl HasseForest {
     ///
     /// # Panics
     /// If there is no such curve.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!([ring.forest().parent(0), ring.forest().parent(1)], [None, Some(0)]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn parent(&self, curve: usize) -> Option<usize> {
         self.parents[curve].map(|parent| parent as usize)
     }
@@ -40,11 +51,33 @@ impl HasseForest {
     ///
     /// # Panics
     /// If there is no such curve.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.forest().depth(1), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn depth(&self, curve: usize) -> usize {
         self.depths[curve] as usize
     }
 
     /// The curves that lie in no other.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.forest().roots().collect::<Vec<_>>(), [0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn roots(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.parents.len()).filter(|&curve| self.parents[curve].is_none())
     }

@@ -31,6 +31,15 @@ impl<'a> JordanCurve<'a> {
     ///
     /// # Errors
     /// As [`YinSet::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Sign;
+    /// use coface_yin::{Curve, JordanCurve};
+    /// let curve = JordanCurve::new(Curve::polyline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]])?)?;
+    /// assert_eq!(curve.orientation(), Sign::Plus);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn new(curve: Curve<'a>) -> Result<Self, Error> {
         if let Some(fault) = YinSet::fault(std::slice::from_ref(&curve))? {
             return Err(fault.into_error());
@@ -42,11 +51,28 @@ impl<'a> JordanCurve<'a> {
     }
 
     /// Whether the curve runs counterclockwise or clockwise.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::Sign;
+    /// use coface_yin::{Curve, JordanCurve};
+    /// let curve = JordanCurve::new(Curve::polyline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]])?)?;
+    /// assert_eq!(curve.orientation(), Sign::Plus);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn orientation(&self) -> Sign {
         self.orientation
     }
 
     /// The curve.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, JordanCurve};
+    /// let curve = JordanCurve::new(Curve::polyline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]])?)?;
+    /// assert_eq!(curve.curve().piece_count(), 3);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn curve(&self) -> &Curve<'a> {
         &self.curve
     }

@@ -107,6 +107,18 @@ impl YinSet {
     ///
     /// # Complexity
     /// Linear in the pieces once, and then for each point as much as boxes of pieces meet the ray from it to the right, in parallel.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, SetLocation, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// let found = ring.locate_all(&[[0.5, 0.5], [1.5, 1.5]])?;
+    /// assert_eq!(found, [SetLocation::Inside, SetLocation::Outside]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn locate_all(&self, points: &[[f64; 2]]) -> Result<Vec<SetLocation>, Error> {
         if let Some(at) = points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
             return Err(Error::new(ErrorKind::InvalidInput, format!("point {at} is not finite"))

@@ -14,6 +14,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// Linear in the pieces.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.area(), Some(15.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn area(&self) -> Option<f64> {
         self.is_bounded().then(|| self.signed_area())
     }
@@ -23,6 +34,17 @@ impl YinSet {
     ///
     /// # Complexity
     /// Linear in the pieces.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.signed_area(), 15.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn signed_area(&self) -> f64 {
         if self.curve_count() == 0 {
             return 0.0;
@@ -104,6 +126,17 @@ impl YinSet {
 
     /// The lowest and the highest coordinates of the boundary; none without curves. The boxes of curves that are not straight hold
     /// them up to rounding.
+    ///
+    /// # Examples
+    /// A square of side 4 with a square hole of side 1.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
+    /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
+    /// let ring = YinSet::new(&[outer, hole])?;
+    /// assert_eq!(ring.bounding_box(), Some([[0.0, 0.0], [4.0, 4.0]]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn bounding_box(&self) -> Option<[[f64; 2]; 2]> {
         self.arena()
             .iter()

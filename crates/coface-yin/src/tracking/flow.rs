@@ -46,6 +46,13 @@ pub enum Flow {
 
 impl Flow {
     /// The velocity at a point and a time.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::Flow;
+    /// let turn = Flow::Rotation { center: [0.0, 0.0], speed: 2.0 };
+    /// assert_eq!(turn.velocity([1.0, 0.0], 0.0), [0.0, 2.0]);
+    /// ```
     pub fn velocity(&self, [x, y]: [f64; 2], time: f64) -> [f64; 2] {
         match *self {
             Self::Translation { velocity } => velocity,

@@ -37,27 +37,87 @@ pub struct TrackedGraph {
 
 impl TrackedGraph {
     /// The interface at the end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!(moved.graph().vertices(), [[1.0, 0.0]]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn graph(&self) -> &InterfaceGraph {
         &self.graph
     }
 
     /// What happened to markers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!(moved.counts().steps, 2);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn counts(&self) -> TrackingCounts {
         self.counts
     }
 
     /// The closed edges that became too short and were taken out, each with the time and its number at the beginning; those that a
     /// repair has made have none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert!(moved.vanished().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vanished(&self) -> &[(f64, Option<u32>)] {
         &self.vanished
     }
 
     /// What was cut and pasted on the way, by time; nothing without [`TrackingOptions::repair`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert!(moved.repairs().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn repairs(&self) -> &[InterfaceRepair] {
         &self.repairs
     }
 
     /// For each edge its number at the beginning; after a repair edges have none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!(moved.edges(), [Some(0)]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn edges(&self) -> &[Option<u32>] {
         &self.edges
     }

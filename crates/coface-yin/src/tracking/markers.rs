@@ -1,10 +1,21 @@
 //! Markers of one curve, mapped and with their distances kept in range.
 
-use super::TrackingCounts;
 use crate::Curve;
 use crate::curve::{bernstein, distance};
 use coface_algebra::Error;
 use rayon::prelude::*;
+
+/// What tracking did to markers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct TrackingCounts {
+    /// The number of steps of time.
+    pub steps: usize,
+    /// The markers that were added.
+    pub added: usize,
+    /// The markers that were left out.
+    pub removed: usize,
+}
 
 /// Distances of neighboring markers.
 #[derive(Clone, Copy, Debug)]

@@ -21,6 +21,7 @@ mod sets;
 
 pub use flow::Flow;
 pub use graphs::{InterfaceRepair, TrackedGraph};
-pub use options::{TrackingCounts, TrackingOptions, Verification};
+pub use markers::TrackingCounts;
+pub use options::{TrackingOptions, Verification};
 pub use runge_kutta::RungeKutta;
 pub use sets::{Repair, TrackedSet, VanishedCurve};

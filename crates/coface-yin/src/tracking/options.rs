@@ -46,6 +46,13 @@ pub struct TrackingOptions {
 impl TrackingOptions {
     /// From time 0 to `end` with steps and spacing as given; r = 1/10, the scheme of the order of the boundary, verified after each step,
     /// and without repair.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{TrackingOptions, Verification};
+    /// let options = TrackingOptions::new(1.0, 0.01, 0.1);
+    /// assert_eq!((options.start, options.verification), (0.0, Verification::EachStep));
+    /// ```
     pub fn new(end: f64, time_step: f64, spacing: f64) -> Self {
         Self {
             start: 0.0,
@@ -112,16 +119,4 @@ impl TrackingOptions {
         }
         Ok((count as usize, if count > 0.0 { span / count } else { 0.0 }))
     }
-}
-
-/// What tracking did to markers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct TrackingCounts {
-    /// The number of steps of time.
-    pub steps: usize,
-    /// The markers that were added.
-    pub added: usize,
-    /// The markers that were left out.
-    pub removed: usize,
 }

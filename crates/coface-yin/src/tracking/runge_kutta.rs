@@ -123,6 +123,12 @@ const COOPER_VERNER: Tableau = Tableau {
 
 impl RungeKutta {
     /// The scheme for boundaries of an order: of the same order, and of order four for polylines.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, RungeKutta};
+    /// assert_eq!(RungeKutta::for_curves(Order::CUBIC).order(), 4);
+    /// ```
     pub fn for_curves(order: Order) -> Self {
         match order.value() {
             0..=4 => Self::Classical,
@@ -132,6 +138,12 @@ impl RungeKutta {
     }
 
     /// The order: the error over a span of time shrinks like this power of the step.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, RungeKutta};
+    /// assert_eq!(RungeKutta::for_curves(Order::CUBIC).order(), 4);
+    /// ```
     pub fn order(self) -> u32 {
         match self {
             Self::Midpoint => 2,

@@ -40,31 +40,91 @@ pub struct TrackedSet {
 
 impl TrackedSet {
     /// The set at the end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!(moved.set().bounding_box(), Some([[1.0, 0.0], [3.0, 2.0]]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn set(&self) -> &YinSet {
         &self.set
     }
 
     /// The set alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!(moved.into_set().area(), Some(4.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn into_set(self) -> YinSet {
         self.set
     }
 
     /// What happened to markers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!((moved.counts().steps, moved.counts().added), (2, 0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn counts(&self) -> TrackingCounts {
         self.counts
     }
 
     /// The curves that vanished, by time.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert!(moved.vanished().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn vanished(&self) -> &[VanishedCurve] {
         &self.vanished
     }
 
     /// What was cut and pasted on the way, by time; nothing without [`TrackingOptions::repair`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert!(moved.repairs().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn repairs(&self) -> &[Repair] {
         &self.repairs
     }
 
     /// For each curve its number at the beginning; after repairs the lowest number of the curves that it has parts of.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
+    /// assert_eq!(moved.curves(), [0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
     pub fn curves(&self) -> &[u32] {
         &self.curves
     }

@@ -203,7 +203,7 @@ impl SetOptions {
         let mut reading = common.reading();
         if self.order != Some(Order::LINEAR) {
             // Curves stay curves: it is on output that they may have to become chords.
-            reading.flatten = None;
+            reading = reading.flatten(None);
         }
         let drawing = match path.as_os_str() == "-" {
             true => io::read_boundary_with(std::io::stdin().lock(), &reading),

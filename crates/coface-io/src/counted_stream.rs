@@ -1,23 +1,23 @@
-//! How far reading and writing files have come.
+//! Streams whose bytes count as progress.
 
 use coface_algebra::progress::{Steps, stage_of_bytes};
 use std::io::{Read, Write};
 use std::path::Path;
 
-/// A stream whose bytes are counted: a stage for whoever watches the work.
-pub(super) struct Watched<S> {
+/// A stream whose bytes are counted as the progress of a stage.
+pub(super) struct CountedStream<S> {
     stream: S,
     steps: Steps,
 }
 
-/// Begins to read a stream of so many bytes, 0 where nobody can know.
-pub(super) fn reading<R: Read>(name: &str, stream: R, total: u64) -> Watched<R> {
-    Watched { stream, steps: stage_of_bytes(&format!("reading {name}"), total) }
+/// Begins to read a stream of so many bytes, 0 where the length is unknown.
+pub(super) fn reading<R: Read>(name: &str, stream: R, total: u64) -> CountedStream<R> {
+    CountedStream { stream, steps: stage_of_bytes(&format!("reading {name}"), total) }
 }
 
 /// Begins to write a stream.
-pub(super) fn writing<W: Write>(name: &str, stream: W) -> Watched<W> {
-    Watched { stream, steps: stage_of_bytes(&format!("writing {name}"), 0) }
+pub(super) fn writing<W: Write>(name: &str, stream: W) -> CountedStream<W> {
+    CountedStream { stream, steps: stage_of_bytes(&format!("writing {name}"), 0) }
 }
 
 /// The name of a file without its folder.
@@ -28,7 +28,7 @@ pub(super) fn name_of(path: &Path) -> String {
 /// A stage never takes more bytes than this at once, so that it can be stopped.
 const PIECE: usize = 1 << 20;
 
-impl<R: Read> Read for Watched<R> {
+impl<R: Read> Read for CountedStream<R> {
     fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
         let most = bytes.len().min(PIECE);
         let count = self.stream.read(&mut bytes[..most])?;
@@ -37,7 +37,7 @@ impl<R: Read> Read for Watched<R> {
     }
 }
 
-impl<W: Write> Write for Watched<W> {
+impl<W: Write> Write for CountedStream<W> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         let count = self.stream.write(&bytes[..bytes.len().min(PIECE)])?;
         self.steps.advance(count);

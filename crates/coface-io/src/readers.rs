@@ -1,10 +1,10 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::scratch_mesh::{self, ScratchMesh};
-use super::watching::{Watched, name_of, reading};
+use super::counted_stream::{CountedStream, name_of, reading};
+use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::{
-    Format, Model, Structure, VolumeReading, VolumeStream, container, format, geojson, isosig, json,
-    lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
+    Format, Model, Structure, VolumeReading, VolumeStream, container, detection, format, geojson, isosig,
+    json, lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
 };
 use coface_algebra::{Error, ErrorKind};
 use std::fs::File;
@@ -42,21 +42,99 @@ pub fn read_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Model
 }
 
 /// How files are read.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::{Format, ReadOptions};
+/// let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>"#;
+/// let options = ReadOptions::new().format(Format::Svg).flatten(0.01);
+/// assert_eq!(io::read_with(text.as_bytes(), &options)?.vertex_count(), 23);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
-#[non_exhaustive]
 pub struct ReadOptions {
-    /// The format, instead of the one that name and content tell.
-    pub format: Option<Format>,
-    /// The farthest that chords may be from the curves of an SVG, in its unit; curves are refused without it.
-    pub flatten: Option<f64>,
-    /// Which voxels of a volume are set, and which of its axes are periodic.
-    pub volume: VolumeReading,
+    pub(crate) format: Option<Format>,
+    pub(crate) flatten: Option<f64>,
+    pub(crate) volume: VolumeReading,
 }
 
 impl ReadOptions {
+    /// The format is detected, curves are refused, and every voxel but those with the number 0 is set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{ReadOptions, read_with};
+    /// assert_eq!(read_with(&b"[[0, 1, 2]]"[..], &ReadOptions::new())?.format(), Some(coface_io::Format::Json));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Reads this format, or with `None` the one that the name and the content state.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, ReadOptions, read_with};
+    /// let options = ReadOptions::new().format(Format::Lines);
+    /// assert_eq!(read_with(&b"0,0,1,1"[..], &options)?.lines().len(), 1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn format(mut self, format: impl Into<Option<Format>>) -> Self {
+        self.format = format.into();
+        self
+    }
+
+    /// Replaces curves by chords that are at most this far from them, in the unit of the file. Without it curves are refused.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{ReadOptions, read_with};
+    /// let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>"#;
+    /// assert!(read_with(text.as_bytes(), &ReadOptions::new()).is_err());
+    /// assert!(read_with(text.as_bytes(), &ReadOptions::new().flatten(0.5)).is_ok());
+    /// ```
+    #[must_use]
+    pub fn flatten(mut self, tolerance: impl Into<Option<f64>>) -> Self {
+        self.flatten = tolerance.into();
+        self
+    }
+
+    /// Says which voxels of a volume are set, and which of its axes are periodic.
+    ///
+    /// # Examples
+    /// Only one of two voxels has a number of 2 at least.
+    /// ```
+    /// use coface_io::{ReadOptions, Structure, VolumeReading, VoxelRule, read_with};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 2 1\nencoding: ascii\n\n1 2";
+    /// let volume = VolumeReading { rule: VoxelRule::AtLeast(2.0), ..VolumeReading::default() };
+    /// let model = read_with(&text[..], &ReadOptions::new().volume(volume))?;
+    /// let Some(Structure::Volume(voxels)) = model.structure() else { panic!("the file holds a volume") };
+    /// assert!(!voxels.is_set(&[0, 0]) && voxels.is_set(&[1, 0]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn volume(mut self, volume: VolumeReading) -> Self {
+        self.volume = volume;
+        self
+    }
+
+    /// The choice of voxels.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{ReadOptions, VoxelRule};
+    /// assert_eq!(ReadOptions::new().volume_reading().rule, VoxelRule::Nonzero);
+    /// ```
+    pub fn volume_reading(&self) -> &VolumeReading {
+        &self.volume
+    }
+
     fn check(&self) -> Result<(), Error> {
         match self.flatten {
-            Some(tolerance) => svg::check_tolerance(tolerance),
+            Some(tolerance) => yin::check_tolerance(tolerance),
             None => Ok(()),
         }
     }
@@ -74,9 +152,7 @@ impl ReadOptions {
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let path = std::env::temp_dir().join("coface-read-path-with.svg");
 /// std::fs::write(&path, "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle r=\"1\"/></svg>")?;
-/// let mut options = ReadOptions::default();
-/// options.flatten = Some(0.5);
-/// assert_eq!(io::read_path_with(&path, &options)?.lines().len(), 1);
+/// assert_eq!(io::read_path_with(&path, &ReadOptions::new().flatten(0.5))?.lines().len(), 1);
 /// # std::fs::remove_file(&path)?;
 /// # Ok(()) }
 /// ```
@@ -92,8 +168,8 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
             _ => Format::Json,
         };
         let read = || match format {
-            Format::Isosig => isosig::read_entry(watched(file)?, entry),
-            _ => json::read_entry(watched(file)?, entry),
+            Format::Isosig => isosig::read_entry(counted(file)?, entry),
+            _ => json::read_entry(counted(file)?, entry),
         };
         return match read() {
             Ok(model) => Ok(model.with_format(format)),
@@ -101,11 +177,11 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
         };
     }
     let read = || {
-        let mut file = watched(path)?;
+        let mut file = counted(path)?;
         let (start, whole) = start_of(&mut file)?;
         let format = match format {
             Some(format) => format,
-            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path))?,
         };
         if format.is_volume() {
             drop(file);
@@ -138,7 +214,7 @@ pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<
         let (start, whole) = start_of(&mut open(path)?)?;
         match format {
             Some(format) => Ok(format),
-            None => format::decide(format::without_mark(&start), whole, Format::from_path(path)),
+            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path)),
         }
     };
     found().map_err(|error: Error| error.in_file(path.display().to_string()))
@@ -192,7 +268,7 @@ pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error
     let (start, whole) = start_of(&mut input)?;
     let format = match options.format {
         Some(format) => format,
-        None => format::decide(format::without_mark(&start), whole, None)?,
+        None => detection::decide(detection::without_mark(&start), whole, None)?,
     };
     read_started(&start, whole, &mut input, format, options)
 }
@@ -219,7 +295,9 @@ pub fn read_named(input: impl Read, name: &str, options: &ReadOptions) -> Result
         let (start, whole) = start_of(&mut input)?;
         let format = match options.format {
             Some(format) => format,
-            None => format::decide(format::without_mark(&start), whole, Format::from_path(Path::new(name)))?,
+            None => {
+                detection::decide(detection::without_mark(&start), whole, Format::from_path(Path::new(name)))?
+            }
         };
         read_started(&start, whole, &mut input, format, options)
     };
@@ -269,21 +347,21 @@ pub fn read_boundary_path(
     if !path.exists()
         && let Some((file, entry)) = entry_of(path)
     {
-        let drawing = watched(file).and_then(|file| json::read_boundary(file, Some(entry)));
+        let drawing = counted(file).and_then(|file| json::read_boundary(file, Some(entry)));
         return match drawing {
             Ok(drawing) => Ok(drawing.with_format(Format::Json)),
             Err(error) => Err(error.in_file(file.display().to_string())),
         };
     }
     let read = || {
-        let mut file = watched(path)?;
+        let mut file = counted(path)?;
         let (start, whole) = start_of(&mut file)?;
-        if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
+        if options.format.is_none() && yin::is_factories(detection::without_mark(&start)) {
             return factories_started(&start, whole, &mut file);
         }
         let format = match options.format {
             Some(format) => format,
-            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path))?,
         };
         boundary_started(&start, whole, &mut file, format, options)
     };
@@ -335,12 +413,12 @@ pub fn read_boundary_with(input: impl Read, options: &ReadOptions) -> Result<yin
     options.check()?;
     let mut input = reading(STREAM, input, 0);
     let (start, whole) = start_of(&mut input)?;
-    if options.format.is_none() && yin::is_factories(format::without_mark(&start)) {
+    if options.format.is_none() && yin::is_factories(detection::without_mark(&start)) {
         return factories_started(&start, whole, &mut input);
     }
     let format = match options.format {
         Some(format) => format,
-        None => format::decide(format::without_mark(&start), whole, None)?,
+        None => detection::decide(detection::without_mark(&start), whole, None)?,
     };
     boundary_started(&start, whole, &mut input, format, options)
 }
@@ -348,7 +426,7 @@ pub fn read_boundary_with(input: impl Read, options: &ReadOptions) -> Result<yin
 /// Curves as text: no format of its own, for nothing else reads it.
 fn factories_started(start: &[u8], whole: bool, rest: &mut dyn Read) -> Result<yin::BoundaryDrawing, Error> {
     let rest = rest.take(if whole { 0 } else { u64::MAX });
-    yin::read_factories(format::without_mark(start).chain(rest))
+    yin::read_factories(detection::without_mark(start).chain(rest))
 }
 
 fn boundary_started(
@@ -361,9 +439,9 @@ fn boundary_started(
     let flatten = options.flatten;
     let drawing = match format {
         Format::Json | Format::Dat | Format::Svg if format != Format::Svg || flatten.is_none() => {
-            format::check_told(format, start, whole)?;
+            detection::check_stated(format, start, whole)?;
             let rest = rest.take(if whole { 0 } else { u64::MAX });
-            let input = format::without_mark(start).chain(rest);
+            let input = detection::without_mark(start).chain(rest);
             match format {
                 Format::Json => json::read_boundary(input, None)?,
                 Format::Dat => yin::read_dat(input)?,
@@ -465,7 +543,7 @@ fn entry_of(path: &Path) -> Option<(&Path, &str)> {
 }
 
 /// A file whose bytes are counted.
-fn watched(path: &Path) -> Result<Watched<File>, Error> {
+fn counted(path: &Path) -> Result<CountedStream<File>, Error> {
     let file = open(path)?;
     let total = file.metadata().map_or(0, |metadata| metadata.len());
     Ok(reading(&name_of(path), file, total))
@@ -488,22 +566,24 @@ fn open(path: &Path) -> Result<File, Error> {
     Ok(file)
 }
 
-/// Reads a mesh of simplices from a file into flat files of a folder, without keeping it in memory; `None` if the file is of a format, or has
-/// elements, for which that is not done.
-pub fn stream_mesh(path: &Path, format: Option<Format>, folder: &Path) -> Result<Option<ScratchMesh>, Error> {
+/// Reads a mesh of simplices from a file into two streams, those of its vertices and of its elements, without keeping it in memory: three
+/// coordinates for each vertex, and four vertices for each element. False if the file is of a format, or has elements, for which that is not
+/// done.
+#[doc(hidden)]
+pub fn stream_mesh(path: &Path, format: Option<Format>, streams: [ScratchStream; 2]) -> Result<bool, Error> {
     let read = || {
-        let mut file = watched(path)?;
+        let mut file = counted(path)?;
         let (start, whole) = start_of(&mut file)?;
         let format = match format {
             Some(format) => format,
-            None => format::decide(format::without_mark(&start), whole, Format::from_path(path))?,
+            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path))?,
         };
         if !matches!(format, Format::Medit | Format::Msh) {
-            return Ok(None);
+            return Ok(false);
         }
-        format::check_told(format, &start, whole)?;
-        let input = format::without_mark(&start).chain(file);
-        let scratch = ScratchMesh::create(folder)?;
+        detection::check_stated(format, &start, whole)?;
+        let input = detection::without_mark(&start).chain(file);
+        let scratch = ScratchMesh::new(streams);
         let read = match format {
             Format::Medit => medit::read_into(input, scratch),
             _ => msh::read_into(input, scratch),
@@ -511,9 +591,9 @@ pub fn stream_mesh(path: &Path, format: Option<Format>, folder: &Path) -> Result
         match read {
             Ok(mut scratch) => {
                 scratch.finish()?;
-                Ok(Some(scratch))
+                Ok(true)
             }
-            Err(error) if error.message() == scratch_mesh::NOT_SIMPLICIAL => Ok(None),
+            Err(error) if error.message() == scratch_mesh::NOT_SIMPLICIAL => Ok(false),
             Err(error) => Err(error),
         }
     };
@@ -537,9 +617,9 @@ fn read_started(
     options: &ReadOptions,
 ) -> Result<Model, Error> {
     let flatten = options.flatten;
-    format::check_told(format, start, whole)?;
+    detection::check_stated(format, start, whole)?;
     let rest = rest.take(if whole { 0 } else { u64::MAX });
-    let mut input = format::without_mark(start).chain(rest);
+    let mut input = detection::without_mark(start).chain(rest);
     let input: &mut dyn Read = &mut input;
     let model = match format {
         Format::Off => off::read(input)?,
