@@ -213,7 +213,7 @@ impl Format {
         matches!(self, Self::Npy | Self::Nrrd | Self::Nifti)
     }
 
-    /// The format that the extension of a path tells.
+    /// The format to which the extension of a path belongs.
     ///
     /// # Examples
     /// ```

@@ -1,8 +1,14 @@
-//! Doors: one file a format, and [`Model`], what a file can hold.
+//! Readers and writers of file formats, one module a format, and [`Model`], which holds what a file holds.
 //!
-//! A reader takes bytes and gives a whole [`Model`] or an error that names the line or byte; it never allocates by a
+//! A reader takes bytes and returns a whole [`Model`], or an error that names the line or the byte. It never allocates memory by a
 //! count that a file merely claims. Indices in a model are 0-based whatever the format does. [`read_path`] and
-//! [`write_path`] find out the format by themselves.
+//! [`write_path`] detect the format.
+//!
+//! # Features
+//! * `xml` (default): SVG and VTK XML are read. They are written without it.
+//! * `compression` (default): compressed volumes and compressed arrays of VTK XML are read.
+//!
+//! A reader that a build leaves out refuses its files and names the feature.
 //!
 #![doc = include_str!("../README.md")]
 

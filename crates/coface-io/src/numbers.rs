@@ -83,7 +83,7 @@ impl Numbers {
         *self = Self::Int64(values);
     }
 
-    /// Appends a number of a type that is told, such as `property uchar red`. A text may have others there than it
+    /// Appends a number of a stated type, such as `property uchar red`. A text may have others there than it
     /// says: then all become reals.
     #[inline]
     pub(crate) fn push_real(&mut self, value: f64) {

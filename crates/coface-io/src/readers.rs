@@ -11,12 +11,12 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
-/// So many bytes are looked at to tell the format.
+/// So many bytes are read to detect the format.
 const START: usize = 1 << 16;
 /// What a stream without a name is called.
 const STREAM: &str = "the input";
 
-/// Reads the model in a file. Without a format, the name and the content tell it; when they disagree it is an error
+/// Reads the model in a file. Without a format, the name and the content decide it; when they disagree it is an error
 /// that says how to settle it. [`Model::format`] then says which it was.
 ///
 /// One entry of a JSON list of named objects is chosen by its name after a `#`: `facets.json#RP^3`; one of several
@@ -24,7 +24,7 @@ const STREAM: &str = "the input";
 ///
 /// # Errors
 /// [`ErrorKind::Io`] when the file is missing, a directory or unreadable; [`ErrorKind::UnsupportedFormat`] when the
-/// format cannot be told; otherwise what the reader of the format found. All name the file, and the line or byte.
+/// format cannot be detected; otherwise what the reader of the format found. All name the file, and the line or byte.
 ///
 /// # Examples
 /// ```
@@ -248,7 +248,7 @@ pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
     read_started(&start, whole, &mut input, format, &ReadOptions::default())
 }
 
-/// Reads a model from a stream: of the format of the options, or of the one that its content tells.
+/// Reads a model from a stream: of the format of the options, or of the one that its content shows.
 ///
 /// # Errors
 /// As [`read_unknown`]; [`ErrorKind::InvalidInput`] if the distance of chords is not positive and finite.
@@ -304,7 +304,7 @@ pub fn read_named(input: impl Read, name: &str, options: &ReadOptions) -> Result
     read().map_err(|error: Error| error.in_file(name))
 }
 
-/// Reads a model whose format only its content tells, such as one from the standard input.
+/// Reads a model whose format is detected by its content alone, such as one from the standard input.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] when the content is of no known format; otherwise what the reader of the format
@@ -396,7 +396,7 @@ pub fn read_boundary(
     boundary_started(&start, whole, &mut input, format, options)
 }
 
-/// Reads the boundary of a set in the plane from a stream whose format is that of the options, or the one that its content tells.
+/// Reads the boundary of a set in the plane from a stream whose format is that of the options, or the one that its content shows.
 ///
 /// # Errors
 /// As [`read_with`] and [`read_boundary`].
@@ -493,8 +493,11 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         }
         Format::Npy => match model.structure() {
             Some(Structure::Volume(voxels)) => volume::write_npy(voxels, out),
-            _ => Err(Error::new(ErrorKind::UnsupportedFormat, ".npy holds volumes, and the model is none")
-                .with_cure("write a mesh format or JSON")),
+            _ => Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "a .npy file can only hold a voxel volume; this model is none",
+            )
+            .with_cure("write a mesh format or JSON")),
         },
         Format::Nrrd | Format::Nifti => {
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
@@ -503,11 +506,11 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
     }
 }
 
-/// Writes a model to a file, in the format that the name tells unless another is given. The file appears whole or not
+/// Writes a model to a file, in the format of its name unless another is given. The file appears whole or not
 /// at all: see [`replace_file`](super::replace_file).
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] when the name tells no format or the format cannot hold the model;
+/// [`ErrorKind::UnsupportedFormat`] when the name belongs to no format or the format cannot hold the model;
 /// [`ErrorKind::Io`] with the path when it cannot be written.
 ///
 /// # Examples
@@ -526,9 +529,12 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
     let format = match format.or_else(|| Format::from_path(path)) {
         Some(format) => format,
         None => {
-            return Err(Error::new(ErrorKind::UnsupportedFormat, "the name tells no format to write")
-                .with_cure(format!("end it in one of {}, or give --format", format::names()))
-                .in_file(path.display().to_string()));
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "the name belongs to no format that is written",
+            )
+            .with_cure(format!("end it in one of {}, or give --format", format::names()))
+            .in_file(path.display().to_string()));
         }
     };
     output::replace_file(path, |out| write(model, out, format))

@@ -53,7 +53,7 @@ const KINDS: [(&str, Kind); 11] = [
 /// The numbers of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Axes {
-    /// What their number tells: x y, x y z or x y z m.
+    /// What their number means: x y, x y z or x y z m.
     Counted,
     Z,
     M,

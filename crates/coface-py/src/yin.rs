@@ -681,8 +681,8 @@ answer! { YinSet {
         let spacing = spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
         let mut options = TrackingOptions::new(end, step, spacing);
         let times = [("each-step", Verification::EachStep), ("end", Verification::End), ("never", Verification::Never)];
-        options.verification = choice(py, "verify", verify, &times)?;
-        options.repair = rule_of(py, repair)?;
+        options = options.verification(choice(py, "verify", verify, &times)?);
+        options = options.repair(rule_of(py, repair)?);
         let moved = match named {
             Some(flow) => run(py, progress, || {
                 self.inner().advected(|point, time| flow.velocity(point, time), &options)

@@ -6,7 +6,7 @@
 //!   around the set, a **negative** one clockwise around a hole.
 //! * Curves are **almost disjoint** when they touch in finitely many points and neither cross nor share an arc. An **atom** is a
 //!   connected set bounded by such curves. A [`YinSet`] is bounded by the unique almost disjoint curves of its atoms.
-//! * The **Hasse forest** of a set tells which curve lies directly in which; positive and negative curves alternate by depth.
+//! * The **Hasse forest** of a set says which curve lies directly inside which; positive and negative curves alternate by depth.
 //! * **Meet** is the intersection, **join** the interior of the closed union, **complement** the exterior: so all laws of a Boolean
 //!   algebra hold.
 //! * A **kink** is a knot at which the boundary need not be smooth. Between kinks the boundary is one spline.

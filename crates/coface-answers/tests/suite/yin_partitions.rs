@@ -81,7 +81,7 @@ fn overlaps_are_errors_with_place_and_area_or_go_to_one_set() {
         "{said}"
     );
     for (overlaps, wins) in [(Overlaps::ToTheFirst, 0), (Overlaps::ToTheLast, 1)] {
-        options.overlaps = overlaps;
+        options = options.overlaps(overlaps);
         let graph = InterfaceGraph::of_sets_with(&sets, &options).unwrap();
         let areas = [0, 1].map(|phase| graph.phase_area(phase).unwrap());
         assert!((areas[wins] - sets[wins].area().unwrap()).abs() < 1e-14);
@@ -141,7 +141,7 @@ fn countries_become_an_interface() {
     let sets = [lesotho, africa, italy, land];
     let mut options = InterfaceOptions::new(Order::LINEAR);
     assert!(InterfaceGraph::of_sets_with(&sets, &options).unwrap_err().to_string().contains("overlap"));
-    options.overlaps = Overlaps::ToTheFirst;
+    options = options.overlaps(Overlaps::ToTheFirst);
     let graph = InterfaceGraph::of_sets_with(&sets, &options).unwrap();
     check_euler(&graph, &sets);
     let all: Vec<&YinSet> = sets.iter().collect();
@@ -161,16 +161,15 @@ fn sets_that_come_to_meet_are_errors_or_repaired() {
     let curves = [-0.6, 0.6].map(|x| Curve::circle([x, 0.0], 0.5, 64, Order::CUBIC).unwrap());
     let set = YinSet::new(&curves).unwrap();
     // No stage comes over the line in the middle.
-    let mut options =
-        TrackingOptions { scheme: Some(RungeKutta::Midpoint), ..TrackingOptions::new(0.2, 0.1, 0.08) };
+    let mut options = TrackingOptions::new(0.2, 0.1, 0.08).scheme(RungeKutta::Midpoint);
     let error = set.advected(growth, &options).unwrap_err();
     let said = error.to_string();
     assert!(said.contains("in step 2, at time 0.2: curves 0 and 1 cross at ("), "{said}");
     assert!(error.cure().unwrap().contains("fill rule"));
-    options.verification = Verification::Never;
+    options = options.verification(Verification::Never);
     assert!(set.advected(growth, &options).unwrap().into_set().validate().unwrap().is_some());
-    options.verification = Verification::EachStep;
-    options.repair = Some(InsideRule::Nonzero);
+    options = options.verification(Verification::EachStep);
+    options = options.repair(InsideRule::Nonzero);
     let moved = set.advected(growth, &options).unwrap();
     let repair = moved.repairs()[0];
     assert_eq!((repair.step, moved.curves()), (2, &[0u32][..]));
@@ -183,7 +182,7 @@ fn sets_that_come_to_meet_are_errors_or_repaired() {
     let right = 2.0 * (PI - half) * radius * radius + 1.2 * radius * half.sin();
     assert!((moved.area().unwrap() - right).abs() < 1e-5, "{:?} {right}", moved.area());
     // What is outside of the disks is wound around once less in the lens: by this rule that is outside as well.
-    options.repair = Some(InsideRule::Positive);
+    options = options.repair(InsideRule::Positive);
     let moved = set.complement().unwrap().advected(growth, &options).unwrap();
     assert_eq!((moved.repairs().len(), moved.set().is_bounded(), moved.set().curve_count()), (1, false, 1));
     assert_eq!(moved.set().validate().unwrap(), None);
@@ -194,11 +193,10 @@ fn sets_that_come_to_meet_are_errors_or_repaired() {
 fn phases_that_come_to_meet_are_errors_or_repaired() {
     let sets = [-0.6, 0.6].map(|x| disk([x, 0.0], 0.5));
     let graph = InterfaceGraph::of_sets(&sets, Order::CUBIC, -1.0).unwrap();
-    let mut options =
-        TrackingOptions { scheme: Some(RungeKutta::Midpoint), ..TrackingOptions::new(0.2, 0.1, 0.08) };
+    let mut options = TrackingOptions::new(0.2, 0.1, 0.08).scheme(RungeKutta::Midpoint);
     let said = graph.advected(growth, &options).unwrap_err().to_string();
     assert!(said.contains("in step 2, at time 0.2: phases 0 and 1 overlap at ("), "{said}");
-    options.repair = Some(InsideRule::Nonzero);
+    options = options.repair(InsideRule::Nonzero);
     let moved = graph.advected(growth, &options).unwrap();
     assert_eq!(moved.repairs()[0].step, 2);
     assert_eq!(moved.repairs()[0].fault.phases, [0, 1]);

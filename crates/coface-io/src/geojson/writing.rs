@@ -15,7 +15,7 @@ const LIST: [&[u8]; 3] = [b"[", b",", b"]"];
 /// Lines become `LineString`, the rings of each polygon and the polygons of a mesh `Polygon`, points and vertices that nothing uses
 /// `Point`. What follows each other in a named group is one feature with that name, and of several geometries, and so is what has one
 /// number in `feature`; what is in several groups has the name of the first. Three coordinates are written if a vertex lies outside the plane z = 0.
-/// Data are not kept, but `polygon`, `ring` and `feature` are told by the rings.
+/// Data are not kept, but `polygon`, `ring` and `feature` follow from the rings.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the model has 3-cells, no positions or more than three

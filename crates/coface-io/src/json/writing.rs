@@ -15,7 +15,7 @@ use std::io::{BufWriter, Write};
 ///
 /// A mesh of simplices becomes its list of facets: positions and groups are not written, polylines become edges, isolated
 /// vertices become facets of their own. Any other mesh becomes its chain complex, with positions; which vertices a cell has is
-/// told by the boundary matrices then.
+/// given by the boundary matrices then.
 ///
 /// # Errors
 /// Those of [`CellMesh::new`] and [`PolygonMesh::new`] for a mesh that is not of simplices; [`coface_algebra::ErrorKind::Io`] from the

@@ -93,9 +93,9 @@ struct Reader<R> {
     /// The types of indices and coordinates in a binary file.
     integer: NumberType,
     float: NumberType,
-    /// The mesh so far, and its dimension, once the file has told it.
+    /// The mesh so far, and its dimension, once the file has stated it.
     assembly: Option<(Assembly, usize)>,
-    /// Where the mesh goes instead of being kept, until the file has told its dimension.
+    /// Where the mesh goes instead of being kept, until the file has stated its dimension.
     scratch: Option<ScratchMesh>,
     /// The sections of elements so far, with the position of their first among the elements of their kind.
     runs: Vec<(Elements, usize, usize)>,

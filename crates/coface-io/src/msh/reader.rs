@@ -124,7 +124,7 @@ impl<R: Read> Reader<R> {
         match is_binary {
             0 => {}
             1 => {
-                // The number 1 tells the order of bytes.
+                // The number 1 states the byte order.
                 let mut one = [0; 4];
                 self.values.scanner.read_exact(&mut one, "the number 1")?;
                 self.values.encoding = match one {
@@ -133,7 +133,7 @@ impl<R: Read> Reader<R> {
                     _ => {
                         return Err(self
                             .values
-                            .error("the number 1 that tells the order of bytes is missing"));
+                            .error("the number 1, which states the byte order, is missing"));
                     }
                 };
             }

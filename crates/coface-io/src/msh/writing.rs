@@ -148,7 +148,7 @@ fn push_point(text: &mut Vec<u8>, point: [f64; 3]) {
     text.push(b'\n');
 }
 
-/// Names that are more than their number, and groups that no element tells of.
+/// Names that are more than their number, and groups that no element names.
 fn write_names(text: &mut Vec<u8>, model: &Model, numbers: &[i32]) {
     let named: Vec<(&Group, i32)> = model
         .groups

@@ -1,4 +1,4 @@
-//! Grids whose cells are told by three counts of points.
+//! Structured, rectilinear and uniform grids: their cells follow from three counts of points.
 
 use super::reader::{Grid, GridKind, Reader};
 use crate::element_kind::Kind;

@@ -26,7 +26,7 @@ pub struct ReportRequest {
     pub reading: Reading,
 }
 
-/// How the files of a batch are read and how much of each is told.
+/// How the files of a batch are read and how much of each is reported.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
     /// The format, instead of the one that name and content tell.
@@ -35,11 +35,11 @@ pub struct Reading {
     pub flatten: Option<f64>,
     /// Which voxels of volumes are set.
     pub volume: VolumeReading,
-    /// Whether every place of every problem is told, not the first hundred.
+    /// Whether every place of every problem is reported, not the first hundred.
     pub all_places: bool,
 }
 
-/// How many places of a problem are told when not all are asked for.
+/// How many places of a problem are reported when not all are asked for.
 const PLACES: usize = 100;
 
 impl Reading {

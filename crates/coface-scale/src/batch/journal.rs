@@ -163,7 +163,7 @@ impl Journal {
         let mut line = Vec::new();
         for start in &self.lines {
             let fault = || {
-                Error::new(ErrorKind::Io, "the journal was changed by somebody else")
+                Error::new(ErrorKind::Io, "another program changed the journal")
                     .in_file(self.path.display().to_string())
                     .with_cure("run the batch again")
             };

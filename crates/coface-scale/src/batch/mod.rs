@@ -83,7 +83,7 @@ impl Summary {
     }
 }
 
-/// What the work is called for who watches it.
+/// The name of the stage in the progress of the work.
 const STAGE: &str = "examining files";
 
 impl Batch {

@@ -47,7 +47,7 @@ impl TableFormat {
                 fault(format!("the extension \"{other}\" is no table known here"), "end it in .jsonl or .csv")
             }
             None => fault(
-                "the name has no extension, which tells the format".to_owned(),
+                "the name has no extension, which states the format".to_owned(),
                 "end it in .jsonl or .csv",
             ),
         }

@@ -207,7 +207,7 @@ impl ShardFolder {
                         .with_cure("name an empty folder, or replace them by --force"),
                 ));
             }
-            // While shards are replaced nobody shall merge them.
+            // While shards are replaced they must not be merged.
             fs::remove_file(&list).map_err(|error| in_file(&list)(error.into()))?;
         }
         Ok(Self { path: path.to_path_buf(), manifest })
@@ -521,7 +521,7 @@ impl ShardFolder {
         self.merge_all_by(|level, number| self.merge(level, number, replaces))
     }
 
-    /// The same with merges that somebody else makes, in parallel within a level.
+    /// The same with the merges that a function makes, in parallel within a level.
     ///
     /// # Errors
     /// As of [`merge_all`](Self::merge_all); those of `merge`.

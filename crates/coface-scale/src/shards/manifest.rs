@@ -3,7 +3,7 @@
 use coface_algebra::{Error, ErrorKind};
 use serde_json::{Value, json};
 
-/// What the shards of a folder are, told by its file `shards.json`.
+/// What the shards of a folder are, as stated in its file `shards.json`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ShardManifest {

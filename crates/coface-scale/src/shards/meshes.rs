@@ -452,7 +452,7 @@ impl LocalCells {
             let id_of = own_keys.iter().map(|&key| {
                 let rank = &mut ranks[key as usize];
                 let start =
-                    starts[key as usize].expect("the first part of a key has told its stratum")[degree];
+                    starts[key as usize].expect("the first part of a key has named its stratum")[degree];
                 *rank += 1;
                 start + *rank - 1
             });

@@ -3,7 +3,7 @@
 //! # Words
 //! * A **shard** is a part of a complex ([`coface_algebra::chains::Part`]) as bytes, or the description of one: a box of a grid, with its voxels if not
 //!   all are set.
-//! * A **reduced shard** is what is left of it: critical cells with their exact boundaries, the hashes of what cancelled in the walls, and the
+//! * A **reduced shard** is what is left of it: critical cells with their exact boundaries, the hashes of what cancelled in shared faces, and the
 //!   checksum of what it was made from. Those of level 0 come from shards; one of level l + 1 comes from `fan_in` neighbors of level l. The last one, the
 //!   **root**, has the homology of the whole.
 //! * **Chains** of the root are taken down again level by level, to cycles on the cells.

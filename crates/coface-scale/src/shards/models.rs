@@ -35,7 +35,7 @@ pub struct ShardRequest {
 
 /// What a program takes before it has read a shard, in bytes.
 const FIXED: u64 = 48 << 20;
-/// What reducing a shard takes for each cell and each incidence, in bytes, with room for walls and for parts of unequal size.
+/// What reducing a shard takes for each cell and each incidence, in bytes, with room for shared faces and for parts of unequal size.
 const PER_CELL: u64 = 96;
 
 impl ShardRequest {
@@ -57,6 +57,45 @@ impl ShardRequest {
     pub fn new(name: impl Into<String>, part_count: u32) -> Self {
         let source = ShardSource { name: name.into(), kind: "model".to_owned(), fingerprint: String::new() };
         Self { source, part_count, part_memory: None, fan_in: 8, owners: Owners::default(), replaces: false }
+    }
+
+    /// Merges so many neighbors at once: 2 at least.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardRequest;
+    /// assert_eq!(ShardRequest::new("torus", 9).fan_in(3).fan_in, 3);
+    /// ```
+    #[must_use]
+    pub fn fan_in(mut self, count: u32) -> Self {
+        self.fan_in = count;
+        self
+    }
+
+    /// Says which part each maximal cell goes to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::{Owners, ShardRequest};
+    /// assert_eq!(ShardRequest::new("torus", 9).owners(Owners::Walk).owners, Owners::Walk);
+    /// ```
+    #[must_use]
+    pub fn owners(mut self, owners: Owners) -> Self {
+        self.owners = owners;
+        self
+    }
+
+    /// Replaces shards of another complex in the folder, or refuses to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardRequest;
+    /// assert!(ShardRequest::new("torus", 9).replaces(true).replaces);
+    /// ```
+    #[must_use]
+    pub fn replaces(mut self, replaces: bool) -> Self {
+        self.replaces = replaces;
+        self
     }
 }
 

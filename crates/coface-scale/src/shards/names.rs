@@ -1,4 +1,4 @@
-//! Vertices of cells, so that chains on them can be told.
+//! Vertices of cells, by which chains on them are written.
 
 use super::grid::GridShards;
 use coface_algebra::RaggedArray;

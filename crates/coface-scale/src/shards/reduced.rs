@@ -12,7 +12,7 @@ use coface_topology::{Homology, homology};
 pub(super) struct ReducedShard {
     pub(super) place: ShardPlace,
     pub(super) left: ReducedPart,
-    /// What cancelled in walls of this level and of those below that not all parts have been compared in yet.
+    /// What cancelled in the shared faces of this level and of those below that not all parts have been compared in yet.
     walls: Vec<Wall>,
     /// How many cells of the complex are this part's own, in each degree.
     cells: Vec<u64>,
@@ -24,7 +24,7 @@ pub(super) struct ReducedShard {
     pub(super) is_root: bool,
 }
 
-/// A wall of a level, by the numbers of the parts of that level.
+/// The faces that parts of a level share, by the numbers of the parts of that level.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Wall {
     level: u32,
@@ -248,7 +248,7 @@ pub(super) fn merged_part(place: ShardPlace, children: &[Child]) -> Result<Reduc
     ReducedPart::merged(place.number, parts, |part| part / place.fan_in)
 }
 
-/// Compares what the children found in their common walls, and gives the walls that others still have.
+/// Compares what the children found in the faces that they share, and gives those that others still share.
 fn compared_walls(place: ShardPlace, children: &[Child]) -> Result<Vec<Wall>, Error> {
     let mut all: Vec<(&Wall, u32)> = children
         .iter()
@@ -259,7 +259,7 @@ fn compared_walls(place: ShardPlace, children: &[Child]) -> Result<Vec<Wall>, Er
         let level = if wall.level == 0 { String::new() } else { format!(" of level {}", wall.level) };
         let names = [one, other].map(|number| place.at(place.level - 1, number).name());
         Error::invalid(format!(
-            "{} and {} disagree on what cancels in the wall between the parts {:?}{level}",
+            "{} and {} disagree on what cancels in the faces shared by the parts {:?}{level}",
             names[0], names[1], wall.key
         ))
         .with_cure("reduce all parts of one complex again, by the same version of the program")
@@ -343,7 +343,7 @@ impl ReducedShard {
         let levels = container.array::<u64>(Role::WallHashes, 1)?;
         let is_level = |level: &u64| *level <= u64::from(place.level);
         if hashes.len() != keys.len() || levels.len() != keys.len() || !levels.iter().all(is_level) {
-            return Err(container.lie(Role::WallHashes, 0, "the walls have no hash or level"));
+            return Err(container.lie(Role::WallHashes, 0, "the shared faces have no hash or level"));
         }
         let walls = keys.iter().zip(hashes.iter().zip(levels.iter()));
         let walls = walls.map(|(key, (&hash, &level))| Wall { level: level as u32, key: key.to_vec(), hash });

@@ -16,7 +16,7 @@ pub(super) struct Shard<'a> {
     container: Container<'a>,
 }
 
-/// The shard with these cells, as bytes. Chains on them are told by `names`: for each degree the vertices of each cell, or by ids without.
+/// The shard with these cells, as bytes. Chains on them are written by `names`: for each degree the vertices of each cell, or by ids without.
 ///
 /// # Errors
 /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) unless the part has the number of the place, and names for all of its cells.

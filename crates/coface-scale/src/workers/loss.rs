@@ -114,7 +114,7 @@ impl fmt::Display for Loss {
     }
 }
 
-/// What a worker begins the line with that tells of a panic.
+/// What a worker begins the line with that reports a panic.
 pub(crate) const FAULT: &str = "fault: ";
 
 /// The signal that ended a process, and whether such signals come from outside.

@@ -212,7 +212,7 @@ impl WorkerPool {
     }
 }
 
-/// Tells that the pool has ended.
+/// States that the pool has ended.
 struct EndAtDrop<'a>(&'a AtomicBool);
 
 impl Drop for EndAtDrop<'_> {

@@ -104,7 +104,7 @@ enum Silence {
 }
 
 impl WorkerProcess {
-    /// Starts a worker, tells it its limits, and waits until it is ready; `None` if the pool ended first.
+    /// Starts a worker, sends it its limits, and waits until it is ready; `None` if the pool ended first.
     pub(crate) fn start(
         command: &WorkerCommand,
         limits: Limits,
@@ -218,7 +218,7 @@ fn spawn<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result
         .map_err(|error| Error::new(ErrorKind::Io, format!("no thread can be started: {error}")))
 }
 
-/// Passes on whole lines until the output ends or nobody wants more; what is behind the last line end is no line.
+/// Passes on whole lines until the output ends or the receiver is dropped; what is behind the last line end is no line.
 fn forward(output: ChildStdout, mut take: impl FnMut(String) -> bool) {
     let mut output = BufReader::new(output);
     let mut line = Vec::new();

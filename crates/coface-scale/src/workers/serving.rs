@@ -11,9 +11,9 @@ use std::thread;
 /// Answers the requests of a [`WorkerPool`](crate::workers::WorkerPool), line by line, until there are no more. Then the process has to end.
 ///
 /// It first takes the memory limit from standard input, keeps it, and says that it is ready on standard output; nothing else may write
-/// there. `answer` gives one line to each request. A panic in it ends the process and is told as one line.
+/// there. `answer` gives one line to each request. A panic in it ends the process and is reported in one line.
 ///
-/// When standard input ends while a request is being answered, nobody waits for the answer any more: the process ends at once, and leaves no
+/// When standard input ends while a request is being answered, the answer is no longer needed: the process ends at once, and leaves no
 /// temporary files.
 ///
 /// # Errors
@@ -36,7 +36,8 @@ pub fn serve(mut answer: impl FnMut(&str) -> String) -> Result<(), Error> {
             Ok(bytes) => limit(Some(bytes)),
             Err(_) => Err(Error::parse(format!("\"{bytes}\" is no number of bytes"))),
         },
-        None => Err(Error::parse("a worker is first told its memory").with_cure("start it by a pool")),
+        None => Err(Error::parse("the first line that a worker reads is its memory limit")
+            .with_cure("start it by a pool")),
     };
     match kept {
         Ok(()) => say(READY)?,
@@ -76,7 +77,7 @@ fn say(line: &str) -> Result<(), Error> {
     Ok(out.flush()?)
 }
 
-/// Tells of a panic in one line.
+/// Reports a panic in one line.
 fn tell(panic: &PanicHookInfo<'_>) {
     let payload = panic.payload();
     let text =

@@ -258,9 +258,9 @@ fn forged(bytes: &[u8], role: u32, index: u32, change: impl FnOnce(&mut [u8])) -
     bytes
 }
 
-/// Role 14: the hashes of walls.
+/// Role 14: the hashes of shared faces.
 #[test]
-fn neighbors_that_disagree_are_named_with_their_wall() {
+fn neighbors_that_disagree_are_named_with_their_shared_faces() {
     let complex = bottle();
     let tree = Tree::new(&Partition::by_walk(&complex, 4).unwrap(), 2);
     let mut leaves = tree.levels[0].clone();
@@ -269,7 +269,7 @@ fn neighbors_that_disagree_are_named_with_their_wall() {
     let error = merge(tree.place.at(1, 0), &leaves[..2]).unwrap_err();
     assert!(
         error.to_string().contains("part 0 and part 1 disagree")
-            && error.to_string().contains("wall between"),
+            && error.to_string().contains("the faces shared by the parts"),
         "{error}"
     );
     // Neighbors that meet two levels later.

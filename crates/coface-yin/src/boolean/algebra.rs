@@ -13,7 +13,7 @@ impl YinSet {
     ///
     /// On sets of order 2 the combinatorial result is exact: which curves there are, how they lie and touch. Coordinates of crossings
     /// are rounded once, each to the nearest floating-point number. Rounding may make a result touch or cross itself by the last
-    /// digit: [`Self::validate`] tells, and [`Self::normalized`] repairs it.
+    /// digit: [`Self::validate`] detects it, and [`Self::normalized`] repairs it.
     ///
     /// The result is in [canonical form](Self::canonical). A knot of it is a kink where pieces of different curves come together, or
     /// pieces of one that are no neighbors on it, and where an operand has a kink.
@@ -274,7 +274,7 @@ impl YinSet {
         Err(Error::invalid(format!(
             "rounding makes curves meet again and again: {MOST_ROUNDS} rounds are not enough"
         ))
-        .with_cure("scale the set up, or take curves away that nearly coincide"))
+        .with_cure("scale the set up, or remove curves that nearly coincide"))
     }
 }
 

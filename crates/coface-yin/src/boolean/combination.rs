@@ -135,7 +135,7 @@ impl Combination {
         self.collapsed_count
     }
 
-    /// What was nearer together than this, in the unit of the input, may have been taken for one, and [`Self::report`] tells where; 0
+    /// What was nearer together than this, in the unit of the input, may have been taken for one, and [`Self::report`] lists the places; 0
     /// for sets of order 2.
     ///
     /// For curves it is 2^-40 of the largest extent of all operands, or 2^-48 of the largest coordinate if that is more; 64 or 4096
@@ -147,10 +147,10 @@ impl Combination {
     /// What was decided without proof: points and arcs of boundaries within the resolution of each other that were taken for one, and
     /// orders of arcs around points. Nothing for sets of order 2.
     ///
-    /// Proven, and not told here, are: crossings; all about segments; curved pieces that touch segments, pass them or cross them
+    /// Proven, and not listed here, are: crossings; all about segments; curved pieces that touch segments, pass them or cross them
     /// twice, which exact arithmetic decides to about 2^-45 of the extent; pieces that are equal; and everything that is farther apart
     /// than the resolution. Two curved pieces that
-    /// touch elsewhere than in a common knot, or run along each other without being equal, are told.
+    /// touch elsewhere than in a common knot, or run along each other without being equal, are listed.
     ///
     /// # Examples
     /// ```

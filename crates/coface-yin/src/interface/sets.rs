@@ -10,12 +10,12 @@ use coface_algebra::Error;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InterfaceOptions {
     /// The order of the edges.
-    pub order: Order,
+    pub(crate) order: Order,
     /// By how much a way may turn at a junction and still be smooth, in radians; with 0 only straight ways are, with a negative number
     /// none.
-    pub smooth_angle: f64,
+    pub(crate) smooth_angle: f64,
     /// Where points go that several sets have in common.
-    pub overlaps: Overlaps,
+    pub(crate) overlaps: Overlaps,
 }
 
 impl InterfaceOptions {
@@ -23,12 +23,48 @@ impl InterfaceOptions {
     ///
     /// # Examples
     /// ```
-    /// use coface_yin::{InterfaceOptions, Order, Overlaps};
-    /// let options = InterfaceOptions::new(Order::CUBIC);
-    /// assert_eq!((options.order, options.overlaps), (Order::CUBIC, Overlaps::Refused));
+    /// use coface_yin::{InterfaceGraph, InterfaceOptions, Order};
+    /// let nothing = InterfaceGraph::of_sets_with(&[], &InterfaceOptions::new(Order::CUBIC))?;
+    /// assert_eq!((nothing.order(), nothing.edge_count()), (Order::CUBIC, 0));
+    /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn new(order: Order) -> Self {
         Self { order, smooth_angle: -1.0, overlaps: Overlaps::Refused }
+    }
+
+    /// Lets edges go on smoothly through a junction at which they turn by at most this angle, in radians; with 0 only straight ways do, with
+    /// a negative number none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, InterfaceGraph, InterfaceOptions, Order, YinSet};
+    /// let square = Curve::polyline(&[[0., 0.], [2., 0.], [2., 2.], [0., 2.], [0., 0.]])?;
+    /// let sets = [YinSet::new(&[square.translated([2.0, 0.0])])?, YinSet::new(&[square])?];
+    /// let graph = InterfaceGraph::of_sets_with(&sets, &InterfaceOptions::new(Order::LINEAR).smooth_angle(0.0))?;
+    /// assert!(!graph.smooth_pairs().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn smooth_angle(mut self, radians: f64) -> Self {
+        self.smooth_angle = radians;
+        self
+    }
+
+    /// Says where points go that several sets have in common.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, InterfaceGraph, InterfaceOptions, Order, Overlaps, YinSet};
+    /// let square = Curve::polyline(&[[0., 0.], [2., 0.], [2., 2.], [0., 2.], [0., 0.]])?;
+    /// let sets = [YinSet::new(&[square.translated([1.0, 1.0])])?, YinSet::new(&[square])?];
+    /// let graph = InterfaceGraph::of_sets_with(&sets, &InterfaceOptions::new(Order::LINEAR).overlaps(Overlaps::ToTheLast))?;
+    /// assert_eq!((graph.phase_area(0)?, graph.phase_area(1)?), (3.0, 4.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn overlaps(mut self, overlaps: Overlaps) -> Self {
+        self.overlaps = overlaps;
+        self
     }
 }
 
@@ -78,10 +114,9 @@ impl InterfaceGraph {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let square = Curve::polyline(&[[0., 0.], [2., 0.], [2., 2.], [0., 2.], [0., 0.]])?;
     /// let sets = [YinSet::new(&[square.translated([1.0, 1.0])])?, YinSet::new(&[square])?];
-    /// let mut options = InterfaceOptions::new(Order::LINEAR);
+    /// let options = InterfaceOptions::new(Order::LINEAR);
     /// assert!(InterfaceGraph::of_sets_with(&sets, &options).is_err());
-    /// options.overlaps = Overlaps::ToTheFirst;
-    /// let graph = InterfaceGraph::of_sets_with(&sets, &options)?;
+    /// let graph = InterfaceGraph::of_sets_with(&sets, &options.overlaps(Overlaps::ToTheFirst))?;
     /// assert_eq!((graph.phase_area(0)?, graph.phase_area(1)?), (4.0, 3.0));
     /// # Ok(()) }
     /// ```

@@ -9,7 +9,7 @@ pub(super) struct Contact {
     pub(super) ranges: [[f64; 2]; 2],
 }
 
-/// Contacts that hang together.
+/// Contacts that are connected.
 pub(super) struct Cluster {
     pub(super) ranges: [[f64; 2]; 2],
     /// The larger of the lengths of both chords.

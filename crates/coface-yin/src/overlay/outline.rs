@@ -42,7 +42,7 @@ impl CurvedOverlay<'_> {
     /// curve of an operand goes on through a meeting that the result has no part in, its pieces are not cut.
     ///
     /// # Errors
-    /// If a curve of the result cannot be told.
+    /// If a curve of the result cannot be determined.
     pub(crate) fn select(
         self,
         sets: &[&YinSet],
@@ -56,7 +56,7 @@ impl CurvedOverlay<'_> {
     /// The same for curves that may cross and overlap within a set.
     ///
     /// # Errors
-    /// If a curve of the result cannot be told.
+    /// If a curve of the result cannot be determined.
     pub(crate) fn select_faces(
         self,
         sets: &[&YinSet],

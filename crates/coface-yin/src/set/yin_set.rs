@@ -6,7 +6,7 @@ use crate::{Curve, Kinks, KnotIndex, Order};
 /// A Yin set: a regular open set of the plane with bounded boundary, by the unique almost disjoint oriented Jordan curves that bound
 /// it, the set on their left.
 ///
-/// The empty set and the whole plane have no curves and are told apart.
+/// The empty set and the whole plane have no curves; a flag distinguishes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct YinSet {
     curves: CurveArena,

@@ -164,9 +164,9 @@ impl InterfaceGraph {
         let scheme = options.scheme_for(self.order());
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
         let mut numbers: Vec<Option<u32>> = (0..self.edge_count() as u32).map(Some).collect();
-        let told = stage("moving", steps);
+        let steps_done = stage("moving", steps);
         for at in 0..steps {
-            told.advance(1);
+            steps_done.advance(1);
             let time = options.start + at as f64 * step;
             let end_time = time + step;
             let in_step = |error: Error| in_step(&error, at + 1, end_time);

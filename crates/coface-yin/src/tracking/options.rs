@@ -22,25 +22,25 @@ pub enum Verification {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackingOptions {
     /// The time at which the boundary is as given.
-    pub start: f64,
+    pub(crate) start: f64,
     /// The time at which it is asked for; it may be earlier.
-    pub end: f64,
+    pub(crate) end: f64,
     /// The longest step of time; all steps are equally long.
-    pub time_step: f64,
+    pub(crate) time_step: f64,
     /// The greatest distance h of neighboring markers.
-    pub spacing: f64,
+    pub(crate) spacing: f64,
     /// The least distance of neighboring markers as a part r of h, at most 1/3 so that both can be kept.
-    pub least_ratio: f64,
+    pub(crate) least_ratio: f64,
     /// The most that the polygon of the markers turns at a marker that is no kink, in radians, as far as the least distance leaves room for
     /// more markers: so they are nearer together where the boundary bends. None if their distance alone counts.
-    pub most_turn: Option<f64>,
+    pub(crate) most_turn: Option<f64>,
     /// The scheme that maps markers; none for the one of the order of the boundary.
-    pub scheme: Option<RungeKutta>,
+    pub(crate) scheme: Option<RungeKutta>,
     /// When the boundary is verified.
-    pub verification: Verification,
+    pub(crate) verification: Verification,
     /// What is inside of boundaries that have come to meet: with a rule they are cut and pasted by it, and the motion goes on. Without
     /// one it is an error. Needs a verification.
-    pub repair: Option<InsideRule>,
+    pub(crate) repair: Option<InsideRule>,
 }
 
 impl TrackingOptions {
@@ -49,9 +49,10 @@ impl TrackingOptions {
     ///
     /// # Examples
     /// ```
-    /// use coface_yin::{TrackingOptions, Verification};
-    /// let options = TrackingOptions::new(1.0, 0.01, 0.1);
-    /// assert_eq!((options.start, options.verification), (0.0, Verification::EachStep));
+    /// use coface_yin::{Order, TrackingOptions, YinSet};
+    /// let options = TrackingOptions::new(1.0, 0.25, 0.1);
+    /// assert_eq!(YinSet::empty(Order::LINEAR).advected(|_, _| [0.0; 2], &options)?.counts().steps, 4);
+    /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn new(end: f64, time_step: f64, spacing: f64) -> Self {
         Self {
@@ -65,6 +66,134 @@ impl TrackingOptions {
             verification: Verification::EachStep,
             repair: None,
         }
+    }
+
+    /// Begins at this time instead of 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).start(0.5);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert_eq!(moved.set().bounding_box(), Some([[0.5, 0.0], [2.5, 2.0]]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn start(mut self, time: f64) -> Self {
+        self.start = time;
+        self
+    }
+
+    /// Ends at this time; it may be earlier than the start.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).end(-1.0);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert_eq!(moved.set().bounding_box(), Some([[-1.0, 0.0], [1.0, 2.0]]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn end(mut self, time: f64) -> Self {
+        self.end = time;
+        self
+    }
+
+    /// Leaves out markers that are nearer together than this part of the spacing: 0 to 1/3.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).least_ratio(0.3);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert_eq!(moved.counts().removed, 0);
+    /// assert!(square.advected(|_, _| [0.0; 2], &options.least_ratio(0.5)).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn least_ratio(mut self, ratio: f64) -> Self {
+        self.least_ratio = ratio;
+        self
+    }
+
+    /// Adds markers where their polygon turns by more than this angle, in radians.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).most_turn(2.0);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert_eq!(moved.counts().added, 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn most_turn(mut self, radians: impl Into<Option<f64>>) -> Self {
+        self.most_turn = radians.into();
+        self
+    }
+
+    /// Maps markers by this scheme instead of the one of the order of the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, RungeKutta, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).scheme(RungeKutta::Midpoint);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert_eq!(moved.set().area(), Some(4.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn scheme(mut self, scheme: impl Into<Option<RungeKutta>>) -> Self {
+        self.scheme = scheme.into();
+        self
+    }
+
+    /// Verifies the boundary after each step, at the end, or never.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, Verification, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).verification(Verification::End);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert!(moved.set().validate()?.is_none());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn verification(mut self, verification: Verification) -> Self {
+        self.verification = verification;
+        self
+    }
+
+    /// Cuts and pastes boundaries that have come to meet by this rule, instead of refusing them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::InsideRule;
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).repair(InsideRule::Nonzero);
+    /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
+    /// assert!(moved.repairs().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn repair(mut self, rule: impl Into<Option<InsideRule>>) -> Self {
+        self.repair = rule.into();
+        self
     }
 
     /// The distances and turns of markers.

@@ -169,9 +169,9 @@ impl YinSet {
         let mut fronts = Fronts::new(self);
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
-        let told = stage("moving", steps);
+        let steps_done = stage("moving", steps);
         for at in 0..steps {
-            told.advance(1);
+            steps_done.advance(1);
             let time = options.start + at as f64 * step;
             let end_time = time + step;
             let in_step = |error: Error| in_step(&error, at + 1, end_time);

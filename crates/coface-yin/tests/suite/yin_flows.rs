@@ -21,13 +21,11 @@ fn there_and_back(flow: Flow, period: f64, center: [f64; 2], step: f64, spacing:
     let count = (TAU * 0.15 / spacing).ceil() as usize + 1;
     let disk = YinSet::new(&[Curve::circle(center, 0.15, count, Order::CUBIC).unwrap()]).unwrap();
     // What is rounded off in time is far below what is in space.
-    let mut options = TrackingOptions {
-        scheme: Some(RungeKutta::CooperVerner),
-        verification: Verification::End,
-        ..TrackingOptions::new(0.5 * period, step, spacing)
-    };
+    let mut options = TrackingOptions::new(0.5 * period, step, spacing)
+        .scheme(RungeKutta::CooperVerner)
+        .verification(Verification::End);
     let half = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
-    (options.start, options.end) = (0.5 * period, period);
+    options = options.start(0.5 * period).end(period);
     let back = half.set().advected(|p, t| flow.velocity(p, t), &options).unwrap().into_set();
     Miss {
         areas: [area(half.set()) - area(&disk), area(&back) - area(&disk)],

@@ -148,7 +148,7 @@ fn the_vortex_test_converges_at_order_four() {
         let graph = disk(spacing, Order::CUBIC);
         let mut options = TrackingOptions::new(2.0, spacing, spacing);
         let back = graph.advected(|p, t| flow.velocity(p, t), &options).unwrap();
-        options.end = 1.0;
+        options = options.end(1.0);
         let half = graph.advected(|p, t| flow.velocity(p, t), &options).unwrap();
         assert!(half.counts().added > 0);
         let exact = PI * RADIUS * RADIUS;
@@ -183,7 +183,7 @@ fn motions_move_and_schemes_have_their_orders() {
     let graph = disk(0.05, Order::CUBIC);
     let turned = |scheme: RungeKutta, time_step: f64| {
         let flow = Flow::Rotation { center: CENTER, speed: TAU };
-        let options = TrackingOptions { scheme: Some(scheme), ..TrackingOptions::new(1.0, time_step, 0.1) };
+        let options = TrackingOptions::new(1.0, time_step, 0.1).scheme(scheme);
         let moved = graph.advected(|p, t| flow.velocity(p, t), &options).unwrap();
         let [[ax, ay], [bx, by]] = [graph.vertices()[0], moved.graph().vertices()[0]];
         (ax - bx).hypot(ay - by)
@@ -205,7 +205,7 @@ fn motions_move_and_schemes_have_their_orders() {
     assert!((ax - bx).hypot(ay - by) < 1e-8);
     // Backward in time to where it came from.
     let shift = Flow::Translation { velocity: [0.25, -0.5] };
-    let options = TrackingOptions { start: 3.0, end: 1.0, ..TrackingOptions::new(0.0, 0.5, 0.1) };
+    let options = TrackingOptions::new(0.0, 0.5, 0.1).start(3.0).end(1.0);
     let moved = graph.advected(|p, t| shift.velocity(p, t), &options).unwrap();
     assert_eq!(moved.counts().steps, 4);
     let [x, y] = moved.graph().vertices()[0];
@@ -237,7 +237,7 @@ fn bad_options_and_velocities_are_refused() {
         TrackingOptions::new(1.0, 0.0, 0.1),
         TrackingOptions::new(f64::NAN, 0.1, 0.1),
         TrackingOptions::new(1.0, 0.1, -0.1),
-        TrackingOptions { least_ratio: 0.9, ..TrackingOptions::new(1.0, 0.1, 0.1) },
+        TrackingOptions::new(1.0, 0.1, 0.1).least_ratio(0.9),
     ] {
         assert!(graph.advected(rest, &options).is_err());
     }

@@ -133,11 +133,7 @@ fn mild_vortex(order: Order, scheme: RungeKutta, h: f64) -> f64 {
     let count = (TAU * radius / h).ceil() as usize + 1;
     let disk = YinSet::new(&[Curve::circle(center, radius, count, order).unwrap()]).unwrap();
     let flow = Flow::Vortex { period: 1.0 };
-    let options = TrackingOptions {
-        scheme: Some(scheme),
-        verification: Verification::End,
-        ..TrackingOptions::new(1.0, h, h)
-    };
+    let options = TrackingOptions::new(1.0, h, h).scheme(scheme).verification(Verification::End);
     let moved = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
     assert!(moved.counts().added > 0);
     let curve = moved.set().curve(0);
@@ -170,7 +166,7 @@ fn markers_by_turning_follow_curvature() {
     let flow = Flow::Vortex { period: 4.0 };
     let disk = YinSet::new(&[Curve::circle([0.5, 0.75], 0.15, 48, Order::CUBIC).unwrap()]).unwrap();
     let moved = |most_turn: Option<f64>| {
-        let options = TrackingOptions { most_turn, ..TrackingOptions::new(2.0, 0.02, 0.04) };
+        let options = TrackingOptions::new(2.0, 0.02, 0.04).most_turn(most_turn);
         disk.advected(|p, t| flow.velocity(p, t), &options).unwrap().into_set()
     };
     let (plain, turned) = (moved(None), moved(Some(0.2)));
@@ -192,7 +188,7 @@ fn markers_by_turning_follow_curvature() {
     let [before, after] = [widest(&plain), widest(&turned)];
     assert!(before > 0.02 && after <= 2.5 * 0.1 * 0.04 + 0.1 * 0.04, "{before} {after}");
     // An angle that is none is refused.
-    let options = TrackingOptions { most_turn: Some(0.0), ..TrackingOptions::new(1.0, 0.1, 0.1) };
+    let options = TrackingOptions::new(1.0, 0.1, 0.1).most_turn(0.0);
     let error = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap_err();
     assert!(error.to_string().contains("turn by at most 0") && error.cure().is_some(), "{error}");
 }

@@ -145,16 +145,16 @@ impl Advect {
         for frame in 1..=count {
             progress.stage(format!("moving, part {frame} of {count}"));
             let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
-            tracking.start = end * (frame - 1) as f64 / count as f64;
-            tracking.scheme = scheme;
-            tracking.least_ratio = self.least_ratio;
-            tracking.most_turn = self.turn.map(f64::to_radians);
-            tracking.verification = match self.verify {
+            tracking = tracking.start(end * (frame - 1) as f64 / count as f64);
+            tracking = tracking.scheme(scheme);
+            tracking = tracking.least_ratio(self.least_ratio);
+            tracking = tracking.most_turn(self.turn.map(f64::to_radians));
+            tracking = tracking.verification(match self.verify {
                 When::EachStep => Verification::EachStep,
                 When::End => Verification::End,
                 When::Never => Verification::Never,
-            };
-            tracking.repair = self.repair.map(Rule::inside);
+            });
+            tracking = tracking.repair(self.repair.map(Rule::inside));
             let set: &YinSet = planar.set();
             let moved = set.advected(|point, time| flow.velocity(point, time), &tracking);
             let moved = moved.map_err(|error| named_rules(error).in_file(input::name(&self.input)))?;
