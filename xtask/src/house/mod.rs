@@ -74,8 +74,6 @@ const ABSENT: &[(&str, &[&str])] = &[
 
 /// Circles between folders that are known, by one of their files, and why they stay.
 const KNOWN_CIRCLES: &[(&str, &str, &str)] = &[
-    ("coface-yin", "kinks/table.rs", "a set keeps its kinks, and kinks are fitted on curves of the set"),
-    ("coface-io", "svg/regions.rs", "regions of an SVG are flattened curves, and curves are read from SVG"),
     (
         "coface-cli",
         "arguments.rs",
