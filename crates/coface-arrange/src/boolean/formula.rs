@@ -54,15 +54,25 @@ impl Step {
 impl BooleanFormula {
     /// Reads a formula.
     ///
-    /// From the tightest to the loosest: `!a` or `~a` complement, `a & b` intersection, `a - b` difference, `a ^ b` symmetric
-    /// difference, `a | b` union; operators of one kind go from left to right, parentheses go first. An input is one of `names`
-    /// or its number from 0; without names also a single letter, `a` or `A` for input 0.
+    /// From the tightest to the loosest: `!a` or `~a` complement, `a & b` intersection, `a - b` difference, `a ^ b`
+    /// symmetric difference, `a | b` union; operators of one kind go from left to right, parentheses go first. An input
+    /// is one of `names` or its number from 0; without names also a single letter, `a` or `A` for input 0.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::Parse`] naming the byte at which the text is no formula.
     ///
     /// # References
     /// The shunting yard of E. W. Dijkstra, *Making a translator for ALGOL 60* (1961).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let formula = BooleanFormula::parse("wall - door", &["wall", "door"])?;
+    /// assert!(formula.evaluate(|input| input == 0));
+    /// assert!(BooleanFormula::parse("wall -", &["wall"]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn parse(text: &str, names: &[&str]) -> Result<Self, Error> {
         let mut steps = Vec::new();
         let mut waiting: Vec<Waiting> = Vec::new();
@@ -140,21 +150,47 @@ impl BooleanFormula {
     }
 
     /// The union of the inputs below `count`, at least one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// assert!(BooleanFormula::union(3).evaluate(|input| input == 2));
+    /// ```
     pub fn union(count: usize) -> Self {
         Self::chain(count, Step::Union)
     }
 
     /// The intersection of the inputs below `count`, at least one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// assert!(!BooleanFormula::intersection(3).evaluate(|input| input == 2));
+    /// ```
     pub fn intersection(count: usize) -> Self {
         Self::chain(count, Step::Intersection)
     }
 
     /// The first input without the others below `count`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let rest = BooleanFormula::difference(3);
+    /// assert!(rest.evaluate(|input| input == 0) && !rest.evaluate(|input| input != 1));
+    /// ```
     pub fn difference(count: usize) -> Self {
         Self::chain(count, Step::Difference)
     }
 
     /// What is in an odd number of the inputs below `count`, at least one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let odd = BooleanFormula::xor(3);
+    /// assert!(odd.evaluate(|_| true) && !odd.evaluate(|input| input > 0));
+    /// ```
     pub fn xor(count: usize) -> Self {
         Self::chain(count, Step::Xor)
     }
@@ -168,11 +204,28 @@ impl BooleanFormula {
     }
 
     /// One more than the highest input that is named.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(BooleanFormula::parse("a & c", &[])?.input_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn input_count(&self) -> usize {
         self.input_count
     }
 
     /// The value, given the inputs that are true.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let formula = BooleanFormula::parse("a & !b", &[])?;
+    /// assert!(formula.evaluate(|input| input == 0) && !formula.evaluate(|_| true));
+    /// # Ok(()) }
+    /// ```
     pub fn evaluate(&self, input: impl Fn(usize) -> bool) -> bool {
         self.evaluate_on(&mut Vec::new(), input)
     }

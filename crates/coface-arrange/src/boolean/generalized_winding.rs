@@ -9,21 +9,21 @@ use std::f64::consts::PI;
 
 /// How often a surface of triangles winds around each of several points in space, in floating point.
 ///
-/// The winding number around a point is the sum of the solid angles of the triangles seen from it, divided by $4 \pi$: positive
-/// where a triangle runs clockwise seen from the point, so that surfaces whose triangles run counterclockwise seen from outside
-/// wind once around what they enclose. For a closed surface it is an integer; for one with holes it falls smoothly
-/// from about 1 to about 0 across them, and 1/2 is a fair place to call the border.
+/// The winding number around a point is the sum of the solid angles of the triangles seen from it, divided by $4 \pi$:
+/// positive where a triangle runs clockwise seen from the point, so that surfaces whose triangles run counterclockwise
+/// seen from outside wind once around what they enclose. For a closed surface it is an integer; for one with holes it
+/// falls smoothly from about 1 to about 0 across them, and 1/2 is a fair place to call the border.
 ///
 /// # Errors
-/// [`coface_algebra::ErrorKind::Shape`] unless surface and points have three coordinates; [`coface_algebra::ErrorKind::NotInComplex`] for a triangle with
-/// a vertex that is not there.
+/// [`coface_algebra::ErrorKind::Shape`] unless surface and points have three coordinates;
+/// [`coface_algebra::ErrorKind::NotInComplex`] for a triangle with a vertex that is not there.
 ///
 /// # Complexity
 /// The number of points times that of triangles, parallel over points.
 ///
 /// # References
-/// A. Jacobson, L. Kavan, O. Sorkine-Hornung, *Robust inside-outside segmentation using generalized winding numbers* (2013);
-/// A. van Oosterom, J. Strackee, *The solid angle of a plane triangle* (1983).
+/// A. Jacobson, L. Kavan, O. Sorkine-Hornung, *Robust inside-outside segmentation using generalized winding numbers*
+/// (2013); A. van Oosterom, J. Strackee, *The solid angle of a plane triangle* (1983).
 ///
 /// # Examples
 /// A tetrahedron without its base, from near its top and from far away:
@@ -69,9 +69,9 @@ pub fn generalized_winding_numbers(
     Ok((0..points.len()).into_par_iter().map(number).collect())
 }
 
-/// A point inside a cell whose boundary is these triangles, counterclockwise seen from outside, in floating point: from the middle
-/// of the triangle with the largest area halfway to where a line straight inward leaves the cell. `None` if rounding finds none,
-/// as in cells that are thinner than coordinates tell apart.
+/// A point inside a cell whose boundary is these triangles, counterclockwise seen from outside, in floating point: from
+/// the middle of the triangle with the largest area halfway to where a line straight inward leaves the cell. `None` if
+/// rounding finds none, as in cells that are thinner than coordinates tell apart.
 ///
 /// # Panics
 /// If a triangle has a vertex without three coordinates.

@@ -36,14 +36,30 @@ pub struct InputRim {
 }
 
 impl InputRim {
-    /// The rims of the inputs that have one, by rising input. Column i of `inputs` is input i as a chain of the facets of the
-    /// complex, the cells of one degree less than its highest.
+    /// The rims of the inputs that have one, by rising input. Column i of `inputs` is input i as a chain of the facets
+    /// of the complex, the cells of one degree less than its highest.
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless there is a row of `inputs` for each facet.
     ///
     /// # Complexity
     /// $O(n \log n)$ for n sides of facets of inputs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::InputRim;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges of a triangle are open at their ends.
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, -1)])?;
+    /// let triangle = ChainComplex::new(vec![SparseMatrix::from_entries(3, 3, edges)?, face])?;
+    /// let path = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1)])?;
+    /// let rims = InputRim::of_inputs(&triangle, &path)?;
+    /// assert_eq!(rims.len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn of_inputs(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Vec<Self>, Error> {
         let Some(degree) = complex.degree_count().checked_sub(2) else { return Ok(Vec::new()) };
         if inputs.row_count() != complex.cell_count(degree) {
@@ -75,16 +91,65 @@ impl InputRim {
     }
 
     /// The number of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::InputRim;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges of a triangle are open at their ends.
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, -1)])?;
+    /// let triangle = ChainComplex::new(vec![SparseMatrix::from_entries(3, 3, edges)?, face])?;
+    /// let path = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1)])?;
+    /// let rims = InputRim::of_inputs(&triangle, &path)?;
+    /// assert_eq!(rims[0].input(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn input(&self) -> usize {
         self.input
     }
 
     /// The ridges where the input is open, rising, each with its coefficient in the boundary of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::InputRim;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges of a triangle are open at their ends.
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, -1)])?;
+    /// let triangle = ChainComplex::new(vec![SparseMatrix::from_entries(3, 3, edges)?, face])?;
+    /// let path = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1)])?;
+    /// let rims = InputRim::of_inputs(&triangle, &path)?;
+    /// assert_eq!(rims[0].ridges(), [(CellId::new(0), -1), (CellId::new(2), 1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn ridges(&self) -> &[(CellId, i64)] {
         &self.ridges
     }
 
     /// In space a closed walk along edges of the rim; else all its ridges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::InputRim;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges of a triangle are open at their ends.
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, -1)])?;
+    /// let triangle = ChainComplex::new(vec![SparseMatrix::from_entries(3, 3, edges)?, face])?;
+    /// let path = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1)])?;
+    /// let rims = InputRim::of_inputs(&triangle, &path)?;
+    /// // In the plane these are all ridges of the rim.
+    /// assert_eq!(rims[0].walk(), [CellId::new(0), CellId::new(2)]);
+    /// # Ok(()) }
+    /// ```
     pub fn walk(&self) -> &[CellId] {
         &self.walk
     }
@@ -100,13 +165,29 @@ impl InputRim {
             .collect()
     }
 
-    /// Whether all coefficients are even: then the input has facets on both sides of each ridge and is closed but for their
-    /// directions, which do not agree. Its winding numbers are known up to even numbers.
+    /// Whether all coefficients are even: then the input has facets on both sides of each ridge and is closed but for
+    /// their directions, which do not agree. Its winding numbers are known up to even numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::InputRim;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges of a triangle are open at their ends.
+    /// let edges = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (0, 2, -1), (2, 2, 1)];
+    /// let face = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1), (2, 0, -1)])?;
+    /// let triangle = ChainComplex::new(vec![SparseMatrix::from_entries(3, 3, edges)?, face])?;
+    /// let path = SparseMatrix::from_entries(3, 1, [(0, 0, 1), (1, 0, 1)])?;
+    /// let rims = InputRim::of_inputs(&triangle, &path)?;
+    /// assert!(!rims[0].is_even());
+    /// # Ok(()) }
+    /// ```
     pub fn is_even(&self) -> bool {
         self.ridges.iter().all(|(_, coefficient)| coefficient % 2 == 0)
     }
 
-    /// The error that says so, naming cells of the complex.
+    /// The error for an input that is not closed; it names cells of the complex.
     pub(super) fn error(&self, complex: &ChainComplex) -> Error {
         let letter = match complex.degree_count() {
             4 => 'e',

@@ -1,13 +1,13 @@
 //! Boolean combinations of inputs on one arrangement.
 //!
 //! # Words and conventions
-//! * An **input** is a chain of facets: each facet of the arrangement with the multiplicity it has in the input, positive where the
-//!   front of the facet is outside. Facets are edges in the plane and faces in space.
-//! * [`WindingNumbers`] tell how often each input winds around each cell; the exterior has winding number zero. An [`InsideRule`]
-//!   says which numbers are inside. An [`InputRim`] is where an input is open and has none; the
+//! * An **input** is a chain of facets: each facet of the arrangement with the multiplicity it has in the input,
+//!   positive where the front of the facet is outside. Facets are edges in the plane and faces in space.
+//! * [`WindingNumbers`] tell how often each input winds around each cell; the exterior has winding number zero. An
+//!   [`InsideRule`] says which numbers are inside. An [`InputRim`] is where an input is open and has none; the
 //!   [`generalized_winding_numbers`] are for such inputs, in floating point.
-//! * A [`BooleanFormula`] over the inputs makes a [`CellSelection`]; its [`SelectionBoundary`] runs with the selected cells behind,
-//!   and in space makes a [`SelectionMesh`].
+//! * A [`BooleanFormula`] over the inputs makes a [`CellSelection`]; its [`SelectionBoundary`] runs with the selected
+//!   cells behind, and in space makes a [`SelectionMesh`].
 
 mod formula;
 mod generalized_winding;

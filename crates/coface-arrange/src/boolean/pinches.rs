@@ -19,7 +19,8 @@ impl Pinches {
     /// The pinches of a boundary with these facets, cells of one degree less than the complex has.
     ///
     /// # Complexity
-    /// Linear but for the corners at pinched edges, and at vertices that a facet runs through twice: nearly linear in those.
+    /// Linear but for the corners at pinched edges, and at vertices that a facet runs through twice: nearly linear in
+    /// those.
     pub(super) fn new(complex: &ChainComplex, facets: impl ExactSizeIterator<Item = CellId>) -> Self {
         let degree = complex.degree_count().saturating_sub(1);
         let Some(ridges) = degree.checked_sub(1).and_then(|below| complex.boundary_matrix(below)) else {
@@ -69,8 +70,8 @@ const BOTH: u8 = 0b11;
 
 /// The vertices at which facets fall apart into fans, facets that follow each other across edges, rising.
 ///
-/// A fan is walked around its vertex from edge to edge. Where that is not possible, since an edge has not two facets or a facet
-/// more than two edges at the vertex, fans are put together by union-find.
+/// A fan is walked around its vertex from edge to edge. Where that is not possible, since an edge has not two facets or
+/// a facet more than two edges at the vertex, fans are put together by union-find.
 fn split_vertices(around: &RaggedArray, pairs: &Pairs, ends: &SparseMatrix) -> Vec<usize> {
     let mut facet_of_slot = Vec::with_capacity(around.item_count());
     for facet in 0..around.len() {

@@ -24,6 +24,14 @@ pub struct SelectionBoundary {
 
 impl CellSelection {
     /// The cells with `true`, and the exterior if asked.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_arrange::boolean::CellSelection;
+    /// let selection = CellSelection::new(vec![true, false, true], false);
+    /// assert!(selection.cells().eq([CellId::new(0), CellId::new(2)]));
+    /// ```
     pub fn new(cells: Vec<bool>, exterior: bool) -> Self {
         Self { cells, exterior }
     }
@@ -35,6 +43,22 @@ impl CellSelection {
     ///
     /// # Complexity
     /// Linear in the cells times the length of the formula.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, WindingNumbers};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// let formula = BooleanFormula::parse("b - a", &[])?;
+    /// let selection = CellSelection::by_formula(&winding, &formula, InsideRule::Nonzero)?;
+    /// assert!(selection.cells().eq([CellId::new(1)]));
+    /// # Ok(()) }
+    /// ```
     pub fn by_formula(
         winding: &WindingNumbers,
         formula: &BooleanFormula,
@@ -79,16 +103,39 @@ impl CellSelection {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_arrange::boolean::CellSelection;
+    /// let selection = CellSelection::new(vec![true, false, true], false);
+    /// assert!(selection.contains(CellId::new(2)) && !selection.contains(CellId::new(1)));
+    /// ```
     pub fn contains(&self, cell: CellId) -> bool {
         self.cells[cell.index()]
     }
 
     /// Whether the exterior is selected.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::CellSelection;
+    /// let selection = CellSelection::new(vec![true, false, true], false);
+    /// assert!(!selection.has_exterior());
+    /// ```
     pub fn has_exterior(&self) -> bool {
         self.exterior
     }
 
     /// The cells that are selected, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_arrange::boolean::CellSelection;
+    /// let selection = CellSelection::new(vec![true, false, true], false);
+    /// assert!(selection.cells().eq([CellId::new(0), CellId::new(2)]));
+    /// ```
     pub fn cells(&self) -> impl Iterator<Item = CellId> + '_ {
         self.cells.iter().enumerate().filter(|(_, is_in)| **is_in).map(|(cell, _)| CellId::new(cell))
     }
@@ -96,8 +143,8 @@ impl CellSelection {
     /// The boundary in the arrangement: facets with the selection on one side.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless the complex has the cells of the selection as cells of highest degree, at least one, each facet
-    /// once in front of cells and once behind them at most.
+    /// [`ErrorKind::Shape`] unless the complex has the cells of the selection as cells of highest degree, at least one,
+    /// each facet once in front of cells and once behind them at most.
     ///
     /// # Complexity
     /// Linear in the boundary matrices, and nearly linear in the boundary.
@@ -162,28 +209,98 @@ impl SelectionBoundary {
     }
 
     /// The facets with a selected cell on one side only, with plus where it is behind: a cycle. Rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::CellSelection;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of three edges, of which the first two are selected.
+    /// let ends = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (2, 2, -1), (3, 2, 1)];
+    /// let line = ChainComplex::new(vec![SparseMatrix::from_entries(4, 3, ends)?])?;
+    /// let boundary = CellSelection::new(vec![true, true, false], false).boundary(&line)?;
+    /// assert_eq!(boundary.facets(), [(CellId::new(0), Sign::Minus), (CellId::new(2), Sign::Plus)]);
+    /// # Ok(()) }
+    /// ```
     pub fn facets(&self) -> &[(CellId, Sign)] {
         &self.facets
     }
 
-    /// The facets between two selected cells, rising. A facet with one cell on both sides is no wall.
+    /// The facets between two selected cells, rising. A facet with one cell on both sides is not among them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::CellSelection;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of three edges, of which the first two are selected.
+    /// let ends = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (2, 2, -1), (3, 2, 1)];
+    /// let line = ChainComplex::new(vec![SparseMatrix::from_entries(4, 3, ends)?])?;
+    /// let boundary = CellSelection::new(vec![true, true, false], false).boundary(&line)?;
+    /// assert_eq!(boundary.walls(), [CellId::new(1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn walls(&self) -> &[CellId] {
         &self.walls
     }
 
-    /// The cells of two degrees less than the selection - vertices in the plane, edges in space - with more than two facets of the
-    /// boundary, rising.
+    /// The cells of two degrees less than the selection - vertices in the plane, edges in space - with more than two
+    /// facets of the boundary, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::CellSelection;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of three edges, of which the first two are selected.
+    /// let ends = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (2, 2, -1), (3, 2, 1)];
+    /// let line = ChainComplex::new(vec![SparseMatrix::from_entries(4, 3, ends)?])?;
+    /// let boundary = CellSelection::new(vec![true, true, false], false).boundary(&line)?;
+    /// assert!(boundary.pinched_ridges().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn pinched_ridges(&self) -> &[CellId] {
         &self.pinches.ridges
     }
 
-    /// The vertices at which the boundary of a selection in space falls apart into several fans of facets, rising. In the plane
-    /// these are the pinched ridges.
+    /// The vertices at which the boundary of a selection in space falls apart into several fans of facets, rising. In
+    /// the plane these are the pinched ridges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::CellSelection;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of three edges, of which the first two are selected.
+    /// let ends = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (2, 2, -1), (3, 2, 1)];
+    /// let line = ChainComplex::new(vec![SparseMatrix::from_entries(4, 3, ends)?])?;
+    /// let boundary = CellSelection::new(vec![true, true, false], false).boundary(&line)?;
+    /// assert!(boundary.pinched_vertices().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn pinched_vertices(&self) -> &[CellId] {
         &self.pinches.vertices
     }
 
     /// Whether the boundary is a closed curve or surface near each of its points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::CellSelection;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of three edges, of which the first two are selected.
+    /// let ends = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1), (2, 2, -1), (3, 2, 1)];
+    /// let line = ChainComplex::new(vec![SparseMatrix::from_entries(4, 3, ends)?])?;
+    /// let boundary = CellSelection::new(vec![true, true, false], false).boundary(&line)?;
+    /// assert!(boundary.is_manifold());
+    /// # Ok(()) }
+    /// ```
     pub fn is_manifold(&self) -> bool {
         self.pinches == Pinches::default()
     }

@@ -4,12 +4,12 @@ use coface_algebra::{CellId, Error, ErrorKind};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use coface_geometry::Positions;
 
-/// The boundary of a selection of cells of space as a mesh of polygons, each with the facet of the arrangement that it is
-/// part of.
+/// The boundary of a selection of cells of space as a mesh of polygons, each with the facet of the arrangement that it
+/// is part of.
 ///
 /// # Conventions
-/// Polygons run counterclockwise seen from outside the selection. The vertices are those of the arrangement that polygons have, in
-/// their order there; copies that [`Self::split_pinches`] makes come after them.
+/// Polygons run counterclockwise seen from outside the selection. The vertices are those of the arrangement that
+/// polygons have, in their order there; copies that [`Self::split_pinches`] makes come after them.
 ///
 /// # Examples
 /// One of two tetrahedra on a common face:
@@ -46,14 +46,24 @@ pub struct SelectionMesh {
 type Side = ([u32; 2], u32);
 
 impl SelectionMesh {
-    /// The mesh of these facets, plus where the selection is behind. `pieces` gives the polygons that make up a facet, vertices
-    /// of the arrangement in the direction of the facet.
+    /// The mesh of these facets, plus where the selection is behind. `pieces` gives the polygons that make up a facet,
+    /// vertices of the arrangement in the direction of the facet.
     ///
     /// # Complexity
     /// Linear.
     ///
     /// # Panics
     /// From 2^32 corners on.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign};
+    /// use coface_arrange::boolean::SelectionMesh;
+    /// // A triangle on the vertices 4, 6 and 9 of an arrangement, seen from behind.
+    /// let facets = [(CellId::new(2), Sign::Minus)];
+    /// let mesh = SelectionMesh::new(&facets, |_, add| add(&[4, 6, 9]));
+    /// assert_eq!(mesh.polygons().len(), 1);
+    /// ```
     pub fn new(facets: &[(CellId, Sign)], pieces: impl Fn(CellId, &mut dyn FnMut(&[u32]))) -> Self {
         let mut mesh = Self { polygons: RaggedArray::new(), facets: Vec::new(), vertex_sources: Vec::new() };
         mesh.facets.reserve(facets.len());
@@ -64,7 +74,8 @@ impl SelectionMesh {
         mesh
     }
 
-    /// The mesh of these polygons, each with its facet and in the direction of the facet, the facets one after the other.
+    /// The mesh of these polygons, each with its facet and in the direction of the facet, the facets one after the
+    /// other.
     #[doc(hidden)]
     pub fn of_pieces<'a>(pieces: impl Iterator<Item = ((CellId, Sign), &'a [u32])>) -> Self {
         let mut mesh = Self { polygons: RaggedArray::new(), facets: Vec::new(), vertex_sources: Vec::new() };
@@ -95,16 +106,47 @@ impl SelectionMesh {
     }
 
     /// The polygons, counterclockwise seen from outside the selection.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign};
+    /// use coface_arrange::boolean::SelectionMesh;
+    /// // A triangle on the vertices 4, 6 and 9 of an arrangement, seen from behind.
+    /// let facets = [(CellId::new(2), Sign::Minus)];
+    /// let mesh = SelectionMesh::new(&facets, |_, add| add(&[4, 6, 9]));
+    /// assert_eq!(mesh.polygons().list(0).len(), 3);
+    /// ```
     pub fn polygons(&self) -> &RaggedArray {
         &self.polygons
     }
 
-    /// The facet that each polygon is part of, plus where the selection is behind it: where the polygon has its direction.
+    /// The facet that each polygon is part of, plus where the selection is behind it: where the polygon has its
+    /// direction.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign};
+    /// use coface_arrange::boolean::SelectionMesh;
+    /// // A triangle on the vertices 4, 6 and 9 of an arrangement, seen from behind.
+    /// let facets = [(CellId::new(2), Sign::Minus)];
+    /// let mesh = SelectionMesh::new(&facets, |_, add| add(&[4, 6, 9]));
+    /// assert_eq!(mesh.facets(), facets);
+    /// ```
     pub fn facets(&self) -> &[(CellId, Sign)] {
         &self.facets
     }
 
     /// The vertex of the arrangement that each vertex is, or is a copy of.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign};
+    /// use coface_arrange::boolean::SelectionMesh;
+    /// // A triangle on the vertices 4, 6 and 9 of an arrangement, seen from behind.
+    /// let facets = [(CellId::new(2), Sign::Minus)];
+    /// let mesh = SelectionMesh::new(&facets, |_, add| add(&[4, 6, 9]));
+    /// assert_eq!(mesh.vertex_sources(), [4, 6, 9].map(CellId::new));
+    /// ```
     pub fn vertex_sources(&self) -> &[CellId] {
         &self.vertex_sources
     }
@@ -113,6 +155,20 @@ impl SelectionMesh {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] if there are fewer positions than vertices of the arrangement.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign};
+    /// use coface_arrange::boolean::SelectionMesh;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle on the vertices 4, 6 and 9 of an arrangement, seen from behind.
+    /// let facets = [(CellId::new(2), Sign::Minus)];
+    /// let mesh = SelectionMesh::new(&facets, |_, add| add(&[4, 6, 9]));
+    /// let all = Positions::from_flat(1, (0..10).map(f64::from).collect())?;
+    /// assert_eq!(mesh.positions(&all)?.as_flat(), [4.0, 6.0, 9.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self, positions: &Positions) -> Result<Positions, Error> {
         if let Some(last) = self.vertex_sources.iter().find(|source| source.index() >= positions.len()) {
             return Err(Error::new(
@@ -129,19 +185,20 @@ impl SelectionMesh {
         Positions::from_flat(positions.dimension(), flat)
     }
 
-    /// Splits the vertices at which the mesh is pinched, so that solids which touch in a vertex or an edge come apart: each fan
-    /// of polygons gets a copy of its own, and the first fan keeps the vertex. At an edge with more than two polygons those stay
-    /// together that have one part of the selection between them.
+    /// Splits the vertices at which the mesh is pinched, so that solids which touch in a vertex or an edge come apart:
+    /// each fan of polygons gets a copy of its own, and the first fan keeps the vertex. At an edge with more than two
+    /// polygons those stay together that have one part of the selection between them.
     ///
-    /// `around` lists the facets of the arrangement around the edge between two vertices of it, counterclockwise seen from the second
-    /// of them, with minus where the facet runs from the second to the first along its side. Returns the number of copies.
+    /// `around` lists the facets of the arrangement around the edge between two vertices of it, counterclockwise seen
+    /// from the second of them, with minus where the facet runs from the second to the first along its side. Returns
+    /// the number of copies.
     ///
     /// What is left is a closed surface but for edges whose ends are both joined around the pinch: they lie in four or
     /// more polygons still, since an edge is known by its ends.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] when copies do not fit in 32 bits; [`ErrorKind::Shape`] if `around` does not list the facets of the mesh
-    /// at an edge.
+    /// [`ErrorKind::TooLarge`] when copies do not fit in 32 bits; [`ErrorKind::Shape`] if `around` does not list the
+    /// facets of the mesh at an edge.
     ///
     /// # Complexity
     /// $O(n \log n)$ for n corners.
@@ -250,8 +307,8 @@ impl SelectionMesh {
                 let (facet, sign) = self.facets[self.polygon_at(side.1)];
                 let run = Sign::power_of_minus_one(usize::from(!self.rises(side)));
                 let own = run.times(sign);
-                // Counterclockwise after a side that runs along the edge comes the front of its facet, else the back; the
-                // selection is behind facets with plus.
+                // Counterclockwise after a side that runs along the edge comes the front of its facet, else the back;
+                // the selection is behind facets with plus.
                 ((facet, own), side, own != sign)
             })
             .collect();
@@ -265,7 +322,7 @@ impl SelectionMesh {
             return Err(Error::new(
                 ErrorKind::Shape,
                 format!(
-                    "{} of the {} facets at the edge between v{} and v{} are told",
+                    "{} of the {} facets at the edge between v{} and v{} are listed",
                     circle.len(),
                     group.len(),
                     ends[0].index(),

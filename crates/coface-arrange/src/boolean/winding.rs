@@ -39,6 +39,13 @@ impl Count {
 
 impl InsideRule {
     /// Whether this winding number means inside.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::InsideRule;
+    /// assert!(InsideRule::Nonzero.is_inside(-2));
+    /// assert!(!InsideRule::Positive.is_inside(-2) && !InsideRule::Odd.is_inside(-2));
+    /// ```
     pub fn is_inside(self, number: i32) -> bool {
         match self {
             Self::Nonzero => number != 0,
@@ -80,19 +87,34 @@ pub struct WindingNumbers {
 }
 
 impl WindingNumbers {
-    /// The winding numbers around the cells of highest degree of an arrangement, the exterior not among them. Column i of `inputs`
-    /// is input i as a chain of facets.
+    /// The winding numbers around the cells of highest degree of an arrangement, the exterior not among them. Column i
+    /// of `inputs` is input i as a chain of facets.
     ///
-    /// From a facet's front to its back the winding number of an input rises by the multiplicity of the facet; the numbers are
-    /// carried from the exterior, where they are zero, across the facets.
+    /// From a facet's front to its back the winding number of an input rises by the multiplicity of the facet; the
+    /// numbers are carried from the exterior, where they are zero, across the facets.
     ///
     /// # Errors
-    /// [`ErrorKind::NotACycle`] naming the first input with a boundary, and a part of that boundary; [`ErrorKind::Shape`] when there
-    /// is not a row for each facet, when a facet is more than once in front of cells or behind them, or when cells cannot be reached
-    /// from the exterior; [`ErrorKind::TooLarge`] for numbers beyond 32 bits.
+    /// [`ErrorKind::NotACycle`] naming the first input with a boundary, and a part of that boundary;
+    /// [`ErrorKind::Shape`] when there is not a row for each facet, when a facet is more than once in front of cells or
+    /// behind them, or when cells cannot be reached from the exterior; [`ErrorKind::TooLarge`] for numbers beyond 32
+    /// bits.
     ///
     /// # Complexity
     /// Linear in the cells times inputs, and in the matrices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert_eq!(winding.of_cell(CellId::new(0)), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(complex: &ChainComplex, inputs: &SparseMatrix) -> Result<Self, Error> {
         Self::counted(complex, inputs, Count::Whole)
     }
@@ -103,8 +125,8 @@ impl WindingNumbers {
         Self::carried(complex, inputs, Count::Whole)
     }
 
-    /// The winding numbers modulo 2, as 0 and 1. They need no directions: inputs whose facets do not run coherently have them,
-    /// as long as an even number of facets meets in each ridge.
+    /// The winding numbers modulo 2, as 0 and 1. They need no directions: inputs whose facets do not run coherently
+    /// have them, as long as an even number of facets meets in each ridge.
     ///
     /// # Errors
     /// As [`Self::new`]; [`ErrorKind::NotACycle`] only for ridges with odd coefficients.
@@ -203,7 +225,8 @@ impl WindingNumbers {
         Ok(found)
     }
 
-    /// `Shape` naming a facet across which the numbers do not rise by its multiplicity: then the cells are not all there.
+    /// `Shape` naming a facet across which the numbers do not rise by its multiplicity: then the cells are not all
+    /// there.
     fn check(&self, sides: &[[u32; 2]], jumps: &SparseMatrix, count: Count) -> Result<(), Error> {
         let number = |cell: u32, input: usize| {
             if cell == EXTERIOR {
@@ -230,11 +253,39 @@ impl WindingNumbers {
     }
 
     /// The number of inputs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert_eq!(winding.input_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn input_count(&self) -> usize {
         self.input_count
     }
 
     /// The number of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert_eq!(winding.cell_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self) -> usize {
         self.cell_count
     }
@@ -243,6 +294,20 @@ impl WindingNumbers {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert_eq!(winding.of_cell(CellId::new(1)), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn of_cell(&self, cell: CellId) -> &[i32] {
         assert!(cell.index() < self.cell_count, "there is no cell {cell}");
         &self.numbers[cell.index() * self.input_count..(cell.index() + 1) * self.input_count]
@@ -252,6 +317,20 @@ impl WindingNumbers {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::{InsideRule, WindingNumbers};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert!(winding.inputs_around(CellId::new(1), InsideRule::Nonzero).eq([1]));
+    /// # Ok(()) }
+    /// ```
     pub fn inputs_around(&self, cell: CellId, rule: InsideRule) -> impl Iterator<Item = usize> + '_ {
         let numbers = self.of_cell(cell).iter().enumerate();
         numbers.filter(move |&(_, &number)| rule.is_inside(number)).map(|(input, _)| input)

@@ -15,38 +15,93 @@ pub struct CellCongruence {
 }
 
 impl CellCongruence {
-    /// The boundary matrix of the classes: column j is the boundary of the lowest member of class j, or of its piece, in
-    /// classes.
+    /// The boundary matrix of the classes: column j is the boundary of the lowest member of class j, or of its piece,
+    /// in classes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_arrange::congruence::{CellClasses, cell_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges between the same two points, one each way.
+    /// let edges = SparseMatrix::from_entries(4, 2, [(0, 0, -1), (1, 0, 1), (2, 1, 1), (3, 1, -1)])?;
+    /// let vertices = CellClasses::unsigned(vec![0, 1, 0, 1])?;
+    /// let merged = cell_congruence(&edges, &vertices, Default::default())?;
+    /// assert_eq!(merged.boundary().column(0).entries(), [-1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn boundary(&self) -> &SparseMatrix {
         &self.boundary
     }
 
     /// The classes of the cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign, SparseMatrix};
+    /// use coface_arrange::congruence::{CellClasses, cell_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges between the same two points, one each way.
+    /// let edges = SparseMatrix::from_entries(4, 2, [(0, 0, -1), (1, 0, 1), (2, 1, 1), (3, 1, -1)])?;
+    /// let vertices = CellClasses::unsigned(vec![0, 1, 0, 1])?;
+    /// let merged = cell_congruence(&edges, &vertices, Default::default())?;
+    /// assert_eq!(merged.classes().class(CellId::new(1)), Some((0, Sign::Minus)));
+    /// # Ok(()) }
+    /// ```
     pub fn classes(&self) -> &CellClasses {
         &self.classes
     }
 
-    /// The cells that have a class, but whose boundary lost terms: facets collapsed or came together. What such a cell looks
-    /// like has changed; it may be pinched. With those that were split into pieces, or have a facet that was. Rising.
+    /// The cells that have a class, but whose boundary lost terms: facets collapsed or came together. What such a cell
+    /// looks like has changed; it may be pinched. With those that were split into pieces, or have a facet that was.
+    /// Rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_arrange::congruence::{CellClasses, cell_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges between the same two points, one each way.
+    /// let edges = SparseMatrix::from_entries(4, 2, [(0, 0, -1), (1, 0, 1), (2, 1, 1), (3, 1, -1)])?;
+    /// let vertices = CellClasses::unsigned(vec![0, 1, 0, 1])?;
+    /// let merged = cell_congruence(&edges, &vertices, Default::default())?;
+    /// assert!(merged.changed().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn changed(&self) -> &[u32] {
         &self.changed
     }
 
     /// The boundary and the classes by themselves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_arrange::congruence::{CellClasses, cell_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges between the same two points, one each way.
+    /// let edges = SparseMatrix::from_entries(4, 2, [(0, 0, -1), (1, 0, 1), (2, 1, 1), (3, 1, -1)])?;
+    /// let vertices = CellClasses::unsigned(vec![0, 1, 0, 1])?;
+    /// let merged = cell_congruence(&edges, &vertices, Default::default())?;
+    /// let (boundary, classes) = merged.into_parts();
+    /// assert_eq!((boundary.column_count(), classes.class_count()), (1, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn into_parts(self) -> (SparseMatrix, CellClasses) {
         (self.boundary, self.classes)
     }
 }
 
-/// The classes of the cells of one degree, given the classes of the cells below, and the boundary matrix of the classes.
+/// The classes of the cells of one degree, given the classes of the cells below, and the boundary matrix of the
+/// classes.
 ///
 /// The boundary of each cell is written in the classes below, with their signs; what cancels is gone. A cell without a
 /// boundary then is **collapsed**, unless it had none before: such a cell is a class by itself. Cells with the same
 /// boundary up to sign are congruent.
 ///
 /// # Errors
-/// [`ErrorKind::Shape`] unless there is a class, or none, for each row of the boundary matrix; [`ErrorKind::TooLarge`] for a
-/// coefficient beyond 32 bits.
+/// [`ErrorKind::Shape`] unless there is a class, or none, for each row of the boundary matrix; [`ErrorKind::TooLarge`]
+/// for a coefficient beyond 32 bits.
 ///
 /// # Complexity
 /// Near-linear in the entries of the boundary matrix.

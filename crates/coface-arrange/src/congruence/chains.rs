@@ -21,17 +21,63 @@ pub struct ChainCongruence {
 
 impl ChainCongruence {
     /// The complex of the classes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::congruence::{CellClasses, chain_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges in a row; the second one shrinks to a point.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let classes = CellClasses::unsigned(vec![0, 1, 1])?;
+    /// let merged = chain_congruence(&path, classes, None, Default::default())?;
+    /// assert_eq!(merged.complex().f_vector(), [2, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &ChainComplex {
         &self.complex
     }
 
     /// The classes of the cells of each degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::congruence::{CellClasses, chain_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges in a row; the second one shrinks to a point.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let classes = CellClasses::unsigned(vec![0, 1, 1])?;
+    /// let merged = chain_congruence(&path, classes, None, Default::default())?;
+    /// assert_eq!(merged.classes()[0].members().list(1), [1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn classes(&self) -> &[CellClasses] {
         &self.classes
     }
 
     /// For each degree the cells that keep a boundary but lost terms of it, were split, or have a facet that was; see
     /// [`CellCongruence::changed`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::congruence::{CellClasses, chain_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges in a row; the second one shrinks to a point.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let classes = CellClasses::unsigned(vec![0, 1, 1])?;
+    /// let merged = chain_congruence(&path, classes, None, Default::default())?;
+    /// // An edge that collapses is not changed: it is gone.
+    /// assert!(merged.changed().iter().all(Vec::is_empty));
+    /// # Ok(()) }
+    /// ```
     pub fn changed(&self) -> &[Vec<u32>] {
         &self.changed
     }
@@ -40,6 +86,21 @@ impl ChainCongruence {
     ///
     /// # Panics
     /// If the complex has no such degree.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::congruence::{CellClasses, Discard, chain_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges in a row; the second one shrinks to a point.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let classes = CellClasses::unsigned(vec![0, 1, 1])?;
+    /// let merged = chain_congruence(&path, classes, None, Default::default())?;
+    /// assert!(merged.discards(1).eq([(CellId::new(1), Discard::Collapsed)]));
+    /// # Ok(()) }
+    /// ```
     pub fn discards(&self, degree: usize) -> impl Iterator<Item = (CellId, Discard)> + '_ {
         let (classes, too_small) = (&self.classes[degree], &self.too_small[degree]);
         let cells = (0..classes.cell_count()).map(CellId::new);
@@ -50,6 +111,21 @@ impl ChainCongruence {
     }
 
     /// For each degree the number of cells without a class, whatever the reason.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::congruence::{CellClasses, chain_congruence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two edges in a row; the second one shrinks to a point.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let classes = CellClasses::unsigned(vec![0, 1, 1])?;
+    /// let merged = chain_congruence(&path, classes, None, Default::default())?;
+    /// assert_eq!(merged.collapsed_counts(), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn collapsed_counts(&self) -> Vec<usize> {
         self.classes.iter().map(CellClasses::collapsed_count).collect()
     }
@@ -64,15 +140,15 @@ impl ChainCongruence {
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] unless each vertex has a class, and each class of vertices a position if there are positions;
-/// those of [`super::cell_congruence`]; with [`Collisions::Refuse`] [`ErrorKind::InvalidInput`] naming the first cell, of the
-/// lowest degree, that collapsed or whose boundary lost terms.
+/// those of [`super::cell_congruence`]; with [`Collisions::Refuse`] [`ErrorKind::InvalidInput`] naming the first cell,
+/// of the lowest degree, that collapsed or whose boundary lost terms.
 ///
 /// # Complexity
 /// Near-linear in the entries of the boundary matrices.
 ///
 /// # Examples
-/// Two triangles, each with its own three vertices and edges, that share an edge in space: four vertices, five edges and two
-/// triangles remain.
+/// Two triangles, each with its own three vertices and edges, that share an edge in space: four vertices, five edges
+/// and two triangles remain.
 /// ```
 /// use coface_algebra::RaggedArray;
 /// use coface_arrange::congruence::{CellClasses, CongruenceOptions, chain_congruence};

@@ -11,8 +11,8 @@ const SEVERAL: u32 = u32::MAX - 1;
 
 /// Classes of congruent cells of one degree, with signs.
 ///
-/// The **image** of a cell is what it becomes: one class with a sign; no class when it collapsed; several when it was split
-/// into pieces.
+/// The **image** of a cell is what it becomes: one class with a sign; no class when it collapsed; several when it was
+/// split into pieces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CellClasses {
     members: RaggedArray,
@@ -30,8 +30,8 @@ struct SplitCells {
 }
 
 impl CellClasses {
-    /// The classes with these numbers, all signs plus: the class of each cell, counted from 0 without gaps in the order of
-    /// the lowest members.
+    /// The classes with these numbers, all signs plus: the class of each cell, counted from 0 without gaps in the order
+    /// of the lowest members.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first cell where the numbers are not in that order.
@@ -125,26 +125,55 @@ impl CellClasses {
     }
 
     /// The number of classes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert_eq!(classes.class_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn class_count(&self) -> usize {
         self.members.len()
     }
 
     /// The members of each class, rising: the cells that have it in their images; classes by their lowest members.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert_eq!(classes.members().list(0), [0, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn members(&self) -> &RaggedArray {
         &self.members
     }
 
-    /// The class of a cell and its sign against the lowest member; `None` for a cell that collapsed or has several classes.
+    /// The class of a cell and its sign against the lowest member; `None` for a cell that collapsed or has several
+    /// classes.
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, Sign};
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert_eq!(classes.class(CellId::new(2)), Some((0, Sign::Plus)));
+    /// # Ok(()) }
+    /// ```
     pub fn class(&self, cell: CellId) -> Option<(usize, Sign)> {
         let class = self.class_of[cell.index()];
         (class < SEVERAL).then(|| (class as usize, self.signs[cell.index()]))
     }
 
-    /// The image of a cell: classes with signs against their lowest members. There is none for a collapsed cell; a class
-    /// that occurs twice counts twice.
+    /// The image of a cell: classes with signs against their lowest members. There is none for a collapsed cell; a
+    /// class that occurs twice counts twice.
     ///
     /// # Panics
     /// If there is no such cell.
@@ -184,16 +213,43 @@ impl CellClasses {
     }
 
     /// The number of cells without a class.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert_eq!(classes.collapsed_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn collapsed_count(&self) -> usize {
         self.class_of.iter().filter(|&&class| class == NONE).count()
     }
 
     /// The number of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert_eq!(classes.cell_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self) -> usize {
         self.class_of.len()
     }
 
     /// The cells with several classes, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// assert!(classes.split_cells().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn split_cells(&self) -> &[u32] {
         &self.split.cells
     }
@@ -202,6 +258,17 @@ impl CellClasses {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::TooLarge`] for counts beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::CellClasses;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let classes = CellClasses::unsigned(vec![0, 1, 0])?;
+    /// let matrix = classes.matrix()?;
+    /// assert_eq!((matrix.row_count(), matrix.column_count()), (2, 3));
+    /// assert_eq!(matrix.column(2).rows(), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn matrix(&self) -> Result<SparseMatrix, Error> {
         let entries = (0..self.cell_count()).flat_map(|cell| {
             self.image(CellId::new(cell)).map(move |(class, sign)| (class, cell, i64::from(sign.to_i32())))

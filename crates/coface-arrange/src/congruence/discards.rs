@@ -1,4 +1,4 @@
-//! Cells that are taken away because too little is left of them.
+//! Cells that are removed because too few facets of them remain.
 
 use super::CellClasses;
 use super::classes::NONE;
@@ -14,7 +14,7 @@ pub enum Discard {
     TooFewFacets,
 }
 
-/// Takes classes with too few facets away, from the highest degree down, and gives their cells.
+/// Removes classes with too few facets, from the highest degree down, and returns their cells.
 ///
 /// A class goes when all its members lost facets, none of them in pieces, and no class above has it in its boundary:
 /// otherwise the boundary of that one would be no cycle.

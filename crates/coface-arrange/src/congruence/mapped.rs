@@ -14,8 +14,8 @@ const BLOCK: usize = 1 << 13;
 /// The boundary of a piece: facets with coefficients, rising.
 pub(super) type Piece = Vec<(u32, i32)>;
 
-/// Boundaries written in classes: a column for each cell, or one for each piece of a cell. Rows of a column rise, no entry
-/// is zero.
+/// Boundaries written in classes: a column for each cell, or one for each piece of a cell. Rows of a column rise, no
+/// entry is zero.
 pub(super) struct Mapped {
     starts: Vec<u32>,
     rows: Vec<u32>,
@@ -133,8 +133,8 @@ impl Mapped {
         }
     }
 
-    /// The lowest cell with the same boundary up to sign, for each cell; by sorting within buckets of the first row. Cells
-    /// without boundary are by themselves.
+    /// The lowest cell with the same boundary up to sign, for each cell; by sorting within buckets of the first row.
+    /// Cells without boundary are by themselves.
     pub(super) fn lowest_by_lists(&self, row_count: usize) -> Vec<u32> {
         let cell_count = self.column_count();
         let keys: Vec<u32> = (0..cell_count)

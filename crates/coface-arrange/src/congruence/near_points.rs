@@ -23,8 +23,8 @@ struct Point {
 /// Finds near points: at most `tolerance` apart, in any dimension.
 ///
 /// A grid over the first three coordinates is refined where points are many. A point near the wall of a cell belongs to
-/// the cells on both sides, so that two near points are in one cell somewhere. Cells are at least four tolerances wide; what
-/// is denser is cut into cubes all of whose points are near each other.
+/// the cells on both sides, so that two near points are in one cell somewhere. Cells are at least four tolerances wide;
+/// what is denser is cut into cubes all of whose points are near each other.
 pub(super) struct NearPoints<'a> {
     positions: &'a Positions,
     tolerance: f64,
@@ -208,7 +208,8 @@ struct Grid {
 }
 
 impl Grid {
-    /// A grid with about one box for a few points, at least two of them; `None` if the points are within a few tolerances.
+    /// A grid with about one box for a few points, at least two of them; `None` if the points are within a few
+    /// tolerances.
     fn new(points: &[Point], tolerance: f64) -> Option<Self> {
         let [low, high] = bounds(points).map(|corner| corner.map(|x| x / 2.0));
         let extent = [0, 1, 2].map(|axis| high[axis] - low[axis]);
@@ -243,8 +244,8 @@ impl Grid {
         self.counts.iter().product()
     }
 
-    /// The points by boxes: those of box b are `starts[b]..starts[b + 1]`, with those beyond its walls that are within the
-    /// tolerance.
+    /// The points by boxes: those of box b are `starts[b]..starts[b + 1]`, with those beyond its walls that are within
+    /// the tolerance.
     fn distribute(&self, points: &[Point]) -> (Vec<usize>, Vec<Point>) {
         const SEVERAL: u32 = u32::MAX;
         let mut starts = vec![0; self.box_count() + 1];

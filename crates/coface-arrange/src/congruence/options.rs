@@ -39,19 +39,19 @@ pub enum Collisions {
     /// their boundaries enclose.
     ///
     /// A face is split into the regions of its plane that its boundary encloses, a solid into those of space, each with
-    /// its holes. Where several splits are possible, at a vertex of a face with more than two of its edges or at an edge of
-    /// a solid with more than two of its faces, the order of angles decides, in rounded numbers, so that the pieces do not
-    /// cross; equal angles go by the numbers of the cells. Without positions, or for a face without area, the pieces are
-    /// closed walks that meet no vertex twice, lowest edges first. Solids without positions, and cells of higher degree,
-    /// fall into what is connected through ridges (cells two degrees below). A cell stays whole if a facet of it has no
-    /// boundary, if a coefficient of it is beyond 64, or if it had several shells and there are no positions to relate
-    /// them.
+    /// its holes. Where several splits are possible, at a vertex of a face with more than two of its edges or at an
+    /// edge of a solid with more than two of its faces, the order of angles decides, in rounded numbers, so that the
+    /// pieces do not cross; equal angles go by the numbers of the cells. Without positions, or for a face without area,
+    /// the pieces are closed walks that meet no vertex twice, lowest edges first. Solids without positions, and cells
+    /// of higher degree, fall into what is connected through ridges (cells two degrees below). A cell stays whole if a
+    /// facet of it has no boundary, if a coefficient of it is beyond 64, or if it had several shells and there are no
+    /// positions to relate them.
     ///
-    /// Cells that lost facets until they have fewer than their degree and one more are taken away, unless a higher cell has
-    /// them in its boundary.
+    /// Cells that lost facets until they have fewer than their degree and one more are removed, unless a higher cell
+    /// has them in its boundary.
     ///
     /// Pieces are cells like all others, so they can be congruent to cells that were there before. The image of a split
-    /// cell is the sum of its pieces. So images are a chain map wherever no cell was taken away for too few facets.
+    /// cell is the sum of its pieces. So images are a chain map wherever no cell was removed for too few facets.
     Rewrap,
     /// An error that names the first such cell.
     Refuse,

@@ -30,7 +30,8 @@ pub enum Representative {
     Lowest,
     /// At the mean of its members.
     Mean,
-    /// At the median of its members on each axis; for an even number the lower one, so that it is a coordinate of the input.
+    /// At the median of its members on each axis; for an even number the lower one, so that it is a coordinate of the
+    /// input.
     Median,
 }
 
@@ -45,27 +46,82 @@ pub struct VertexCongruence {
 
 impl VertexCongruence {
     /// The members of each class, rising; classes by their lowest members.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = Positions::from_flat(1, vec![0.0, 5.0, 0.25])?;
+    /// let near = vertex_congruence(&points, 0.5, ClassRule::Transitive, Representative::Lowest)?;
+    /// assert_eq!(near.members().list(0), [0, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn members(&self) -> &RaggedArray {
         &self.members
     }
 
     /// The number of classes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = Positions::from_flat(1, vec![0.0, 5.0, 0.25])?;
+    /// let near = vertex_congruence(&points, 0.5, ClassRule::Transitive, Representative::Lowest)?;
+    /// assert_eq!(near.class_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn class_count(&self) -> usize {
         self.members.len()
     }
 
     /// The class of each vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = Positions::from_flat(1, vec![0.0, 5.0, 0.25])?;
+    /// let near = vertex_congruence(&points, 0.5, ClassRule::Transitive, Representative::Lowest)?;
+    /// assert_eq!(near.class_of(), [0, 1, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn class_of(&self) -> &[u32] {
         &self.class_of
     }
 
     /// The positions of the classes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = Positions::from_flat(1, vec![0.0, 5.0, 0.25])?;
+    /// let near = vertex_congruence(&points, 0.5, ClassRule::Transitive, Representative::Lowest)?;
+    /// assert_eq!(near.positions().as_flat(), [0.0, 5.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
 
-    /// The largest distance of two members of a class; of classes with more than 1000 members the diagonal of the box around
-    /// them, which is no less.
+    /// The largest distance of two members of a class; of classes with more than 1000 members the diagonal of the box
+    /// around them, which is no less.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = Positions::from_flat(1, vec![0.0, 5.0, 0.25])?;
+    /// let near = vertex_congruence(&points, 0.5, ClassRule::Transitive, Representative::Lowest)?;
+    /// assert_eq!(near.largest_diameter(), 0.25);
+    /// # Ok(()) }
+    /// ```
     pub fn largest_diameter(&self) -> f64 {
         self.largest_diameter
     }
@@ -101,7 +157,7 @@ pub fn vertex_congruence(
     representative: Representative,
 ) -> Result<VertexCongruence, Error> {
     if tolerance.is_nan() || tolerance < 0.0 {
-        return Err(Error::invalid(format!("{tolerance} is no tolerance"))
+        return Err(Error::invalid(format!("{tolerance} is not a tolerance"))
             .with_cure("give a length that is not negative, in the unit of the positions"));
     }
     let (class_of, class_count) = class_numbers(positions, tolerance, rule);
@@ -111,11 +167,11 @@ pub fn vertex_congruence(
 /// The classes of vertices, merged again as long as classes are within the tolerance of each other.
 ///
 /// Once is enough for [`Representative::Lowest`]: members of different classes, or first members of greedy classes, are
-/// farther apart than the tolerance. Means and medians can be nearer. Here classes whose positions are congruent are united
-/// and get a position from all their vertices, until no two are within the tolerance; so doing it once more, with the
-/// positions of the classes, changes nothing. With [`ClassRule::Transitive`] neither the classes nor, up to rounding, means
-/// and medians depend on the order of the vertices. With [`ClassRule::Greedy`] united classes may be longer than the rule
-/// says.
+/// farther apart than the tolerance. Means and medians can be nearer. Here classes whose positions are congruent are
+/// united and get a position from all their vertices, until no two are within the tolerance; so doing it once more,
+/// with the positions of the classes, changes nothing. With [`ClassRule::Transitive`] neither the classes nor, up to
+/// rounding, means and medians depend on the order of the vertices. With [`ClassRule::Greedy`] united classes may be
+/// longer than the rule says.
 ///
 /// # Errors
 /// As [`vertex_congruence`].
@@ -246,8 +302,8 @@ fn greedy(positions: &Positions, tolerance: f64) -> (Vec<u32>, usize) {
 
 /// Sets the openers of the vertices of a chain, which are rising.
 ///
-/// The vertices are in cubes about as wide as the tolerance, by their first three coordinates. Openers are farther apart
-/// than that, so that only a bounded number of them looks into a cube.
+/// The vertices are in cubes about as wide as the tolerance, by their first three coordinates. Openers are farther
+/// apart than that, so that only a bounded number of them looks into a cube.
 fn open_classes(positions: &Positions, tolerance: f64, chain: &[u32], opener: &mut [u32]) {
     const NONE: u32 = u32::MAX;
     let point = |vertex: u32| positions.point(VertexId::from_u32(vertex));
@@ -418,7 +474,8 @@ mod tests {
                 }
             }
             prop_assert!(seen.into_iter().all(|seen| seen));
-            // Chained classes are closed: nothing outside is within the tolerance. Greedy ones are near their first members.
+            // Chained classes are closed: nothing outside is within the tolerance. Greedy ones are near their first
+            // members.
             for (vertex, &class) in found.class_of().iter().enumerate() {
                 let near = |other: u32| {
                     let [p, q] = [vertex as u32, other].map(|v| positions.point(VertexId::from_u32(v)));

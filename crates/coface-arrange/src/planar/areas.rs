@@ -7,14 +7,25 @@ use coface_geometry::predicates::{PlanarPoint, approximate_area};
 use rayon::prelude::*;
 
 impl PlanarArrangement {
-    /// The areas of the bounded faces, holes taken away, in the square of the unit of the input; all positive unless they
-    /// are below the smallest number.
+    /// The areas of the bounded faces, without their holes, in the square of the unit of the input; all positive unless
+    /// they are below the smallest number.
     ///
-    /// They are areas between exact positions, not rounded ones, with relative errors below $2^{-49}$: sums in twice the usual
-    /// precision, and fractions where their error bounds leave more open.
+    /// They are areas between exact positions, not rounded ones, with relative errors below $2^{-49}$: sums in twice
+    /// the usual precision, and fractions where their error bounds leave more open.
     ///
     /// # Complexity
     /// Linear in the halfedges, in parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// assert_eq!(triangle.areas(), [0.5]);
+    /// # Ok(()) }
+    /// ```
     pub fn areas(&self) -> Vec<f64> {
         let area = |face: usize| self.signed_area(Some(FaceId::new(face)));
         (0..self.face_count()).into_par_iter().with_min_len(256).map(area).collect()
@@ -24,6 +35,21 @@ impl PlanarArrangement {
     ///
     /// # Complexity
     /// Linear in the halfedges around the unbounded face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle within a triangle.
+    /// let corners = Positions::from_flat(2, vec![0., 0., 9., 0., 0., 9., 1., 1., 2., 1., 1., 2.])?;
+    /// let walks = RaggedArray::from_lists([[0, 1, 2, 0], [3, 4, 5, 3]]);
+    /// let nested = PlanarArrangement::from_polylines(&corners, &walks)?;
+    /// // The smaller triangle is within the larger one.
+    /// assert_eq!(nested.covered_area(), 40.5);
+    /// # Ok(()) }
+    /// ```
     pub fn covered_area(&self) -> f64 {
         if self.face_count() == 0 { 0.0 } else { -self.signed_area(None) }
     }
@@ -77,8 +103,8 @@ impl PlanarArrangement {
 
 /// The part of an area that may be wrong.
 const RELATIVE: f64 = 1.0 / (1u64 << 50) as f64;
-/// The area within closed walks along corners that `point` knows, positive where they run counterclockwise, with a relative error
-/// below $2^{-49}$; `None` if that is not certain.
+/// The area within closed walks along corners that `point` knows, positive where they run counterclockwise, with a
+/// relative error below $2^{-49}$; `None` if that is not certain.
 pub fn walks_area<'a>(
     walks: impl Iterator<Item = &'a [u32]>,
     point: impl Fn(u32) -> PlanarPoint,

@@ -25,9 +25,9 @@ pub enum VertexSource {
 
 /// The vertices, edges and faces that segments cut the plane into, exactly.
 ///
-/// Vertices are in lexicographic order of their exact positions. An edge goes from its lower to its upper vertex; edges are in
-/// the order of their ends. Halfedge 2e goes along edge e and 2e + 1 against it, and each has its face on its left. Bounded
-/// faces have numbers; a face can have holes. The unbounded face is `None`.
+/// Vertices are in lexicographic order of their exact positions. An edge goes from its lower to its upper vertex; edges
+/// are in the order of their ends. Halfedge 2e goes along edge e and 2e + 1 against it, and each has its face on its
+/// left. Bounded faces have numbers; a face can have holes. The unbounded face is `None`.
 ///
 /// # Examples
 /// A square and both its diagonals, one of them drawn as two overlapping segments.
@@ -61,16 +61,28 @@ pub struct PlanarArrangement {
 impl PlanarArrangement {
     /// The arrangement of segments between points of the plane, given by the positions of their ends.
     ///
-    /// Segments may cross, touch, overlap, be there twice or have no length. Every point is a vertex, also if no segment ends
-    /// there. Nothing is decided with a tolerance.
+    /// Segments may cross, touch, overlap, be there twice or have no length. Every point is a vertex, also if no
+    /// segment ends there. Nothing is decided with a tolerance.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless positions have two coordinates; [`ErrorKind::NotInComplex`] naming a segment with an end
-    /// that is not there; [`ErrorKind::TooLarge`] beyond 2^31 pieces.
+    /// [`ErrorKind::Shape`] unless positions have two coordinates; [`ErrorKind::NotInComplex`] naming a segment with an
+    /// end that is not there; [`ErrorKind::TooLarge`] beyond 2^31 pieces.
     ///
     /// # Complexity
-    /// $O((n + k) \log (n + k))$ for n segments with k crossings where segments are evenly sized or crowd in few places, at
-    /// most $O(n^2 \log n)$; in parallel, with the same result whatever the number of threads.
+    /// $O((n + k) \log (n + k))$ for n segments with k crossings where segments are evenly sized or crowd in few
+    /// places, at most $O(n^2 \log n)$; in parallel, with the same result whatever the number of threads.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert_eq!(cross.f_vector(), [5, 4, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(positions: &Positions, segments: &[[u32; 2]]) -> Result<Self, Error> {
         Self::with_options(positions, segments, &PlanarOptions::default())
     }
@@ -78,8 +90,24 @@ impl PlanarArrangement {
     /// The same, with a bound on the number of cells.
     ///
     /// # Errors
-    /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`]: crossings are counted while
-    /// they are found, so that a drawing far above the bound is refused early. The message does not depend on the number of threads.
+    /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`]: crossings are
+    /// counted while they are found, so that a drawing far above the bound is refused early. The message does not
+    /// depend on the number of threads.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::{PlanarArrangement, PlanarOptions};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 1., 0., 0., 1.])?;
+    /// let arrange = |most| {
+    ///     let options = PlanarOptions::new().max_cells(most);
+    ///     PlanarArrangement::with_options(&corners, &[[0, 1], [1, 2], [2, 0]], &options)
+    /// };
+    /// // A triangle has seven cells.
+    /// assert!(arrange(7).is_ok() && arrange(6).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn with_options(
         positions: &Positions,
         segments: &[[u32; 2]],
@@ -210,21 +238,67 @@ impl PlanarArrangement {
     }
 
     /// The number of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert_eq!(cross.vertex_count(), 5);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertices.len()
     }
 
     /// The number of edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert_eq!(cross.edge_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.ends.len()
     }
 
     /// The number of bounded faces; a face with holes counts once.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// assert_eq!(triangle.face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.faces.orbits.len()
     }
 
     /// The numbers of vertices, edges and bounded faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// assert_eq!(triangle.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         vec![self.vertex_count(), self.edge_count(), self.face_count()]
     }
@@ -232,16 +306,59 @@ impl PlanarArrangement {
     /// The number of connected components of vertices and edges; a vertex on its own is one.
     ///
     /// Vertices minus edges plus bounded faces is this number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle within a triangle.
+    /// let corners = Positions::from_flat(2, vec![0., 0., 9., 0., 0., 9., 1., 1., 2., 1., 1., 2.])?;
+    /// let walks = RaggedArray::from_lists([[0, 1, 2, 0], [3, 4, 5, 3]]);
+    /// let nested = PlanarArrangement::from_polylines(&corners, &walks)?;
+    /// assert_eq!(nested.component_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         self.orbits.lowest_vertices.len()
     }
 
-    /// The number of holes in bounded faces: components with edges that lie in them. Vertices on their own are no holes.
+    /// The number of holes in bounded faces: components with edges that lie in them. Vertices on their own are no
+    /// holes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle within a triangle.
+    /// let corners = Positions::from_flat(2, vec![0., 0., 9., 0., 0., 9., 1., 1., 2., 1., 1., 2.])?;
+    /// let walks = RaggedArray::from_lists([[0, 1, 2, 0], [3, 4, 5, 3]]);
+    /// let nested = PlanarArrangement::from_polylines(&corners, &walks)?;
+    /// assert_eq!((nested.face_count(), nested.hole_count()), (2, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn hole_count(&self) -> usize {
         self.faces.orbits.item_count() - self.face_count()
     }
 
     /// The positions of the vertices: each coordinate is the floating-point number nearest to the exact one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// // Vertices are in lexicographic order.
+    /// assert_eq!(cross.positions().point(VertexId::new(2)), [1.0, 1.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
@@ -250,6 +367,20 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert!(cross.point(VertexId::new(2)).is_exactly_rounded());
+    /// assert_eq!(cross.point(VertexId::new(2)).rounded(), [1.0, 1.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn point(&self, vertex: VertexId) -> PlanarPoint {
         self.vertices[vertex.index()]
     }
@@ -258,14 +389,41 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::planar::{PlanarArrangement, VertexSource};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert_eq!(cross.source(VertexId::new(0)), VertexSource::Given(0));
+    /// assert_eq!(cross.source(VertexId::new(2)), VertexSource::Crossing([0, 1]));
+    /// # Ok(()) }
+    /// ```
     pub fn source(&self, vertex: VertexId) -> VertexSource {
         self.sources[vertex.index()]
     }
 
-    /// The vertex at each point of the input; `None` where pruning has taken it away.
+    /// The vertex at each point of the input; `None` where pruning has removed it.
     ///
     /// # Panics
     /// If there is no such point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert_eq!(cross.vertex_of_point(1), Some(VertexId::new(4)));
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_of_point(&self, point: usize) -> Option<VertexId> {
         let vertex = self.vertex_of_point[point];
         (vertex != NONE).then(|| VertexId::from_u32(vertex))
@@ -275,20 +433,59 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, VertexId};
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert_eq!(cross.ends(EdgeId::new(0)), [VertexId::new(0), VertexId::new(2)]);
+    /// # Ok(()) }
+    /// ```
     pub fn ends(&self, edge: EdgeId) -> [VertexId; 2] {
         self.ends[edge.index()].map(VertexId::from_u32)
     }
 
     /// The segments of the input that run along each edge, rising: list e is edge e.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// // The two edges that end in the crossing from the left belong to different segments.
+    /// assert_eq!([0, 1].map(|edge| cross.segments_of_edges().list(edge).to_vec()), [vec![0], vec![1]]);
+    /// # Ok(()) }
+    /// ```
     pub fn segments_of_edges(&self) -> &RaggedArray {
         &self.segments_of_edge
     }
 
-    /// The edges along a segment of the input, from its lexicographically lower end to its upper one; without those that
-    /// pruning has taken away.
+    /// The edges along a segment of the input, from its lexicographically lower end to its upper one; without those
+    /// that pruning has taken away.
     ///
     /// # Panics
     /// If there is no such segment.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert!(cross.edges_of_segment(0).eq([EdgeId::new(0), EdgeId::new(3)]));
+    /// # Ok(()) }
+    /// ```
     pub fn edges_of_segment(&self, segment: usize) -> impl Iterator<Item = EdgeId> {
         assert!(segment < self.segments.len(), "there are {} segments", self.segments.len());
         self.edges_of_segment.list(segment).iter().filter(|&&edge| edge != NONE).map(|&e| EdgeId::from_u32(e))
@@ -298,6 +495,20 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{HalfedgeId, VertexId};
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// // Halfedge 2e goes along edge e and 2e + 1 against it: right down, right up, left up, left down.
+    /// assert!(cross.halfedges_around(VertexId::new(2)).eq([4, 6, 3, 1].map(HalfedgeId::new)));
+    /// # Ok(()) }
+    /// ```
     pub fn halfedges_around(&self, vertex: VertexId) -> impl Iterator<Item = HalfedgeId> {
         self.orbits.rotation.list(vertex.index()).iter().map(|&h| HalfedgeId::from_u32(h))
     }
@@ -306,6 +517,19 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such halfedge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// // Around the triangle: from (0, 0) to (1, 0), and on to (0, 1).
+    /// assert_eq!(triangle.next(HalfedgeId::new(2)), HalfedgeId::new(5));
+    /// # Ok(()) }
+    /// ```
     pub fn next(&self, halfedge: HalfedgeId) -> HalfedgeId {
         HalfedgeId::from_u32(self.orbits.next[halfedge.index()])
     }
@@ -314,16 +538,42 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such halfedge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, HalfedgeId};
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// // The edge from (0, 0) up to (0, 1) has the triangle on its right.
+    /// assert_eq!([0, 1].map(|h| triangle.face_of(HalfedgeId::new(h))), [None, Some(FaceId::new(0))]);
+    /// # Ok(()) }
+    /// ```
     pub fn face_of(&self, halfedge: HalfedgeId) -> Option<FaceId> {
         let face = self.faces.of_orbit[self.orbits.orbit_of[halfedge.index()] as usize];
         (face != NONE).then(|| FaceId::from_u32(face))
     }
 
-    /// The closed walks around a face as lists of halfedges with the face on their left: of a bounded face the outer one
-    /// first, counterclockwise, then one around each hole. A walk runs over a dangling edge twice.
+    /// The closed walks around a face as lists of halfedges with the face on their left: of a bounded face the outer
+    /// one first, counterclockwise, then one around each hole. A walk runs over a dangling edge twice.
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// assert_eq!(triangle.walks(Some(FaceId::new(0))).collect::<Vec<_>>(), [[1, 2, 5]]);
+    /// assert_eq!(triangle.walks(None).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn walks(&self, face: Option<FaceId>) -> impl ExactSizeIterator<Item = &[u32]> {
         let orbits = match face {
             Some(face) => self.faces.orbits.list(face.index()),
@@ -336,6 +586,21 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{RaggedArray, VertexId};
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle within a triangle.
+    /// let corners = Positions::from_flat(2, vec![0., 0., 9., 0., 0., 9., 1., 1., 2., 1., 1., 2.])?;
+    /// let walks = RaggedArray::from_lists([[0, 1, 2, 0], [3, 4, 5, 3]]);
+    /// let nested = PlanarArrangement::from_polylines(&corners, &walks)?;
+    /// assert_eq!(nested.component(VertexId::new(0)), 0);
+    /// assert_eq!(nested.component(VertexId::new(2)), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component(&self, vertex: VertexId) -> usize {
         self.orbits.component_of[vertex.index()] as usize
     }
@@ -344,17 +609,43 @@ impl PlanarArrangement {
     ///
     /// # Panics
     /// If there is no such component.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle within a triangle.
+    /// let corners = Positions::from_flat(2, vec![0., 0., 9., 0., 0., 9., 1., 1., 2., 1., 1., 2.])?;
+    /// let walks = RaggedArray::from_lists([[0, 1, 2, 0], [3, 4, 5, 3]]);
+    /// let nested = PlanarArrangement::from_polylines(&corners, &walks)?;
+    /// assert_eq!(nested.face_around_component(0), None);
+    /// assert_eq!(nested.face_around_component(1), Some(FaceId::new(0)));
+    /// # Ok(()) }
+    /// ```
     pub fn face_around_component(&self, component: usize) -> Option<FaceId> {
         let face = self.faces.around_component[component];
         (face != NONE).then(|| FaceId::from_u32(face))
     }
 
-    /// The chain complex of vertices, edges and bounded faces. The boundary of an edge is its upper minus its lower end; that
-    /// of a face has coefficient 1 on edges that the face is on the left of, -1 on those it is on the right of, and 0 where it
-    /// is on both sides.
+    /// The chain complex of vertices, edges and bounded faces. The boundary of an edge is its upper minus its lower
+    /// end; that of a face has coefficient 1 on edges that the face is on the left of, -1 on those it is on the right
+    /// of, and 0 where it is on both sides.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] if a matrix does not fit in 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// assert_eq!(triangle.chain_complex()?.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         let edge_count = self.edge_count();
         let starts = (0..=edge_count as u32).map(|e| 2 * e).collect();
@@ -385,18 +676,44 @@ impl PlanarArrangement {
         ChainComplex::new(vec![edges, faces])
     }
 
-    /// The boundary of the unbounded face: edges, rising, with 1 if it is on their left and -1 if it is on their right. With
-    /// the boundaries of all bounded faces it adds up to zero.
+    /// The boundary of the unbounded face: edges, rising, with 1 if it is on their left and -1 if it is on their right.
+    /// With the boundaries of all bounded faces it adds up to zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
+    /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
+    /// // The outside is on the left of the first and the last edge.
+    /// assert_eq!(triangle.unbounded_boundary(), [(0, 1), (1, -1), (2, 1)].map(|(e, sign)| (EdgeId::new(e), sign)));
+    /// # Ok(()) }
+    /// ```
     pub fn unbounded_boundary(&self) -> Vec<(EdgeId, i32)> {
         let sign = |[left, right]: [u32; 2]| i32::from(left == NONE) - i32::from(right == NONE);
         let edges = self.separating_edges().map(|(edge, sides)| (EdgeId::from_u32(edge), sign(sides)));
         edges.filter(|&(_, sign)| sign != 0).collect()
     }
 
-    /// Whether both sides of an edge are one face: it dangles, or is a bridge.
+    /// Whether an edge has the same face on both sides: it dangles, or it is a bridge.
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert!(cross.is_bridge(EdgeId::new(0)));
+    /// # Ok(()) }
+    /// ```
     pub fn is_bridge(&self, edge: EdgeId) -> bool {
         let [left, right] = self.sides(edge.to_u32());
         left == right

@@ -16,7 +16,8 @@ pub(super) struct Soup {
 }
 
 impl Soup {
-    /// The segments as given, and after them a segment of no length for each point that no segment with a length ends in.
+    /// The segments as given, and after them a segment of no length for each point that no segment with a length ends
+    /// in.
     pub(super) fn with_loose_points(points: Vec<[f64; 2]>, mut segments: Vec<[u32; 2]>) -> Self {
         let mut loose = vec![true; points.len()];
         for &[a, b] in &segments {
@@ -111,8 +112,8 @@ impl Meetings {
         Ok(all)
     }
 
-    /// A number of cells that the arrangement has at least: at a crossing a vertex with four edges, and with $V - E + F$ the number
-    /// of components there are at least four cells a crossing.
+    /// A number of cells that the arrangement has at least: at a crossing a vertex with four edges, and with $V - E +
+    /// F$ the number of components there are at least four cells a crossing.
     fn least_cell_count(&self) -> usize {
         let mut places: Vec<[u64; 2]> =
             self.crossings.par_iter().map(|crossing| crossing.rounded.map(|x| (x + 0.0).to_bits())).collect();

@@ -16,7 +16,7 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    /// The pieces of the segments of a soup (points on their own have none).
+    /// The pieces of the unstructured segments (points on their own have none).
     pub(super) fn new(soup: &Soup, meetings: &Meetings, vertex_of_event: &[u32]) -> Result<Self, Error> {
         let given = soup.points.len();
         let ends = soup.segments.iter().enumerate().flat_map(|(s, ends)| ends.map(|end| (s as u32, end)));

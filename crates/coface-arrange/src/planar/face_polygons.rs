@@ -9,14 +9,15 @@ use coface_algebra::RaggedArray;
 impl PlanarArrangement {
     /// The bounded faces as polygons with holes: rings by their vertices, and for each face its rings.
     ///
-    /// Rings are simple and have the face on their left: of each face the outer one comes first, counterclockwise, then the holes.
-    /// A ring begins with its lowest vertex. Bridges are in no ring.
+    /// Rings are simple and have the face on their left: of each face the outer one comes first, counterclockwise, then
+    /// the holes. A ring begins with its lowest vertex. Bridges are in no ring.
     ///
     /// # Complexity
     /// Linear in the halfedges.
     ///
     /// # Examples
-    /// A square with a smaller one in it and a bridge between them: the walk around the outer face passes the bridge twice.
+    /// A square with a smaller one in it and a bridge between them: the walk around the outer face passes the bridge
+    /// twice.
     /// ```
     /// use coface_algebra::RaggedArray;
     /// use coface_arrange::planar::PlanarArrangement;

@@ -29,7 +29,8 @@ pub struct Orbits {
 }
 
 impl Orbits {
-    /// The orbits of straight edges; `departure` is a line along which a halfedge leaves its vertex, in the direction of leaving.
+    /// The orbits of straight edges; `departure` is a line along which a halfedge leaves its vertex, in the direction
+    /// of leaving.
     ///
     /// The orbits outside take vertices to be in lexicographic order and edges to be straight.
     pub(crate) fn new(
@@ -49,8 +50,8 @@ impl Orbits {
         })
     }
 
-    /// The orbits of edges of any shape; `order` puts the halfedges that leave one vertex counterclockwise from straight down
-    /// (exclusive); it is not asked about one alone. It may keep what it needs in its second argument.
+    /// The orbits of edges of any shape; `order` puts the halfedges that leave one vertex counterclockwise from
+    /// straight down (exclusive); it is not asked about one alone. It may keep what it needs in its second argument.
     ///
     /// The orbits outside are right for vertices in lexicographic order that are the lowest points of their edges.
     #[doc(hidden)]
@@ -195,8 +196,8 @@ pub struct Faces {
 }
 
 impl Faces {
-    /// The faces, given the halfedge directly below each component that has one, with the face on its left, and the components by
-    /// rising lowest points.
+    /// The faces, given the halfedge directly below each component that has one, with the face on its left, and the
+    /// components by rising lowest points.
     #[doc(hidden)]
     pub fn new(orbits: &Orbits, below: &[Option<u32>], components: impl Iterator<Item = usize>) -> Self {
         let mut is_outer = vec![false; orbits.orbits.len()];

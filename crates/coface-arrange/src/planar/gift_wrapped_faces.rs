@@ -8,14 +8,15 @@ const NOWHERE: u32 = u32::MAX;
 
 /// The cycles that bound the faces of a plane graph, found by wrapping chains until they close.
 ///
-/// `boundary` has a column for each edge, -1 at its tail and 1 at its head; `rotation` lists the edges around each vertex
-/// counterclockwise. Column i of the result is cycle i; it has 1 for edges that run with the face on their left, and -1 for
-/// those that have it on their right. Each edge is in two cycles, once with each sign. Each component has one cycle
-/// that runs clockwise around its outside.
+/// `boundary` has a column for each edge, -1 at its tail and 1 at its head; `rotation` lists the edges around each
+/// vertex counterclockwise. Column i of the result is cycle i; it has 1 for edges that run with the face on their left,
+/// and -1 for those that have it on their right. Each edge is in two cycles, once with each sign. Each component has
+/// one cycle that runs clockwise around its outside.
 ///
-/// A cycle grows from the lowest edge that is not in two yet, at both ends: at the head by the edge before in the rotation, at
-/// the tail by the edge after, with the signs that cancel the boundary there. It is closed when the edge ahead is its tail;
-/// where its boundary vanishes before that, the face touches itself in a vertex and the chain goes on.
+/// A cycle grows from the lowest edge that is not in two yet, at both ends: at the head by the edge before in the
+/// rotation, at the tail by the edge after, with the signs that cancel the boundary there. It is closed when the edge
+/// ahead is its tail; where its boundary vanishes before that, the face touches itself in a vertex and the chain goes
+/// on.
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] unless each column has one -1 and one 1 and the rotation lists the edges at their ends;
@@ -25,8 +26,8 @@ const NOWHERE: u32 = u32::MAX;
 /// $O(m \\log m)$ for m edges: sorting the terms of each cycle.
 ///
 /// # References
-/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements with
-/// (co)chains* (2020), section 4.
+/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements
+/// with (co)chains* (2020), section 4.
 ///
 /// # Examples
 /// A triangle has two sides.
@@ -79,7 +80,7 @@ pub fn gift_wrapped_faces(boundary: &SparseMatrix, rotation: &RaggedArray) -> Re
                 let side = usize::from(sign < 0);
                 if by[side] != NOWHERE || by[1 - side] == cycle {
                     return Err(Error::invalid(format!("edge {edge} has one face on both sides"))
-                        .with_cure("take bridges and dangling edges away first"));
+                        .with_cure("remove bridges and dangling edges first"));
                 }
                 by[side] = cycle;
                 chain.push((edge, sign));

@@ -1,8 +1,9 @@
 //! The order of segments in the plane, near ones together.
 //!
-//! Segments that follow each other on a polyline stay together in runs, and runs are put in the order of a Hilbert curve. A run that
-//! goes around what many others go around, as a square in a square does, has a box in which all of them are. So where many runs are near
-//! each other, compared with how far each of them is from a segment, their segments come one by one.
+//! Segments that follow each other on a polyline stay together in runs, and runs are put in the order of a Hilbert
+//! curve. A run that goes around what many others go around, as a square in a square does, has a box in which all of
+//! them are. So where many runs are near each other, compared with how far each of them is from a segment, their
+//! segments come one by one.
 
 use coface_geometry::predicates::PlanarLine;
 use rayon::prelude::*;
@@ -95,7 +96,8 @@ impl Square {
         hilbert(x, y)
     }
 
-    /// Whether many runs are near one of them, given its place among all: in a square of the curve that is no larger than the run is wide.
+    /// Whether many runs are near one of them, given its place among all: in a square of the curve that is no larger
+    /// than the run is wide.
     fn is_crowded(
         &self,
         places: &[(u64, u32)],

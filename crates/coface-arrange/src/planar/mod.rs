@@ -1,11 +1,12 @@
 //! Arrangements in the plane: the cells that segments cut it into, exactly.
 //!
 //! # Words and conventions
-//! * The **arrangement** of segments has as vertices all given points and all points where segments meet, as edges the pieces
-//!   between them, as faces the connected parts of the rest of the plane.
+//! * The **arrangement** of segments has as vertices all given points and all points where segments meet, as edges the
+//!   pieces between them, as faces the connected parts of the rest of the plane.
 //! * Coordinates are exact; a crossing is known by its two segments, and coordinates are rounded for output only.
 //! * A **halfedge** has its face on its left; following next around a face gives an **orbit**, a closed walk. Each
-//!   component of vertices and edges has one orbit on its outside, and lies in a face of the others: the face has a **hole**.
+//!   component of vertices and edges has one orbit on its outside, and lies in a face of the others: the face has a
+//!   **hole**.
 //! * A **bridge** has one face on both sides. It stays: the walk around that face runs over it in both directions.
 
 mod areas;

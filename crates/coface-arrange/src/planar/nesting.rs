@@ -1,9 +1,9 @@
 //! What lies directly below each component: the face that it is in.
 //!
-//! A ray goes down from the lowest vertex of a component, turned to the right by less than any angle. It meets no vertex, so what
-//! it meets first is the inside of an edge, and the component is in the face above that. All edges of the lowest vertex go right or
-//! straight up, and the ray leaves it below them. Turned to the right it meets at once what is alike and straight below, as in a
-//! grid of squares; to the left it would go past all of a column.
+//! A ray goes down from the lowest vertex of a component, turned to the right by less than any angle. It meets no
+//! vertex, so what it meets first is the inside of an edge, and the component is in the face above that. All edges of
+//! the lowest vertex go right or straight up, and the ray leaves it below them. Turned to the right it meets at once
+//! what is alike and straight below, as in a grid of squares; to the left it would go past all of a column.
 
 use super::faces::NONE;
 use super::segment_tree::SegmentTree;
@@ -57,8 +57,8 @@ impl Ray {
         best.map(|(_, found)| found)
     }
 
-    /// Of edges along a segment, which rise, the one that is directly right of the vertical line through the point, if it is there.
-    /// Edges that were taken away are none.
+    /// Of edges along a segment, which rise, the one that is directly right of the vertical line through the point, if
+    /// it is there. Edges that were taken away are none.
     pub(super) fn edge_below(
         &self,
         edges: &[u32],
@@ -68,7 +68,8 @@ impl Ray {
         let starts_left = |&edge: &u32| {
             edge == NONE || point(ends[edge as usize][0]).compare_coordinate(&self.from, 0).is_le()
         };
-        // Edges that were taken away have no ends to compare; the last that starts left or above is searched among the others.
+        // Edges that were taken away have no ends to compare; the last that starts left or above is searched among the
+        // others.
         let edge = if edges.contains(&NONE) {
             edges.iter().copied().rfind(|edge| *edge != NONE && starts_left(edge))
         } else {

@@ -1,4 +1,4 @@
-//! What is asked of an arrangement in the plane.
+//! Options of an arrangement in the plane.
 
 use coface_algebra::{Error, ErrorKind};
 
@@ -24,18 +24,30 @@ use coface_algebra::{Error, ErrorKind};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct PlanarOptions {
-    /// The most vertices, edges and bounded faces together; no bound if `None`. What would be larger is refused as soon as that is
-    /// certain.
+    /// The most vertices, edges and bounded faces together; no bound if `None`. What would be larger is refused as soon
+    /// as that is certain.
     pub(super) max_cells: Option<usize>,
 }
 
 impl PlanarOptions {
     /// No bound on the number of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarOptions;
+    /// assert_eq!(PlanarOptions::new(), PlanarOptions::default());
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Refuses more vertices, edges and bounded faces together than this.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarOptions;
+    /// assert_eq!(PlanarOptions::new().max_cells(7).max_cells(None), PlanarOptions::new());
+    /// ```
     #[must_use]
     pub fn max_cells(mut self, most: impl Into<Option<usize>>) -> Self {
         self.max_cells = most.into();

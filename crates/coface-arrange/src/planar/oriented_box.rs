@@ -4,7 +4,8 @@ use coface_geometry::predicates::PlanarLine;
 
 /// Far above what rounding can do to coordinates between -1 and 1, and to boxes around boxes.
 const MARGIN: f64 = 1.0 / (1u64 << 44) as f64;
-/// The least sine of an angle between a side of a box and the vertical at which heights along it are accurate enough for [`MARGIN`].
+/// The least sine of an angle between a side of a box and the vertical at which heights along it are accurate enough
+/// for [`MARGIN`].
 const LEAST_RISE: f64 = 1.0 / 16.0;
 
 /// A rectangle in scaled coordinates: half sides along a unit vector and along the same turned left.
@@ -88,7 +89,8 @@ impl OrientedBox {
     pub(super) fn heights_at(&self, x: f64) -> [f64; 2] {
         let across = x - self.center[0];
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        // rise y + run x is at most half in absolute value: for a side, and for one across it. Nearly vertical ones tell little.
+        // rise y + run x is at most half in absolute value: for a side, and for one across it. Nearly vertical ones
+        // tell little.
         let strips =
             [(self.axis[1], self.axis[0], self.half[0]), (self.axis[0], -self.axis[1], self.half[1])];
         for (rise, run, half) in strips.into_iter().filter(|(rise, ..)| rise.abs() >= LEAST_RISE) {

@@ -8,9 +8,10 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error};
 
 impl PlanarArrangement {
-    /// The same faces without the edges that have one face on both sides, and without the vertices that no edge is left at.
+    /// The same faces without the edges that have one face on both sides, and without the vertices that no edge is left
+    /// at.
     ///
-    /// Faces, their numbers and their areas stay. A face whose hole hung on a bridge has the hole as a walk of its own.
+    /// Faces, their numbers and their areas stay. Where a bridge led to a hole, the hole becomes a walk of its own.
     ///
     /// # Errors
     /// None for an arrangement that could be made; as [`Self::new`] otherwise.

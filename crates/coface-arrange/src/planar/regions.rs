@@ -34,15 +34,27 @@ pub struct PlanarRegions {
 }
 
 impl PlanarRegions {
-    /// The arrangement of rings. Each ring runs through its points and back to the first; `regions[i]` is the region that
-    /// ring i belongs to. A ring winds once around what it has on its left: outer rings run counterclockwise, holes clockwise,
-    /// or the parity of the winding number tells what is inside.
+    /// The arrangement of rings. Each ring runs through its points and back to the first; `regions[i]` is the region
+    /// that ring i belongs to. A ring winds once around what it has on its left: outer rings run counterclockwise,
+    /// holes clockwise, or the parity of the winding number tells what is inside.
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless there is one region for each ring; else as [`PlanarArrangement::new`].
     ///
     /// # Complexity
     /// That of the arrangement, and linear in the lengths of the lists of winding numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarRegions;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 1., 0., 0., 1.])?;
+    /// let regions = PlanarRegions::new(&corners, &RaggedArray::from_lists([[0, 1, 2]]), &[0])?;
+    /// assert_eq!(regions.arrangement().f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(positions: &Positions, rings: &RaggedArray, regions: &[u32]) -> Result<Self, Error> {
         if rings.len() != regions.len() {
             return Err(Error::new(
@@ -74,11 +86,39 @@ impl PlanarRegions {
     }
 
     /// The arrangement of all sides of all rings, one segment a side, ring after ring.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarRegions;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let regions = PlanarRegions::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(regions.arrangement().f_vector(), [10, 12, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn arrangement(&self) -> &PlanarArrangement {
         &self.arrangement
     }
 
     /// One more than the highest region that a ring belongs to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarRegions;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let regions = PlanarRegions::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(regions.region_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn region_count(&self) -> usize {
         self.region_count
     }
@@ -87,6 +127,21 @@ impl PlanarRegions {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarRegions;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let regions = PlanarRegions::new(&points, &rings, &[0, 1])?;
+    /// let both = regions.faces_where(|windings| windings.len() == 2)[0];
+    /// assert_eq!(regions.winding_numbers(both), [(0, 1), (1, 1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn winding_numbers(&self, face: FaceId) -> &[(u32, i32)] {
         assert!(
             face.index() < self.arrangement.face_count(),
@@ -97,6 +152,20 @@ impl PlanarRegions {
     }
 
     /// The bounded faces whose winding numbers satisfy a condition: any Boolean formula of the regions.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarRegions;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let regions = PlanarRegions::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(regions.faces_where(|windings| windings == [(0, 1)]).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn faces_where(&self, mut condition: impl FnMut(&[(u32, i32)]) -> bool) -> Vec<FaceId> {
         let faces = (0..self.arrangement.face_count()).map(FaceId::new);
         faces.filter(|&face| condition(self.winding_numbers(face))).collect()

@@ -24,6 +24,18 @@ pub struct RoundingCertificate {
 
 impl RoundingCertificate {
     /// Whether rounding has changed nothing.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert!(cross.rounding_certificate()?.is_valid());
+    /// # Ok(()) }
+    /// ```
     pub fn is_valid(&self) -> bool {
         self.merged_vertices.is_empty()
             && self.broken_edges.is_empty()
@@ -32,7 +44,8 @@ impl RoundingCertificate {
     }
 }
 
-/// An arrangement whose vertices are exactly where their floating-point coordinates say, with what each part comes from.
+/// An arrangement whose vertices are exactly where their floating-point coordinates say, with what each part comes
+/// from.
 #[derive(Clone, Debug)]
 pub struct SnappedArrangement {
     arrangement: PlanarArrangement,
@@ -43,24 +56,78 @@ pub struct SnappedArrangement {
 
 impl SnappedArrangement {
     /// The arrangement. The segments that it is made of are edges of the last round, not those of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let flat = vec![0., 0., 1., 1., 0., 0.5, 1., 0.];
+    /// let crossed = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &[[0, 1], [2, 3]])?;
+    /// // The crossing at one third is no floating-point number.
+    /// let snapped = crossed.snapped()?;
+    /// assert_eq!(snapped.arrangement().f_vector(), [5, 4, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn arrangement(&self) -> &PlanarArrangement {
         &self.arrangement
     }
 
-    /// Where a vertex comes from in the input. After the first round a crossing is one of edges along these two segments.
+    /// Where a vertex comes from in the input. After the first round a crossing is one of edges along these two
+    /// segments.
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::planar::{PlanarArrangement, VertexSource};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let flat = vec![0., 0., 1., 1., 0., 0.5, 1., 0.];
+    /// let crossed = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &[[0, 1], [2, 3]])?;
+    /// // The crossing at one third is no floating-point number.
+    /// let snapped = crossed.snapped()?;
+    /// assert_eq!(snapped.source(VertexId::new(2)), VertexSource::Crossing([0, 1]));
+    /// # Ok(()) }
+    /// ```
     pub fn source(&self, vertex: VertexId) -> VertexSource {
         self.sources[vertex.index()]
     }
 
     /// The segments of the input that each edge is a piece of, moved by rounding: list e is edge e, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let flat = vec![0., 0., 1., 1., 0., 0.5, 1., 0.];
+    /// let crossed = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &[[0, 1], [2, 3]])?;
+    /// // The crossing at one third is no floating-point number.
+    /// let snapped = crossed.snapped()?;
+    /// assert_eq!(snapped.segments_of_edges().list(0), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn segments_of_edges(&self) -> &RaggedArray {
         &self.segments_of_edge
     }
 
     /// How many times coordinates were rounded; 0 if they were exact from the beginning.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let flat = vec![0., 0., 1., 1., 0., 0.5, 1., 0.];
+    /// let crossed = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &[[0, 1], [2, 3]])?;
+    /// // The crossing at one third is no floating-point number.
+    /// let snapped = crossed.snapped()?;
+    /// assert!(snapped.round_count() > 0);
+    /// # Ok(()) }
+    /// ```
     pub fn round_count(&self) -> usize {
         self.round_count
     }
@@ -164,19 +231,19 @@ impl PlanarArrangement {
         Ok(certificate)
     }
 
-    /// The arrangement of the edges drawn with rounded coordinates, rounded and arranged again until all vertices are exact:
-    /// then its positions and edges are the same arrangement when they are read again.
+    /// The arrangement of the edges drawn with rounded coordinates, rounded and arranged again until all vertices are
+    /// exact: then its positions and edges are the same arrangement when they are read again.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a coordinate is beyond the range, or if rounding does
-    /// not come to an end within a hundred rounds.
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a coordinate is beyond the range, or if
+    /// rounding does not come to an end within a hundred rounds.
     ///
     /// # Complexity
     /// That of an arrangement of the edges a round; most need one or two.
     ///
     /// # References
-    /// D. Halperin, E. Packer, *Iterated snap rounding* (2002), of which this is the form with the numbers of the machine as
-    /// the grid, and no distance kept between vertices and edges.
+    /// D. Halperin, E. Packer, *Iterated snap rounding* (2002), of which this is the form with the numbers of the
+    /// machine as the grid, and no distance kept between vertices and edges.
     ///
     /// # Examples
     /// ```
@@ -204,7 +271,7 @@ impl PlanarArrangement {
                 return Err(Error::invalid(format!(
                     "rounding moves edges over vertices again and again: {MOST_ROUNDS} rounds are not enough"
                 ))
-                .with_cure("scale the drawing up, or take segments away that nearly coincide"));
+                .with_cure("scale the drawing up, or remove segments that nearly coincide"));
             }
             snapped = snapped.next_round()?;
         }
@@ -212,6 +279,18 @@ impl PlanarArrangement {
     }
 
     /// Whether the rounded positions of all vertices are their exact ones.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two segments that cross in (1, 1).
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert!(cross.is_exactly_rounded());
+    /// # Ok(()) }
+    /// ```
     pub fn is_exactly_rounded(&self) -> bool {
         // First what is known without computing.
         let certainly_not = |vertex: &coface_geometry::predicates::PlanarPoint| {

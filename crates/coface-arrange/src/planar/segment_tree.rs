@@ -1,11 +1,12 @@
 //! Which segments come near each other: a tree of oriented boxes.
 //!
-//! A binary tree stands on the order of segments in the plane, in which segments that follow each other on a polyline mostly do so. Each node has the box along the axes, exactly, and a box along a direction of its own, with a margin
-//! for rounding: so long thin segments that lie side by side are told apart, as spikes of a star are, and nothing depends on the
-//! sizes of the segments being alike. What is near is only a hint; predicates decide.
+//! A binary tree stands on the order of segments in the plane, in which segments that follow each other on a polyline
+//! mostly do so. Each node has the box along the axes, exactly, and a box along a direction of its own, with a margin
+//! for rounding: so long thin segments that lie side by side are distinguished, as spikes of a star are, and nothing
+//! depends on the sizes of the segments being alike. What is near is only a hint; predicates decide.
 //!
-//! A run on which one coordinate rises or falls strictly meets itself in its corners only, so its segments are not compared with each other,
-//! nor with those of the run that goes on from it the same way.
+//! A run on which one coordinate rises or falls strictly meets itself in its corners only, so its segments are not
+//! compared with each other, nor with those of the run that goes on from it the same way.
 
 use super::hilbert_order::{HilbertOrder, LEAF};
 use super::oriented_box::{OrientedBox, dot};
@@ -179,7 +180,8 @@ impl SegmentTree {
         (!self.order.is_empty()).then(|| Node { level: self.levels.len() as u32 - 1, index: 0 })
     }
 
-    /// Calls `found` with the pairs that a pair of nodes falls into; nothing when their boxes are apart. `false` for leaves.
+    /// Calls `found` with the pairs that a pair of nodes falls into; nothing when their boxes are apart. `false` for
+    /// leaves.
     fn split(&self, [a, b]: [Node; 2], mut found: impl FnMut([Node; 2])) -> bool {
         if a == b {
             if a.level == 0 {
@@ -205,7 +207,8 @@ impl SegmentTree {
         true
     }
 
-    /// The parts of the search for all pairs of segments that come near each other; they do not depend on the number of threads.
+    /// The parts of the search for all pairs of segments that come near each other; they do not depend on the number of
+    /// threads.
     pub(super) fn parts(&self) -> Vec<Part> {
         let mut parts: Vec<[Node; 2]> = self.root().map(|root| [root, root]).into_iter().collect();
         while parts.len() < PARTS {
@@ -226,8 +229,8 @@ impl SegmentTree {
         parts.into_iter().map(Part).collect()
     }
 
-    /// Calls `found` with the pairs of segments of one part whose boxes along the axes meet, and their ends; the segment of
-    /// lower number first. In all parts each pair is found once.
+    /// Calls `found` with the pairs of segments of one part whose boxes along the axes meet, and their ends; the
+    /// segment of lower number first. In all parts each pair is found once.
     pub(super) fn search(&self, Part(nodes): Part, mut found: impl FnMut([u32; 2], [PlanarLine; 2])) {
         let mut stack = vec![nodes];
         while let Some(pair) = stack.pop() {
@@ -300,9 +303,9 @@ impl SegmentTree {
         }
     }
 
-    /// Goes down from a point. `visit` gets segments with their ends and gives the height of the highest that it has accepted so
-    /// far; segments that cross the vertical line through the point above that height, below the point, have been visited when
-    /// this ends.
+    /// Goes down from a point. `visit` gets segments with their ends and gives the height of the highest that it has
+    /// accepted so far; segments that cross the vertical line through the point above that height, below the point,
+    /// have been visited when this ends.
     pub(super) fn downward(&self, point: [f64; 2], mut visit: impl FnMut(u32, PlanarLine) -> Option<f64>) {
         let [x, y] = point;
         let mut highest: Option<f64> = None;

@@ -2,8 +2,9 @@
 
 use super::faces::{NONE, Orbits};
 
-/// The walks along the halfedges that have a set on their left and not on their right, cut where they come to a vertex again: the
-/// halfedges of one ring after those of another, and where each begins. No ring passes a vertex twice. `ends` are the ends of the edges.
+/// The walks along the halfedges that have a set on their left and not on their right, cut where they come to a vertex
+/// again: the halfedges of one ring after those of another, and where each begins. No ring passes a vertex twice.
+/// `ends` are the ends of the edges.
 ///
 /// What is on both sides of an edge stays connected: a walk turns around vertices across such edges.
 pub(super) fn simple_rings(

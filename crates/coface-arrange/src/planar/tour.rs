@@ -1,8 +1,8 @@
-//! A tour of all faces: from the unbounded one across edges into each of the others, and back.
+//! A walk through all faces: from the unbounded one across edges into each of the others, and back.
 
 use super::faces::{Faces, NONE, Orbits};
 
-/// What happens on a tour. An edge is crossed from what is right of the halfedge `across` to what is left of it.
+/// What happens on the walk. An edge is crossed from what is right of the halfedge `across` to what is left of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum Step {
@@ -22,8 +22,8 @@ struct Visit {
     at: u32,
 }
 
-/// Goes from the unbounded face through all others and back to it. Each edge that is crossed is crossed back later, so what is added up
-/// across edges is right wherever the tour is, without a list for each face.
+/// Goes from the unbounded face through all others and back to it. Each edge that is crossed is crossed back later, so
+/// what is added up across edges is right wherever the tour is, without a list for each face.
 ///
 /// # Complexity
 /// Linear in the halfedges; each bounded face is entered once.

@@ -4,20 +4,21 @@ use super::faces::{Faces, NONE, Orbits};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;
 
-/// For each face the regions with a winding number that is not zero, rising. Faces with the same numbers share a list: there are few
-/// different ones, and a condition on them is asked once for each.
+/// For each face the regions with a winding number that is not zero, rising. Faces with the same numbers share a list:
+/// there are few different ones, and a condition on them is asked once for each.
 #[derive(Clone, Debug, Default)]
 pub struct Windings {
     lists: WindingLists,
     /// The list of each bounded face.
     list_of_face: Vec<u32>,
-    /// The halfedges across which bounded faces were entered first, each coming after that of the face that it leads from.
+    /// The halfedges across which bounded faces were entered first, each coming after that of the face that it leads
+    /// from.
     entries: Vec<u32>,
 }
 
 impl Windings {
-    /// The winding numbers around all faces, from those around the unbounded one, which are zero. `step` adds to a list how much
-    /// more regions wind around what is left of a halfedge than around what is right of it.
+    /// The winding numbers around all faces, from those around the unbounded one, which are zero. `step` adds to a list
+    /// how much more regions wind around what is left of a halfedge than around what is right of it.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 numbers.
@@ -38,8 +39,8 @@ impl Windings {
             entries: Vec::with_capacity(face_count),
         };
         let mut across_edge = Vec::new();
-        // Faces are flooded from the unbounded one, those first that were entered first: what is asked about next is known early, and
-        // along the front of the flood neighbors are near each other in memory.
+        // Faces are flooded from the unbounded one, those first that were entered first: what is asked about next is
+        // known early, and along the front of the flood neighbors are near each other in memory.
         let (mut around, mut here) = (&faces.unbounded_orbits[..], 0);
         let mut next = 0;
         loop {
@@ -92,8 +93,8 @@ impl Windings {
         found
     }
 
-    /// The halfedges across which bounded faces were entered from others, the unbounded one first, each after that of the face it
-    /// leads from.
+    /// The halfedges across which bounded faces were entered from others, the unbounded one first, each after that of
+    /// the face it leads from.
     pub(crate) fn entries(&self) -> &[u32] {
         &self.entries
     }
@@ -107,7 +108,8 @@ struct WindingLists {
     /// Where each list begins, and where the last ends.
     starts: Vec<usize>,
     by_numbers: BTreeMap<Vec<(u32, i32)>, u32>,
-    /// For each list what it becomes when a number is added for a region, as far as that has been asked; by rising regions.
+    /// For each list what it becomes when a number is added for a region, as far as that has been asked; by rising
+    /// regions.
     following: Vec<Vec<(u32, i32, u32)>>,
 }
 

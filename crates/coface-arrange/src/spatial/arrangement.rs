@@ -19,14 +19,16 @@ use std::cmp::Ordering;
 
 /// The vertices, edges, faces and cells that polygons cut space into, exactly.
 ///
-/// Polygons may cross, touch, overlap in a plane and be there twice. A face is a part of a plane that no polygon crosses, with holes and
-/// slits where need be, and knows the polygons that it is part of. A cell is a bounded connected part of space without the faces; it
-/// can have voids. No tolerance is in any decision; coordinates of new vertices are rounded once, for output.
+/// Polygons may cross, touch, overlap in a plane and be there twice. A face is a part of a plane that no polygon
+/// crosses, with holes and slits where need be, and knows the polygons that it is part of. A cell is a bounded
+/// connected part of space without the faces; it can have voids. No tolerance is in any decision; coordinates of new
+/// vertices are rounded once, for output.
 ///
 /// # Conventions
-/// Vertices are the points of the input that polygons run through, by their first occurrences, then new ones. Edges point from their
-/// lower to their higher vertex and rise by them. Faces are in the order of the first polygons, and run as these do: the front of a face is
-/// where the outer walk runs counterclockwise. A face has coefficient 1 in the boundary of the cell behind it.
+/// Vertices are the points of the input that polygons run through, by their first occurrences, then new ones. Edges
+/// point from their lower to their higher vertex and rise by them. Faces are in the order of the first polygons, and
+/// run as these do: the front of a face is where the outer walk runs counterclockwise. A face has coefficient 1 in the
+/// boundary of the cell behind it.
 ///
 /// The **fine** cells are those before pieces of one polygon are put together: polygons are triangulated first. Each
 /// vertex is a fine vertex, each edge a path of fine edges, each face a sum of fine faces. Cells are the same in both.
@@ -72,12 +74,28 @@ impl SpatialArrangement {
     /// The arrangement of polygons.
     ///
     /// # Errors
-    /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the first polygon whose sides cross or touch elsewhere than in vertices, with the place, or
-    /// which is not planar when that is refused, with the distance; [`TooLarge`](coface_algebra::ErrorKind::TooLarge) when there would be more cells than the
-    /// options allow, with the count so far.
+    /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the first polygon whose sides cross or touch
+    /// elsewhere than in vertices, with the place, or which is not planar when that is refused, with the distance;
+    /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) when there would be more cells than the options allow, with
+    /// the count so far.
     ///
     /// # Complexity
-    /// $O((n + k) \log (n + k))$ for n sides and k fine cells where boxes that meet are not many more than polygons that do.
+    /// $O((n + k) \log (n + k))$ for n sides and k fine cells where boxes that meet are not many more than polygons
+    /// that do.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(polygons: &SpatialPolygons, options: &SpatialOptions) -> Result<Self, Error> {
         let triangles = PolygonTriangles::new(polygons, options.non_planar)?;
         let PolygonTriangles { triangles, polygon_of_triangle, without_area, split } = triangles;
@@ -146,6 +164,20 @@ impl SpatialArrangement {
     }
 
     /// The numbers of vertices, edges, faces and bounded cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         let mut counts = self.complex().f_vector();
         counts.push(self.cells.cell_count());
@@ -153,11 +185,39 @@ impl SpatialArrangement {
     }
 
     /// The vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.complex().face_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &PolygonalComplex {
         self.merged.as_ref().map_or(self.cut.complex(), |merged| &merged.complex)
     }
 
     /// The positions of the vertices: each coordinate is the floating-point number nearest to the exact one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         self.positions.as_ref().unwrap_or_else(|| self.cut.positions())
     }
@@ -166,17 +226,59 @@ impl SpatialArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{RaggedArray, VertexId};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!(tetrahedron.point(VertexId::new(0)).is_exactly_rounded());
+    /// # Ok(()) }
+    /// ```
     pub fn point(&self, vertex: VertexId) -> SpatialPoint {
         self.cut.point(self.fine_vertex(vertex))
     }
 
     /// The cells before pieces of polygons are put together.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.fine().cell_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn fine(&self) -> &SpatialCells {
         &self.cells
     }
 
-    /// The triangles that polygons were cut into, cut against each other: the fine vertices, edges and faces with what they come from.
-    /// Its triangles are those of the polygons in order, without those that have no area.
+    /// The triangles that polygons were cut into, cut against each other: the fine vertices, edges and faces with what
+    /// they come from. Its triangles are those of the polygons in order, without those that have no area.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.fine_triangles().complex().face_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn fine_triangles(&self) -> &CutTriangles {
         &self.cut
     }
@@ -185,6 +287,21 @@ impl SpatialArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{RaggedArray, VertexId};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// // Nothing was merged.
+    /// assert_eq!(tetrahedron.fine_vertex(VertexId::new(3)), VertexId::new(3));
+    /// # Ok(()) }
+    /// ```
     pub fn fine_vertex(&self, vertex: VertexId) -> VertexId {
         match &self.merged {
             None => vertex,
@@ -196,6 +313,20 @@ impl SpatialArrangement {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!(tetrahedron.fine_faces(FaceId::new(2)).eq([(FaceId::new(2), Sign::Plus)]));
+    /// # Ok(()) }
+    /// ```
     pub fn fine_faces(&self, face: FaceId) -> impl Iterator<Item = (FaceId, Sign)> + '_ {
         let single = self.merged.is_none().then_some(2 * face.to_u32());
         let list = self.merged.as_ref().map_or(&[][..], |merged| merged.faces.list(face.index()));
@@ -206,6 +337,20 @@ impl SpatialArrangement {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!(tetrahedron.fine_edges(EdgeId::new(2)).eq([(EdgeId::new(2), Sign::Plus)]));
+    /// # Ok(()) }
+    /// ```
     pub fn fine_edges(&self, edge: EdgeId) -> impl Iterator<Item = (EdgeId, Sign)> + '_ {
         let single = self.merged.is_none().then_some(2 * edge.to_u32());
         let list = self.merged.as_ref().map_or(&[][..], |merged| merged.edges.list(edge.index()));
@@ -256,11 +401,25 @@ impl SpatialArrangement {
         self.merged.as_ref().map_or(face, |merged| FaceId::from_u32(merged.faces.list(face.index())[0] >> 1))
     }
 
-    /// The polygons that a face is part of, rising; minus for those whose fronts are its back. Polygons that overlap share faces; a face
-    /// that coplanar ones were merged to has the polygons of all of them.
+    /// The polygons that a face is part of, rising; minus for those whose fronts are its back. Polygons that overlap
+    /// share faces; a face that coplanar ones were merged to has the polygons of all of them.
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.polygons_of_face(FaceId::new(1)), [(1, Sign::Plus)]);
+    /// # Ok(()) }
+    /// ```
     pub fn polygons_of_face(&self, face: FaceId) -> Vec<(u32, Sign)> {
         let mut packed = Vec::new();
         for (fine, sign) in self.fine_faces(face) {
@@ -278,11 +437,40 @@ impl SpatialArrangement {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.cell_at(FaceId::new(0), Sign::Plus), Some(CellId::new(0)));
+    /// assert_eq!(tetrahedron.cell_at(FaceId::new(0), Sign::Minus), None);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_at(&self, face: FaceId, side: Sign) -> Option<CellId> {
         self.cells.cell_at(self.first_fine_face(face), side)
     }
 
     /// The faces with the same cell, or the exterior, on both sides, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.dangling_faces().count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn dangling_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
         (0..self.complex().face_count())
             .map(FaceId::new)
@@ -293,6 +481,20 @@ impl SpatialArrangement {
     ///
     /// # Errors
     /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 1 entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.cell_boundaries()?.column(0).entries(), [1; 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_boundaries(&self) -> Result<SparseMatrix, Error> {
         let Some(merged) = &self.merged else { return self.cells.cell_boundaries() };
         let faces = (0..merged.faces.len()).map(FaceId::new);
@@ -306,11 +508,25 @@ impl SpatialArrangement {
         SparseMatrix::from_entries(merged.faces.len(), self.cells.cell_count(), entries)
     }
 
-    /// The chain complex of vertices, edges, faces and cells, without the exterior: its boundary matrices are the transposes of EV, FE and
-    /// CF. The product of two of them one after the other is zero.
+    /// The chain complex of vertices, edges, faces and cells, without the exterior: its boundary matrices are the
+    /// transposes of EV, FE and CF. The product of two of them one after the other is zero.
     ///
     /// # Errors
     /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.chain_complex()?.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         let complex = self.complex();
         let (faces, (edges, cells)) =
@@ -322,37 +538,135 @@ impl SpatialArrangement {
     ///
     /// # Errors
     /// As [`SpatialCells::volumes`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!((tetrahedron.volumes()?[0] - 1.0 / 6.0).abs() < 1e-15);
+    /// # Ok(()) }
+    /// ```
     pub fn volumes(&self) -> Result<Vec<f64>, Error> {
         self.cells.volumes(self.cut.positions())
     }
 
     /// The number of voids of all cells: components of faces within them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.void_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn void_count(&self) -> usize {
         let cells = (0..self.cells.cell_count()).map(CellId::new);
         cells.map(|cell| self.cells.shells(Some(cell)).len() - 1).sum()
     }
 
     /// The number of polygons of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.polygon_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon_count(&self) -> usize {
         self.patches.input_of_polygon.len()
     }
 
     /// The number of inputs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.input_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn input_count(&self) -> usize {
         self.patches.input_count
     }
 
     /// The input of each polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.input_of_polygon(), [0; 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn input_of_polygon(&self) -> &[u32] {
         &self.patches.input_of_polygon
     }
 
     /// The polygons without area, rising. They are part of no face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!(tetrahedron.polygons_without_area().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn polygons_without_area(&self) -> &[u32] {
         &self.without_area
     }
 
     /// The polygons that were split because they are not planar, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!(tetrahedron.split_polygons().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn split_polygons(&self) -> &[SplitPolygon] {
         &self.split
     }

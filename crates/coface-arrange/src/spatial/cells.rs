@@ -20,22 +20,25 @@ const EXTERIOR: u32 = u32::MAX;
 
 /// The cells that a conforming complex of flat faces cuts space into.
 ///
-/// A **cell** is a bounded connected part of space without the faces; what is left is the **exterior**, which is no cell. The
-/// boundary of a cell is one or more **shells**: the first is its outer one, the others are those of voids, components of
-/// faces inside the cell. A face with the same cell on both sides (**dangling**) is in a shell of it twice and in no boundary chain.
+/// A **cell** is a bounded connected part of space without the faces; what is left is the **exterior**, which is no
+/// cell. The boundary of a cell is one or more **shells**: the first is its outer one, the others are those of voids,
+/// components of faces inside the cell. A face with the same cell on both sides (**dangling**) is in a shell of it
+/// twice and in no boundary chain.
 ///
 /// # Conventions
-/// A face has coefficient 1 in the boundary of the cell behind it and -1 in that of the cell in front, so that boundaries run
-/// outward. Cells are numbered by the lowest of the half-faces of their outer shells, the back of a face before its front.
+/// A face has coefficient 1 in the boundary of the cell behind it and -1 in that of the cell in front, so that
+/// boundaries run outward. Cells are numbered by the lowest of the half-faces of their outer shells, the back of a face
+/// before its front.
 ///
 /// # Algorithm
-/// The faces around each edge are sorted by signs of determinants alone; the two sides of each gap belong to one shell, and
-/// union-find makes the shells. Components of faces that are joined by edges have one shell that is seen from far away, found at the
-/// least vertex; exact rays tell within which cell it lies.
+/// The faces around each edge are sorted by signs of determinants alone; the two sides of each gap belong to one shell,
+/// and union-find makes the shells. Components of faces that are joined by edges have one shell that is seen from far
+/// away, found at the least vertex; exact rays tell within which cell it lies.
 ///
 /// # References
-/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements with (co)chains*
-/// (2020); Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry* (2016), section 4.
+/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements
+/// with (co)chains* (2020); Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry* (2016),
+/// section 4.
 ///
 /// # Examples
 /// Two tetrahedra on a common face, cut out of space by seven triangles:
@@ -147,15 +150,30 @@ impl CellParts {
 impl SpatialCells {
     /// The cells of a complex whose vertices are at these positions.
     ///
-    /// The faces must meet only in common edges and vertices. What shows otherwise while cells are made is an error; faces that
-    /// cross each other unnoticed make cells that mean nothing.
+    /// The faces must meet only in common edges and vertices. What shows otherwise while cells are made is an error;
+    /// faces that cross each other unnoticed make cells that mean nothing.
     ///
     /// # Errors
-    /// [`coface_algebra::ErrorKind::Shape`] unless there are three coordinates for each vertex; [`coface_algebra::ErrorKind::InvalidInput`] naming a
-    /// face that is not flat or has no area, an edge with two faces in the same direction, or faces that cross.
+    /// [`coface_algebra::ErrorKind::Shape`] unless there are three coordinates for each vertex;
+    /// [`coface_algebra::ErrorKind::InvalidInput`] naming a face that is not flat or has no area, an edge with two
+    /// faces in the same direction, or faces that cross.
     ///
     /// # Complexity
     /// $O(n \log n)$ for n sides and few components; each component adds a ray through the faces above and below it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.cell_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(complex: PolygonalComplex, positions: &Positions) -> Result<Self, Error> {
         let points = GivenPoints::new(positions)?;
         complex.check_positions(positions)?;
@@ -166,6 +184,20 @@ impl SpatialCells {
     ///
     /// # Errors
     /// As [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{GivenPoints, PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::with_predicates(complex, &GivenPoints::new(&corners)?)?;
+    /// assert_eq!(cells.cell_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn with_predicates(
         complex: impl Into<Arc<PolygonalComplex>>,
         predicates: &impl SpatialPredicates,
@@ -185,21 +217,78 @@ impl SpatialCells {
     }
 
     /// The vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.complex().f_vector(), [4, 6, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &PolygonalComplex {
         &self.complex
     }
 
     /// The number of cells; the exterior does not count.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.cell_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self) -> usize {
         self.parts.shells_of_cell.len()
     }
 
     /// The number of components of faces that are joined by edges. Components may touch in vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         self.parts.shells.outer.len()
     }
 
     /// The number of shells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// // The inside and the outside.
+    /// assert_eq!(cells.shell_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn shell_count(&self) -> usize {
         self.parts.shells.shell_count
     }
@@ -208,15 +297,46 @@ impl SpatialCells {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, RaggedArray};
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.shells(Some(CellId::new(0))).len(), 1);
+    /// assert_eq!(cells.shells(None).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn shells(&self, cell: Option<CellId>) -> &[u32] {
         cell.map_or(&self.parts.exterior_shells, |cell| self.parts.shells_of_cell.list(cell.index()))
     }
 
-    /// The sides of faces that make up a shell: plus for the back of a face, which has the cell behind it, minus for the front.
-    /// By rising face.
+    /// The sides of faces that make up a shell: plus for the back of a face, which has the cell behind it, minus for
+    /// the front. By rising face.
     ///
     /// # Panics
     /// If there is no such shell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// let inner = cells.shells(Some(CellId::new(0)))[0];
+    /// // The tetrahedron is behind all four faces.
+    /// assert!(cells.shell_sides(inner).eq((0..4).map(|face| (FaceId::new(face), Sign::Plus))));
+    /// # Ok(()) }
+    /// ```
     pub fn shell_sides(&self, shell: u32) -> impl ExactSizeIterator<Item = (FaceId, Sign)> + '_ {
         self.parts
             .half_faces
@@ -229,6 +349,21 @@ impl SpatialCells {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// let [back, front] = [Sign::Plus, Sign::Minus].map(|side| cells.shell_at(FaceId::new(0), side));
+    /// assert_ne!(back, front);
+    /// # Ok(()) }
+    /// ```
     pub fn shell_at(&self, face: FaceId, side: Sign) -> u32 {
         self.parts.shells.shell_of[2 * face.index() + usize::from(side == Sign::Minus)]
     }
@@ -237,27 +372,86 @@ impl SpatialCells {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.cell_at(FaceId::new(0), Sign::Plus), Some(CellId::new(0)));
+    /// assert_eq!(cells.cell_at(FaceId::new(0), Sign::Minus), None);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_at(&self, face: FaceId, side: Sign) -> Option<CellId> {
         let cell = self.parts.cell_of_shell[self.shell_at(face, side) as usize];
         (cell != EXTERIOR).then(|| CellId::from_u32(cell))
     }
 
     /// The faces with the same cell, or the exterior, on both sides, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.dangling_faces().count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn dangling_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
         (0..self.complex.face_count())
             .map(FaceId::new)
             .filter(|&face| self.cell_at(face, Sign::Plus) == self.cell_at(face, Sign::Minus))
     }
 
-    /// The faces around an edge, counterclockwise seen from its second end, with minus where their sides run against the edge.
+    /// The faces around an edge, counterclockwise seen from its second end, with minus where their sides run against
+    /// the edge.
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.faces_around(EdgeId::new(0)).len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn faces_around(&self, edge: EdgeId) -> impl ExactSizeIterator<Item = (FaceId, Sign)> + '_ {
         self.order.at(edge.index()).iter().map(|&side| (FaceId::from_u32(side >> 1), sign_of(side)))
     }
 
     /// The packed sides of faces around each edge, in the order of [`Self::faces_around`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// // Two sides at each of six edges.
+    /// assert_eq!(cells.radial_order().item_count(), 12);
+    /// # Ok(()) }
+    /// ```
     pub fn radial_order(&self) -> &RaggedArray {
         self.order.lists()
     }
@@ -266,6 +460,20 @@ impl SpatialCells {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.cell_boundaries()?.column(0).entries(), [1; 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_boundaries(&self) -> Result<SparseMatrix, Error> {
         let count = self.cell_count();
         self.boundaries(count, |cell| (cell != EXTERIOR).then_some(cell as usize))
@@ -275,6 +483,20 @@ impl SpatialCells {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.exterior_boundary()?.column(0).entries(), [-1; 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn exterior_boundary(&self) -> Result<SparseMatrix, Error> {
         self.boundaries(1, |cell| (cell == EXTERIOR).then_some(0))
     }
@@ -315,6 +537,20 @@ impl SpatialCells {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert_eq!(cells.chain_complex()?.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         // The sides of a shell follow each other around each edge, so that shells are cycles.
         Ok(ChainComplex::from_trusted_boundaries(vec![
@@ -324,11 +560,26 @@ impl SpatialCells {
         ]))
     }
 
-    /// The volume that each shell encloses, in the cube of the unit of the positions, rounded: positive for outer shells of
-    /// cells, negative for those of voids and of the exterior.
+    /// The volume that each shell encloses, in the cube of the unit of the positions, rounded: positive for outer
+    /// shells of cells, negative for those of voids and of the exterior.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::Shape`] unless there are three coordinates for each vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// let volumes = cells.shell_volumes(&corners)?;
+    /// assert!((volumes[0] + volumes[1]).abs() < 1e-15);
+    /// # Ok(()) }
+    /// ```
     pub fn shell_volumes(&self, positions: &Positions) -> Result<Vec<f64>, Error> {
         let shells: Vec<u32> = (0..self.shell_count() as u32).collect();
         self.volumes_of_shells(positions, &shells)
@@ -367,6 +618,20 @@ impl SpatialCells {
     ///
     /// # Errors
     /// As [`Self::shell_volumes`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{PolygonalComplex, SpatialCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let complex = PolygonalComplex::from_polygons(4, &sides)?;
+    /// let cells = SpatialCells::new(complex, &corners)?;
+    /// assert!((cells.volumes(&corners)?[0] - 1.0 / 6.0).abs() < 1e-15);
+    /// # Ok(()) }
+    /// ```
     pub fn volumes(&self, positions: &Positions) -> Result<Vec<f64>, Error> {
         let cells: Vec<CellId> = (0..self.cell_count()).map(CellId::new).collect();
         self.volumes_of(positions, &cells)

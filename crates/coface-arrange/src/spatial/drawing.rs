@@ -9,8 +9,8 @@ use rayon::prelude::*;
 
 /// Triangles that faces of an arrangement are drawn with.
 ///
-/// Vertices are fine vertices ([`SpatialArrangement::fine_triangles`] has their positions). Neighboring triangles share whole sides, also
-/// those of different faces.
+/// Vertices are fine vertices ([`SpatialArrangement::fine_triangles`] has their positions). Neighboring triangles share
+/// whole sides, also those of different faces.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct DrawnTriangles {
@@ -21,9 +21,9 @@ pub struct DrawnTriangles {
 }
 
 impl SpatialArrangement {
-    /// The walks around a face as lists of its vertices, the outer one first: it runs counterclockwise seen from the front, holes run
-    /// clockwise. A walk that meets itself turns left, so that what it runs around is in one piece; a slit is run through in both
-    /// directions.
+    /// The walks around a face as lists of its vertices, the outer one first: it runs counterclockwise seen from the
+    /// front, holes run clockwise. A walk that meets itself turns left, so that what it runs around is in one piece; a
+    /// slit is run through in both directions.
     ///
     /// # Panics
     /// If there is no such face.
@@ -70,6 +70,20 @@ impl SpatialArrangement {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.face_outlines(FaceId::new(0)).list(0).len(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn face_outlines(&self, face: FaceId) -> RaggedArray {
         let paths = self.paths(face);
         let walks = face_walks(&paths, self.view(face), &self.cut.predicates());
@@ -77,6 +91,20 @@ impl SpatialArrangement {
     }
 
     /// The number of holes of all faces: of walks beyond the first of each. Walks that touch are one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.hole_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn hole_count(&self) -> usize {
         let holes = |face: usize| {
             let face = FaceId::new(face);
@@ -86,14 +114,28 @@ impl SpatialArrangement {
         (0..self.complex().face_count()).into_par_iter().map(holes).sum()
     }
 
-    /// The triangles to draw a face with: fine vertices, counterclockwise seen from its front. Sides of triangles on the boundary are the
-    /// same for all faces there. A face of a polygon that is not planar has those along its folds.
+    /// The triangles to draw a face with: fine vertices, counterclockwise seen from its front. Sides of triangles on
+    /// the boundary are the same for all faces there. A face of a polygon that is not planar has those along its folds.
     ///
     /// # Errors
     /// None for an arrangement that was made of polygons.
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.triangulated(FaceId::new(0))?.len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn triangulated(&self, face: FaceId) -> Result<Vec<[u32; 3]>, Error> {
         if let Some(corners) = self.single_triangle(face) {
             return Ok(vec![corners]);
@@ -116,8 +158,8 @@ impl SpatialArrangement {
         Ok(all)
     }
 
-    /// The corners of a face that is drawn as it is, since it is a triangle with nothing along its sides: the first side, and the corner
-    /// opposite to it.
+    /// The corners of a face that is drawn as it is, since it is a triangle with nothing along its sides: the first
+    /// side, and the corner opposite to it.
     #[doc(hidden)]
     pub fn single_triangle(&self, face: FaceId) -> Option<[u32; 3]> {
         let &[x, y, z] = self.complex().packed_sides().list(face.index()) else { return None };
@@ -139,6 +181,20 @@ impl SpatialArrangement {
     ///
     /// # Errors
     /// As [`Self::triangulated`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.drawn_triangles()?.triangles.len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn drawn_triangles(&self) -> Result<DrawnTriangles, Error> {
         let lists: Vec<Result<Vec<[u32; 3]>, Error>> = (0..self.complex().face_count())
             .into_par_iter()

@@ -67,8 +67,8 @@ impl FacePlanes {
 
 /// The planes of all faces.
 ///
-/// At its lexicographically least vertex a face lies within a half turn, so the outermost two sides there are corners of its
-/// outer walk, whatever the rest looks like; which of them leads away tells the front.
+/// At its lexicographically least vertex a face lies within a half turn, so the outermost two sides there are corners
+/// of its outer walk, whatever the rest looks like; which of them leads away tells the front.
 ///
 /// # Errors
 /// `InvalidInput` naming the first face that has no area, whose sides do not run around it, or that is not flat.

@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 /// The way along one side of a face: its vertices from the first to the last.
 pub(super) type Path = Vec<u32>;
 
-/// Strings the sides of a face, as paths of vertices, to walks that have the face to their left and turn left wherever walks meet: the
-/// inside of each walk is in one piece. The outer walk comes first; paths are named by their numbers.
+/// Strings the sides of a face, as paths of vertices, to walks that have the face to their left and turn left wherever
+/// walks meet: the inside of each walk is in one piece. The outer walk comes first; paths are named by their numbers.
 ///
 /// The face is seen in a picture with its front towards the eye.
 pub(super) fn face_walks(

@@ -1,4 +1,4 @@
-//! Polygons cut into triangles, and those that are none told.
+//! Triangulates polygons and reports the ones that are not simple.
 
 use super::axis_view::AxisView;
 use super::polygons::SpatialPolygons;
@@ -26,7 +26,8 @@ pub enum NonPlanar {
 pub struct SplitPolygon {
     /// The number of the polygon.
     pub polygon: u32,
-    /// The largest distance of a point from the plane through the middle of all points, in the unit of the positions, rounded.
+    /// The largest distance of a point from the plane through the middle of all points, in the unit of the positions,
+    /// rounded.
     pub deviation: f64,
 }
 
@@ -53,11 +54,11 @@ enum Outcome {
 }
 
 impl SpatialPolygons {
-    /// Verifies that each polygon is one, as an arrangement of them would.
+    /// Checks that each polygon is simple, as an arrangement of them does.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] naming the first polygon whose sides cross or touch elsewhere than in vertices, or which is not planar
-    /// when that is refused.
+    /// [`ErrorKind::InvalidInput`] naming the first polygon whose sides cross, or touch other than in vertices, or
+    /// which is not planar when that is refused.
     ///
     /// # Examples
     /// ```

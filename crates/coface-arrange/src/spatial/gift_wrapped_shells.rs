@@ -4,20 +4,21 @@ use coface_algebra::{Error, ErrorKind};
 use coface_algebra::{RaggedArray, SparseMatrix};
 use std::collections::BTreeMap;
 
-/// The shells that the two sides of faces close up to, by topological gift wrapping: column i is the boundary chain of shell i, rows
-/// are faces.
+/// The shells that the two sides of faces close up to, by topological gift wrapping: column i is the boundary chain of
+/// shell i, rows are faces.
 ///
-/// `around` has for each edge the sides of faces in their order around it, each as `2 * face + 1` if the side runs against the edge,
-/// else as `2 * face`. A chain grows from the first face that was not used twice, with the sign that it was not used with; while it
-/// has a boundary, each face there gets the next one around the edge, with the sign that cancels. Shells come in the order of
-/// their first faces, plus before minus.
+/// `around` has for each edge the sides of faces in their order around it, each as `2 * face + 1` if the side runs
+/// against the edge, else as `2 * face`. A chain grows from the first face that was not used twice, with the sign that
+/// it was not used with; while it has a boundary, each face there gets the next one around the edge, with the sign that
+/// cancels. Shells come in the order of their first faces, plus before minus.
 ///
-/// The texts take the boundary at whole edges. Here the gaps between the faces around an edge count one by one: where a shell
-/// passes an edge twice, as the outside of two cubes with a common edge does, its coefficients cancel at the edge before it is
-/// closed, and the shell would fall apart. Faces with one shell on both sides are in it twice and have no coefficient.
+/// The texts take the boundary at whole edges. Here the gaps between the faces around an edge count one by one: where a
+/// shell passes an edge twice, as the outside of two cubes with a common edge does, its coefficients cancel at the edge
+/// before it is closed, and the shell would fall apart. Faces with one shell on both sides are in it twice and have no
+/// coefficient.
 ///
-/// It does not matter what the faces are cells of: edges around vertices in the plane are wrapped in the same way. This is the
-/// second method for the shells of [`SpatialCells`](super::SpatialCells), which has them from a union-find.
+/// It does not matter what the faces are cells of: edges around vertices in the plane are wrapped in the same way. This
+/// is the second method for the shells of [`SpatialCells`](super::SpatialCells), which has them from a union-find.
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] for a side of a face that is not there.
@@ -26,8 +27,8 @@ use std::collections::BTreeMap;
 /// $O(n \log n)$ for n sides.
 ///
 /// # References
-/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements with (co)chains*
-/// (2020), algorithm 1.
+/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements
+/// with (co)chains* (2020), algorithm 1.
 ///
 /// # Examples
 /// Two halves of a sphere on a circle of one edge: the inside and the outside.
@@ -77,7 +78,8 @@ pub fn gift_wrapped_shells(face_count: usize, around: &RaggedArray) -> Result<Sp
                 for &item in places.list(face) {
                     let item = item as usize;
                     let incidence = sign * if around.items()[item] & 1 == 0 { 1 } else { -1 };
-                    // A face that runs with the edge bounds what is clockwise of it, one that runs against it the other.
+                    // A face that runs with the edge bounds what is clockwise of it, one that runs against it the
+                    // other.
                     let gap = if incidence > 0 { neighbor(item, -1) } else { item };
                     *boundary.entry(gap).or_default() += incidence;
                 }

@@ -7,11 +7,26 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId};
 
 impl SpatialArrangement {
-    /// The inputs as chains of faces: rows are faces, columns inputs. A face counts as often as polygons of the input run as it does,
-    /// minus those that run the other way.
+    /// The inputs as chains of faces: rows are faces, columns inputs. A face counts as often as polygons of the input
+    /// run as it does, minus those that run the other way.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// // All four faces run as the sides of the input do.
+    /// assert_eq!(tetrahedron.input_chains()?.column(0).entries(), [1; 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn input_chains(&self) -> Result<SparseMatrix, Error> {
         self.chains_of(|_| true)
     }
@@ -51,6 +66,20 @@ impl SpatialArrangement {
     ///
     /// # Errors
     /// [`ErrorKind::NotACycle`] naming the first input that is not closed, and edges along which it is open.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, RaggedArray};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.winding_numbers()?.of_cell(CellId::new(0)), [1]);
+    /// # Ok(()) }
+    /// ```
     pub fn winding_numbers(&self) -> Result<WindingNumbers, Error> {
         WindingNumbers::new(&self.chain_complex()?, &self.input_chains()?)
     }
@@ -82,10 +111,26 @@ impl SpatialArrangement {
         Ok(self.winding_of_closed(&self.chain_complex()?)?.1)
     }
 
-    /// The closed inputs that each cell is inside of, rising. Inputs that are not closed have no inside: [`Self::open_inputs`].
+    /// The closed inputs that each cell is inside of, rising. Inputs that are not closed have no inside:
+    /// [`Self::open_inputs`].
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::boolean::InsideRule;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.inside(InsideRule::Nonzero)?, [vec![0]]);
+    /// # Ok(()) }
+    /// ```
     pub fn inside(&self, rule: InsideRule) -> Result<Vec<Vec<usize>>, Error> {
         let numbers = self.winding_of_closed(&self.chain_complex()?)?.0;
         let cells = (0..numbers.cell_count()).map(CellId::new);

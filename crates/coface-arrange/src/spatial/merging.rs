@@ -29,11 +29,12 @@ pub(super) trait MergeRules: Sync {
     fn may_dissolve(&self, vertex: u32, neighbors: [u32; 2]) -> bool;
 }
 
-/// Takes edges away that have two sides, one of each of two faces that may be merged, and vertices that are left with two edges and may
-/// be left out. `around` has the packed sides of faces around each edge.
+/// Removes edges that have two sides, one of each of two faces that may be merged, and vertices that are left with
+/// two edges and may be left out. `around` has the packed sides of faces around each edge.
 ///
-/// A face is never closed to a surface without boundary, a closed line of vertices that may be left out stays as it is, and so do
-/// vertices without which two edges would have the same ends. Each edge is a step. `None` when nothing is to be done.
+/// A face is never closed to a surface without boundary, a closed line of vertices that may be left out stays as it is,
+/// and so do vertices without which two edges would have the same ends. Each edge is a step. `None` when nothing is to
+/// be done.
 pub(super) fn merge(
     complex: &PolygonalComplex,
     around: &RaggedArray,

@@ -1,18 +1,19 @@
 //! The cells that conforming flat faces cut space into.
 //!
 //! # Words and conventions
-//! * A [`PolygonalComplex`] is vertices, edges and flat faces, holes and slits included, by incidence. It is **conforming** when faces
-//!   meet only in common edges and vertices.
+//! * A [`PolygonalComplex`] is vertices, edges and flat faces, holes and slits included, by incidence. It is
+//!   **conforming** when faces meet only in common edges and vertices.
 //! * The **front** of a face is the side from which its outer walk runs counterclockwise; the other is its **back**.
-//! * The sides of faces close up to **shells**; [`SpatialCells`] are the bounded cells, each with one outer shell and shells of
-//!   voids, and the exterior.
+//! * The sides of faces close up to **shells**; [`SpatialCells`] are the bounded cells, each with one outer shell and
+//!   shells of voids, and the exterior.
 //! * Sides of faces are **packed** as twice the face, plus one for a side that runs against its edge.
-//! * [`gift_wrapped_shells`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second method.
+//! * [`gift_wrapped_shells`] makes the shells from the order of faces around edges alone, by chain arithmetic: a second
+//!   method.
 //! * [`CutTriangles`] makes a conforming complex of any triangles, by cutting them against each other.
-//! * A [`SpatialArrangement`] is all of it for [`SpatialPolygons`]: they are triangulated, cut and their pieces **merged** again, so that
-//!   faces and edges are those of the polygons; the cells before that are **fine**.
-//! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices with
-//!   coordinates.
+//! * A [`SpatialArrangement`] is all of it for [`SpatialPolygons`]: they are triangulated, cut and their pieces
+//!   **merged** again, so that faces and edges are those of the polygons; the cells before that are **fine**.
+//! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices
+//!   with coordinates.
 
 mod arrangement;
 mod axis_view;

@@ -9,18 +9,20 @@ use coface_algebra::progress::Steps;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// For each component the shell that it lies directly within, a shell of another component that is not its outer one; `None` for
-/// those that lie within none.
+/// For each component the shell that it lies directly within, a shell of another component that is not its outer one;
+/// `None` for those that lie within none.
 ///
-/// A component is tried at one point p, infinitely near the least vertex of it on one of its edges: p is on no face of another
-/// component, even where components touch in vertices. The ray from p towards $-(1, \varepsilon, \varepsilon^2)$ for an infinitely
-/// small $\varepsilon$ meets no vertex and no edge but by the rule that a vertex level with the ray counts as above it. The
-/// winding number of a shell around p is the number of its half-faces that the ray leaves through minus those that it enters by;
-/// p is within the shells of winding number one, and the deepest of these is the parent. All is decided by signs of coordinates
-/// of normals and of orientations; no crossing is computed, and crossings need no order along the ray.
+/// A component is tried at one point p, infinitely near the least vertex of it on one of its edges: p is on no face of
+/// another component, even where components touch in vertices. The ray from p towards $-(1, \varepsilon,
+/// \varepsilon^2)$ for an infinitely small $\varepsilon$ meets no vertex and no edge but by the rule that a vertex
+/// level with the ray counts as above it. The winding number of a shell around p is the number of its half-faces that
+/// the ray leaves through minus those that it enters by; p is within the shells of winding number one, and the deepest
+/// of these is the parent. All is decided by signs of coordinates of normals and of orientations; no crossing is
+/// computed, and crossings need no order along the ray.
 ///
 /// # Errors
-/// `InvalidInput` when a component crosses a face of another one at its point p, or winding numbers are not those of shells.
+/// `InvalidInput` when a component crosses a face of another one at its point p, or winding numbers are not those of
+/// shells.
 pub(super) fn parents(
     complex: &PolygonalComplex,
     predicates: &impl SpatialPredicates,
@@ -105,7 +107,8 @@ fn shells_around<P: SpatialPredicates>(
     Ok(around)
 }
 
-/// A ray towards $-(1, \varepsilon, \varepsilon^2)$ from the point infinitely near the first of two vertices on the way to the second.
+/// A ray towards $-(1, \varepsilon, \varepsilon^2)$ from the point infinitely near the first of two vertices on the way
+/// to the second.
 struct Ray<'a, P> {
     complex: &'a PolygonalComplex,
     predicates: &'a P,
@@ -126,8 +129,8 @@ impl<P: SpatialPredicates> Ray<'_, P> {
         compare(1).then_with(|| compare(0).reverse()).is_ge()
     }
 
-    /// The sign of the winding of the face's walks around the ray, if it meets the face: plus when the front of the face is
-    /// towards the far end of the first axis; 0 if it passes by.
+    /// The sign of the winding of the face's walks around the ray, if it meets the face: plus when the front of the
+    /// face is towards the far end of the first axis; 0 if it passes by.
     fn crossing(&self, face: usize) -> Result<i32, Error> {
         let mut winding = 0;
         for &side in self.complex.packed_sides().list(face) {

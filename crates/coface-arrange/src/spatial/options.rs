@@ -1,4 +1,4 @@
-//! What is asked of an arrangement in space.
+//! Options of an arrangement in space.
 
 use super::flat_polygons::NonPlanar;
 
@@ -19,7 +19,8 @@ pub struct SpatialOptions {
 }
 
 impl SpatialOptions {
-    /// Refuses polygons that are not planar, keeps the faces of different polygons apart, and has no bound on the number of cells.
+    /// Refuses polygons that are not planar, keeps the faces of different polygons apart, and has no bound on the
+    /// number of cells.
     ///
     /// # Examples
     /// ```
@@ -43,8 +44,8 @@ impl SpatialOptions {
         self
     }
 
-    /// Whether faces that are exactly in one plane and belong to the same inputs become one face where nothing else meets them,
-    /// whatever polygons they come from. Vertices on the straight edges that remain are removed.
+    /// Whether faces that are exactly in one plane and belong to the same inputs become one face where nothing else
+    /// meets them, whatever polygons they come from. Vertices on the straight edges that remain are removed.
     ///
     /// # Examples
     /// Two triangles that make a square are two faces, or one:

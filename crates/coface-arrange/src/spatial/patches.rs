@@ -12,9 +12,11 @@ use coface_geometry::predicates::are_coplanar;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Patches {
     pub(super) patch_of_triangle: Vec<u32>,
-    /// The patches that are not planar, rising, each with a picture in which it is seen from its front and nothing hides it.
+    /// The patches that are not planar, rising, each with a picture in which it is seen from its front and nothing
+    /// hides it.
     pub(super) folded: Vec<(u32, AxisView)>,
-    /// The polygons that each patch is made of, packed with 1 for those that run the other way; `None` when patch i is polygon i.
+    /// The polygons that each patch is made of, packed with 1 for those that run the other way; `None` when patch i is
+    /// polygon i.
     pub(super) polygons_of_patch: Option<RaggedArray>,
     pub(super) input_of_polygon: Vec<u32>,
     pub(super) input_count: usize,
@@ -41,7 +43,8 @@ impl Patches {
         all
     }
 
-    /// The picture of the first of some patches that is not planar, if there is one, as seen from the front of a face of them.
+    /// The picture of the first of some patches that is not planar, if there is one, as seen from the front of a face
+    /// of them.
     pub(super) fn fold(&self, patches: &[u32]) -> Option<AxisView> {
         if self.folded.is_empty() {
             return None;
@@ -84,7 +87,8 @@ pub(super) struct SameOrigin<'a, P> {
     patches: &'a Patches,
     patches_of_face: &'a RaggedArray,
     merge_coplanar: bool,
-    /// How many edges are left at each vertex when only pieces of the same patches are merged; for coplanar merging beside folds.
+    /// How many edges are left at each vertex when only pieces of the same patches are merged; for coplanar merging
+    /// beside folds.
     degrees: Vec<u32>,
 }
 
@@ -148,8 +152,9 @@ impl<P: SpatialPredicates> MergeRules for SameOrigin<'_, P> {
             && are_coplanar(f, g)
     }
 
-    /// A new vertex left with two edges lies on a straight edge, or on one that is bent where a polygon is folded: if it were a corner of
-    /// what is left, it would be a corner of a polygon. Where coplanar faces were merged, only straight edges are certain.
+    /// A new vertex left with two edges lies on a straight edge, or on one that is bent where a polygon is folded: if
+    /// it were a corner of what is left, it would be a corner of a polygon. Where coplanar faces were merged, only
+    /// straight edges are certain.
     fn may_dissolve(&self, vertex: u32, neighbors: [u32; 2]) -> bool {
         if !self.merge_coplanar {
             return self.is_new(vertex);

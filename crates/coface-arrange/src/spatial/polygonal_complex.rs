@@ -10,10 +10,10 @@ const AGAINST: u32 = 1;
 
 /// A complex of vertices, straight edges and flat faces, by incidence alone.
 ///
-/// A face is the set of its **sides**: directed edges that close up to walks, with the face to the left of each. The outer walk
-/// of a face runs counterclockwise seen from its **front**, holes run clockwise. An edge that lies inside a face with its face on
-/// both sides (a slit, as where the edge of another face ends on this one) is two sides of it, one in each direction. Edges
-/// without faces and vertices without edges are welcome.
+/// A face is the set of its **sides**: directed edges that close up to walks, with the face to the left of each. The
+/// outer walk of a face runs counterclockwise seen from its **front**, holes run clockwise. An edge that lies inside a
+/// face with its face on both sides (a slit, as where the edge of another face ends on this one) is two sides of it,
+/// one in each direction. Edges without faces and vertices without edges are welcome.
 ///
 /// # Examples
 /// A square with a square hole, and a loose edge:
@@ -39,12 +39,23 @@ impl PolygonalComplex {
     /// The complex with these edges, each from its first to its second end, and faces, each a list of sides.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] naming the first edge with an end that does not exist, with equal ends or with the ends of an
-    /// earlier edge, and the first face with an edge that does not exist, a side that stands twice, no side, or sides that do not
-    /// close up.
+    /// [`ErrorKind::InvalidInput`] naming the first edge with an end that does not exist, with equal ends or with the
+    /// ends of an earlier edge, and the first face with an edge that does not exist, a side that stands twice, no side,
+    /// or sides that do not close up.
     ///
     /// # Complexity
     /// $O(n \log n)$ for n sides.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, Sign};
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let sides = [(0, Sign::Plus), (1, Sign::Plus), (2, Sign::Minus)].map(|(e, sign)| (EdgeId::new(e), sign));
+    /// let triangle = PolygonalComplex::new(3, vec![[0, 1], [1, 2], [0, 2]], &[sides.to_vec()])?;
+    /// assert_eq!(triangle.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         vertex_count: usize,
         edges: Vec<[u32; 2]>,
@@ -71,13 +82,26 @@ impl PolygonalComplex {
         Self::of_sides(vertex_count, edges, sides)
     }
 
-    /// The complex whose faces have these walks around them, cycles of vertices: walk i belongs to face `face_of_walk[i]`.
+    /// The complex whose faces have these walks around them, cycles of vertices: walk i belongs to face
+    /// `face_of_walk[i]`.
     ///
-    /// Edges are numbered in the lexicographic order of their pairs (smaller vertex, larger vertex) and point from the smaller
-    /// to the larger; `loose_edges` are further edges, which may also be sides of faces.
+    /// Edges are numbered in the lexicographic order of their pairs (smaller vertex, larger vertex) and point from the
+    /// smaller to the larger; `loose_edges` are further edges, which may also be sides of faces.
     ///
     /// # Errors
     /// As [`Self::new`]; [`ErrorKind::Shape`] unless there is a face for each walk and a walk for each face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with a triangular hole, and an edge between them.
+    /// let walks = RaggedArray::from_lists([[0, 1, 2], [3, 5, 4]]);
+    /// let holed = PolygonalComplex::from_walks(6, &walks, &[0, 0], &[[0, 3]])?;
+    /// assert_eq!(holed.f_vector(), [6, 7, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn from_walks(
         vertex_count: usize,
         walks: &RaggedArray,
@@ -127,6 +151,16 @@ impl PolygonalComplex {
     ///
     /// # Errors
     /// As [`Self::from_walks`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn from_polygons(vertex_count: usize, polygons: &RaggedArray) -> Result<Self, Error> {
         let faces: Vec<u32> = (0..polygons.len() as u32).collect();
         Self::from_walks(vertex_count, polygons, &faces, &[])
@@ -135,9 +169,20 @@ impl PolygonalComplex {
     /// The complex with these boundary matrices, of edges (rows are vertices) and of faces (rows are edges).
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] for an edge that is not a vertex minus a vertex, a coefficient of a face that is not 1 or -1 (an
-    /// edge with a face on both sides has the coefficient 0 and needs [`Self::new`]), or shapes that do not fit together; else as
-    /// [`Self::new`].
+    /// [`ErrorKind::Shape`] for an edge that is not a vertex minus a vertex, a coefficient of a face that is not 1 or
+    /// -1 (an edge with a face on both sides has the coefficient 0 and needs [`Self::new`]), or shapes that do not fit
+    /// together; else as [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// let (edges, faces) = (triangle.edge_boundaries()?, triangle.face_boundaries()?);
+    /// assert_eq!(PolygonalComplex::from_boundary_matrices(&edges, &faces)?.edges(), triangle.edges());
+    /// # Ok(()) }
+    /// ```
     pub fn from_boundary_matrices(edges: &SparseMatrix, faces: &SparseMatrix) -> Result<Self, Error> {
         if faces.row_count() != edges.column_count() {
             return Err(Error::new(
@@ -265,26 +310,76 @@ impl PolygonalComplex {
     }
 
     /// The number of vertices, isolated ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.vertex_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
     /// The number of edges, loose ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.edge_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.edges.len()
     }
 
     /// The number of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.sides.len()
     }
 
     /// The numbers of vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         vec![self.vertex_count, self.edge_count(), self.face_count()]
     }
 
     /// The ends of each edge: where it begins and where it ends.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.edges(), [[0, 1], [0, 2], [1, 2]]);
+    /// # Ok(()) }
+    /// ```
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
@@ -293,6 +388,17 @@ impl PolygonalComplex {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// // From vertex 2 back to 0 the side runs against its edge.
+    /// assert!(triangle.sides(FaceId::new(0)).any(|side| side == (EdgeId::new(1), Sign::Minus)));
+    /// # Ok(()) }
+    /// ```
     pub fn sides(&self, face: FaceId) -> impl ExactSizeIterator<Item = (EdgeId, Sign)> + '_ {
         self.sides.list(face.index()).iter().map(|&side| (EdgeId::from_u32(side >> 1), sign_of(side)))
     }
@@ -301,6 +407,16 @@ impl PolygonalComplex {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.edge_boundaries()?.column(0).entries(), [-1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_boundaries(&self) -> Result<SparseMatrix, Error> {
         let starts = (0..=self.edges.len() as u32).map(|edge| 2 * edge).collect();
         let count = 2 * self.edges.len();
@@ -312,10 +428,21 @@ impl PolygonalComplex {
         SparseMatrix::from_trusted_parts(self.vertex_count, starts, rows, entries)
     }
 
-    /// The boundary matrix of the faces: rows are edges, columns faces. An edge with the face on both sides has the entry 0.
+    /// The boundary matrix of the faces: rows are edges, columns faces. An edge with the face on both sides has the
+    /// entry 0.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.face_boundaries()?.column(0).entries(), [1, -1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn face_boundaries(&self) -> Result<SparseMatrix, Error> {
         let count = self.sides.item_count();
         let (mut rows, mut entries) = (Vec::with_capacity(count), Vec::with_capacity(count));
@@ -339,6 +466,16 @@ impl PolygonalComplex {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::PolygonalComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = PolygonalComplex::from_polygons(3, &RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// assert_eq!(triangle.chain_complex()?.f_vector(), [3, 3, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(ChainComplex::from_trusted_boundaries(vec![self.edge_boundaries()?, self.face_boundaries()?]))
     }

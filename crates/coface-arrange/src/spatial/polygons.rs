@@ -6,8 +6,8 @@ use coface_geometry::Positions;
 
 /// Polygons in space, with holes, that belong to one or more inputs.
 ///
-/// A polygon is one or more **walks**, closed lists of points: outer ones run counterclockwise seen from the front of the polygon, holes
-/// the other way. An **input** is what a winding number is counted for: a mesh, say.
+/// A polygon is one or more **walks**, closed lists of points: outer ones run counterclockwise seen from the front of
+/// the polygon, holes the other way. An **input** is what a winding number is counted for: a mesh, say.
 ///
 /// # Examples
 /// A square with a triangular hole, and the same two walks as two polygons of two inputs:
@@ -39,8 +39,22 @@ impl SpatialPolygons {
     /// The polygons with these walks: walk i is one of polygon `polygon_of_walk[i]`. All belong to one input.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless points have three coordinates and there is a polygon for each walk and a walk for each polygon;
-    /// [`ErrorKind::NotInComplex`] naming a walk with a point that is not there.
+    /// [`ErrorKind::Shape`] unless points have three coordinates and there is a polygon for each walk and a walk for
+    /// each polygon; [`ErrorKind::NotInComplex`] naming a walk with a point that is not there.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with a triangular hole: two walks of one polygon.
+    /// let flat = vec![0., 0., 0., 9., 0., 0., 0., 9., 0., 1., 1., 0., 1., 2., 0., 2., 1., 0.];
+    /// let walks = RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]);
+    /// let polygons = SpatialPolygons::new(Positions::from_flat(3, flat)?, walks, vec![0, 0])?;
+    /// assert_eq!(polygons.polygon_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(positions: Positions, walks: RaggedArray, polygon_of_walk: Vec<u32>) -> Result<Self, Error> {
         if positions.dimension() != 3 && !positions.is_empty() {
             return Err(Error::new(
@@ -83,6 +97,19 @@ impl SpatialPolygons {
     ///
     /// # Errors
     /// As [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.polygon_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn from_polygons(positions: Positions, polygons: RaggedArray) -> Result<Self, Error> {
         let numbers = (0..polygons.len() as u32).collect();
         Self::new(positions, polygons, numbers)
@@ -92,6 +119,20 @@ impl SpatialPolygons {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless there is an input for each polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let apart = polygons.with_inputs(vec![0, 0, 0, 1])?;
+    /// assert_eq!(apart.input_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn with_inputs(mut self, input_of_polygon: Vec<u32>) -> Result<Self, Error> {
         if input_of_polygon.len() != self.polygon_count() {
             return Err(Error::new(
@@ -154,31 +195,109 @@ impl SpatialPolygons {
     }
 
     /// The points that walks run through.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
 
     /// The walks around the polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.walks().list(0), [0, 2, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn walks(&self) -> &RaggedArray {
         &self.walks
     }
 
     /// The polygon that each walk belongs to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.polygon_of_walk(), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon_of_walk(&self) -> &[u32] {
         &self.polygon_of_walk
     }
 
     /// The input that each polygon belongs to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.input_of_polygon(), [0; 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn input_of_polygon(&self) -> &[u32] {
         &self.input_of_polygon
     }
 
     /// The number of polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.polygon_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon_count(&self) -> usize {
         self.input_of_polygon.len()
     }
 
     /// The number of inputs, those without polygons included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// assert_eq!(polygons.input_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn input_count(&self) -> usize {
         self.input_count
     }

@@ -7,25 +7,25 @@ use std::cmp::Ordering;
 
 /// Exact decisions about vertices in space, by their numbers.
 ///
-/// Whatever the points are - given by coordinates, or crossings that are never computed - cells need no more than these. A sign
-/// is an [`Ordering`] with zero.
+/// Whatever the points are - given by coordinates, or crossings that are never computed - cells need no more than
+/// these. A sign is an [`Ordering`] with zero.
 pub trait SpatialPredicates: Sync {
     /// How coordinate `axis` of `a` compares with that of `b`.
     fn compare(&self, axis: usize, a: u32, b: u32) -> Ordering;
 
-    /// The sign of coordinate `axis` of $(b - a) \times (c - a)$: which way the triangle runs seen from the far end of that axis,
-    /// `Greater` for counterclockwise.
+    /// The sign of coordinate `axis` of $(b - a) \times (c - a)$: which way the triangle runs seen from the far end of
+    /// that axis, `Greater` for counterclockwise.
     fn normal_sign(&self, axis: usize, triangle: [u32; 3]) -> Ordering;
 
-    /// The sign of the determinant of $b - a$, $c - a$, $d - a$: `Greater` when the triangle $a b c$ runs counterclockwise seen
-    /// from `d`, `Equal` when the four points are in one plane.
+    /// The sign of the determinant of $b - a$, $c - a$, $d - a$: `Greater` when the triangle $a b c$ runs
+    /// counterclockwise seen from `d`, `Equal` when the four points are in one plane.
     fn orientation(&self, points: [u32; 4]) -> Ordering;
 
     /// Numbers between which coordinate `axis` of the vertex lies.
     fn range(&self, axis: usize, vertex: u32) -> [f64; 2];
 
-    /// Three vertices of the plane of a face, on it or not, which run counterclockwise seen from its front, where they are known;
-    /// all of the face is in that plane.
+    /// Three vertices of the plane of a face, on it or not, which run counterclockwise seen from its front, where they
+    /// are known; all of the face is in that plane.
     fn corners_of_plane(&self, _face: u32) -> Option<[u32; 3]> {
         None
     }
@@ -35,21 +35,21 @@ pub trait SpatialPredicates: Sync {
         false
     }
 
-    /// An axis that is not in the plane of a face with [`Self::corners_of_plane`], and the sign of the normal along it, `Greater` where the
-    /// front is towards the far end of the axis.
+    /// An axis that is not in the plane of a face with [`Self::corners_of_plane`], and the sign of the normal along it,
+    /// `Greater` where the front is towards the far end of the axis.
     fn axis_of_plane(&self, face: u32) -> Option<(usize, Ordering)> {
         let corners = self.corners_of_plane(face)?;
         (0..3).map(|axis| (axis, self.normal_sign(axis, corners))).find(|(_, front)| front.is_ne())
     }
 
-    /// Two vertices of the line of an edge, on it or not, in its direction, where they are known. Then the faces around the edge are
-    /// known to leave it in different directions.
+    /// Two vertices of the line of an edge, on it or not, in its direction, where they are known. Then the faces around
+    /// the edge are known to leave it in different directions.
     fn points_of_line(&self, _edge: u32) -> Option<[u32; 2]> {
         None
     }
 
-    /// Sorts the packed sides of faces at an edge counterclockwise seen from its second end, from the first of them on, if their order
-    /// is known without decisions; whether it is.
+    /// Sorts the packed sides of faces at an edge counterclockwise seen from its second end, from the first of them on,
+    /// if their order is known without decisions; whether it is.
     fn sort_around(&self, _edge: u32, _sides: &mut [u32]) -> bool {
         false
     }
@@ -57,8 +57,8 @@ pub trait SpatialPredicates: Sync {
 
 /// Points that are given by three coordinates, taken at their exact values.
 ///
-/// Signs come from floating point where a bound on the error allows it, else from expansions, and from integers of any size for
-/// numbers so large or small that products leave the range.
+/// Signs come from floating point where a bound on the error allows it, else from expansions, and from integers of any
+/// size for numbers so large or small that products leave the range.
 ///
 /// # References
 /// J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates* (1997).
@@ -83,6 +83,16 @@ impl<'a> GivenPoints<'a> {
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless the positions have three coordinates.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::GivenPoints;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert!(GivenPoints::new(&Positions::from_flat(3, vec![0., 0., 0.])?).is_ok());
+    /// assert!(GivenPoints::new(&Positions::from_flat(2, vec![0., 0.])?).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(positions: &'a Positions) -> Result<Self, Error> {
         if positions.dimension() != 3 {
             return Err(Error::new(

@@ -54,9 +54,9 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
         self.ends
     }
 
-    /// The half-plane of a side. The three corners of a face's plane are not on one line, so one of them is off the line of the
-    /// edge; it is as good as a vertex next to the edge, once it is known in which half of the plane it is. So faces need not be
-    /// convex, and holes need no care.
+    /// The half-plane of a side. The three corners of a face's plane are not on one line, so one of them is off the
+    /// line of the edge; it is as good as a vertex next to the edge, once it is known in which half of the plane it is.
+    /// So faces need not be convex, and holes need no care.
     fn wing(&self, side: u32) -> Wing {
         let plane = self.planes.of(self.predicates, (side >> 1) as usize);
         let [a, b] = self.ends;
@@ -71,8 +71,8 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
         Wing { side, apex, apex_sign: left.times(sign_of(side)) }
     }
 
-    /// `Greater` when the second half-plane is less than a half turn counterclockwise of the first, `Less` when clockwise, `Equal`
-    /// when they are the same or opposite.
+    /// `Greater` when the second half-plane is less than a half turn counterclockwise of the first, `Less` when
+    /// clockwise, `Equal` when they are the same or opposite.
     fn turn(&self, first: Wing, second: Wing) -> Ordering {
         if first.apex == second.apex {
             return Ordering::Equal;
@@ -127,8 +127,8 @@ impl<'a, P: SpatialPredicates> EdgeView<'a, P> {
         Ok(())
     }
 
-    /// The last of the sides, counterclockwise, before a half-plane that none of them is in. `sign` gives, for a vertex, the sign
-    /// of the determinant of the edge, the vertex from the edge, and the direction of that half-plane.
+    /// The last of the sides, counterclockwise, before a half-plane that none of them is in. `sign` gives, for a
+    /// vertex, the sign of the determinant of the edge, the vertex from the edge, and the direction of that half-plane.
     pub(super) fn last_before(&self, sides: &[u32], sign: impl Fn(u32) -> Ordering) -> u32 {
         // Counterclockwise from the half-plane: those with it less than a half turn behind them, opposite, the others.
         let class = |wing: Wing| {

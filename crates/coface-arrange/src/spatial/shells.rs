@@ -11,8 +11,8 @@ const NONE: u32 = u32::MAX;
 
 /// The partition of half-faces into shells, and of faces into components that are joined by edges.
 ///
-/// Half-face `2 * face` is the back of a face, the one that a cell behind it has as its boundary with the sign plus; half-face
-/// `2 * face + 1` is its front.
+/// Half-face `2 * face` is the back of a face, the one that a cell behind it has as its boundary with the sign plus;
+/// half-face `2 * face + 1` is its front.
 #[derive(Clone, Debug)]
 pub(super) struct Shells {
     /// The shell of each half-face; shells are numbered by their lowest half-faces.
@@ -27,8 +27,8 @@ pub(super) struct Shells {
 }
 
 impl Shells {
-    /// Unites half-faces that look at each other across the gaps around the edges: faces across edges with two sides first, then what is left
-    /// of them at the other edges.
+    /// Unites half-faces that look at each other across the gaps around the edges: faces across edges with two sides
+    /// first, then what is left of them at the other edges.
     pub(super) fn new(
         complex: &PolygonalComplex,
         predicates: &impl SpatialPredicates,
@@ -72,11 +72,11 @@ impl Shells {
 
     /// Finds the shell of each component that is seen from far away.
     ///
-    /// From the least vertex v all of a component lies on one side of a plane: all directions u to it have $u \cdot X > 0$ for
-    /// $X = (1, \varepsilon, \varepsilon^2)$. With a direction Y at right angles to X the edge at v of least slope
-    /// $(u \cdot Y) / (u \cdot X)$ is outermost in the cone of the component, and the half-plane from it towards -Y is outside. Y is
-    /// $X \times Z$ for $Z = (-\varepsilon - \varepsilon^2 \zeta, 1, \zeta)$ and $\varepsilon \ll \zeta \ll 1$, so that all signs are
-    /// signs of single coordinates of normals and no direction is special.
+    /// From the least vertex v all of a component lies on one side of a plane: all directions u to it have $u \cdot X >
+    /// 0$ for $X = (1, \varepsilon, \varepsilon^2)$. With a direction Y at right angles to X the edge at v of least
+    /// slope $(u \cdot Y) / (u \cdot X)$ is outermost in the cone of the component, and the half-plane from it towards
+    /// -Y is outside. Y is $X \times Z$ for $Z = (-\varepsilon - \varepsilon^2 \zeta, 1, \zeta)$ and $\varepsilon \ll
+    /// \zeta \ll 1$, so that all signs are signs of single coordinates of normals and no direction is special.
     fn look_from_outside(
         &mut self,
         complex: &PolygonalComplex,
@@ -137,8 +137,9 @@ impl Shells {
     }
 }
 
-/// Faces joined across edges with two sides to patches, whose half-faces 2p and 2p + 1 are the two sides of patch p; and the half-face of a
-/// patch that the back of each face is part of. The half-faces of a patch that has only one side are one already.
+/// Faces joined across edges with two sides to patches, whose half-faces 2p and 2p + 1 are the two sides of patch p;
+/// and the half-face of a patch that the back of each face is part of. The half-faces of a patch that has only one side
+/// are one already.
 fn patches(face_count: usize, around: &RaggedArray) -> (UnionFind, Vec<u32>) {
     let mut faces = ParityUnionFind::new(face_count);
     let mut one_sided = Vec::new();

@@ -6,8 +6,22 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{Error, FaceId, VertexId};
 
 impl SpatialArrangement {
-    /// Whether the rounded positions of all vertices are their exact ones: then the faces, read again as polygons with these positions,
-    /// have the same arrangement.
+    /// Whether the rounded positions of all vertices are their exact ones: then the faces, read again as polygons with
+    /// these positions, have the same arrangement.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert!(tetrahedron.is_exactly_rounded());
+    /// # Ok(()) }
+    /// ```
     pub fn is_exactly_rounded(&self) -> bool {
         (0..self.cut.complex().vertex_count() as u32)
             .filter(|&fine| !self.is_omitted(fine))
@@ -19,18 +33,34 @@ impl SpatialArrangement {
     }
 
     /// How many times coordinates were rounded; 0 if they were exact from the beginning, or are not exact.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.snapped(&SpatialOptions::new())?.round_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn round_count(&self) -> usize {
         self.round_count
     }
 
-    /// The arrangement of the faces drawn with rounded coordinates, rounded and arranged again until all vertices are exact.
+    /// The arrangement of the faces drawn with rounded coordinates, rounded and arranged again until all vertices are
+    /// exact.
     ///
-    /// Faces with a vertex that moves fall into triangles; others stay polygons. Polygons, inputs and their numbers are those of this
-    /// arrangement; of coplanar faces that were merged, the polygons of the first are told. The cells mean the same as long as rounding turns nothing inside out; thin ones may vanish.
+    /// Faces with a vertex that moves fall into triangles; others stay polygons. Polygons, inputs and their numbers are
+    /// those of this arrangement; of coplanar faces that were merged, the polygons of the first are reported. The cells
+    /// mean the same as long as rounding turns nothing inside out; thin ones may vanish.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if that does not come to an end within fifty rounds; else as
-    /// [`Self::new`].
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if that does not come to an end within
+    /// fifty rounds; else as [`Self::new`].
     ///
     /// # References
     /// D. Halperin, E. Packer, *Iterated snap rounding* (2002), for the plane.
@@ -70,7 +100,7 @@ impl SpatialArrangement {
         Err(Error::invalid(format!(
             "rounding moves faces through each other again and again: {MOST_ROUNDS} rounds are not enough"
         ))
-        .with_cure("scale the model up, or take polygons away that nearly coincide"))
+        .with_cure("scale the model up, or remove polygons that nearly coincide"))
     }
 
     fn next_round(&self, options: &SpatialOptions) -> Result<Self, Error> {

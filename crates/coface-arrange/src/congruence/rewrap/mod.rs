@@ -1,13 +1,13 @@
 //! Cells that lost their shape become several cells.
 //!
-//! The boundary of a cell is a cycle of its **facets**; facets meet in **ridges**. Where a ridge is in two facets of the
-//! cell, these go on into each other. Where it is in more, as many facets leave the ridge as arrive, and the inside of the
-//! cell is a number of wedges between them. The two facets of a wedge go on into each other; what is connected in this way
-//! bounds one piece.
+//! The boundary of a cell is a cycle of its **facets**; facets meet in **ridges**. Where a ridge is in two facets of
+//! the cell, these go on into each other. Where it is in more, as many facets leave the ridge as arrive, and the inside
+//! of the cell is a number of wedges between them. The two facets of a wedge go on into each other; what is connected
+//! in this way bounds one piece.
 //!
-//! Wedges are found from positions, for faces in the plane of their area vector and for solids around each edge. A piece
-//! of the other orientation that lies within another piece is a hole or a void of it. Without positions a face falls into
-//! closed walks that meet no vertex twice, and other cells into what is connected through ridges.
+//! Wedges are found from positions, for faces in the plane of their area vector and for solids around each edge. A
+//! piece of the other orientation that lies within another piece is a hole or a void of it. Without positions a face
+//! falls into closed walks that meet no vertex twice, and other cells into what is connected through ridges.
 
 mod plane;
 mod space;
@@ -55,8 +55,8 @@ struct Side {
 impl Rewrapping<'_> {
     /// The cells that lost facets or were joined to themselves, with their pieces; those that stay whole are left out.
     ///
-    /// The cells looked at are those whose boundary has fewer terms than before, those with a facet that is several, and
-    /// those with two ridges that became one.
+    /// The cells looked at are those whose boundary has fewer terms than before, those with a facet that is several,
+    /// and those with two ridges that became one.
     pub(super) fn pieces(&self, mapped: &Mapped) -> Vec<(u32, Vec<Piece>)> {
         (0..mapped.column_count())
             .into_par_iter()

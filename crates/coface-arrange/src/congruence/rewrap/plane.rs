@@ -7,8 +7,8 @@ use coface_geometry::Positions;
 
 /// The edges of a face in the coordinate plane where its shadow is largest, turned so that the area is positive.
 ///
-/// Points are relative to one of them and scaled to numbers up to 1. Orders of angles are those of rounded numbers; they
-/// can be wrong for edges that meet in an angle near the rounding.
+/// Points are relative to one of them and scaled to numbers up to 1. Orders of angles are those of rounded numbers;
+/// they can be wrong for edges that meet in an angle near the rounding.
 pub(super) struct Plane {
     /// Edges, rising, with the points of their ends.
     edges: Vec<u32>,

@@ -7,9 +7,9 @@ use coface_geometry::{Positions, cross, determinant, dot};
 
 /// The faces of a solid with their area vectors, around edges.
 ///
-/// Points are relative to one of them and scaled to numbers up to 1. A face that is not flat is the cone from the mean of
-/// its vertices over its boundary. Orders of angles are those of rounded numbers; they can be wrong for faces that meet in
-/// an angle near the rounding.
+/// Points are relative to one of them and scaled to numbers up to 1. A face that is not flat is the cone from the mean
+/// of its vertices over its boundary. Orders of angles are those of rounded numbers; they can be wrong for faces that
+/// meet in an angle near the rounding.
 pub(super) struct Space {
     faces: Vec<Face>,
     orientation: Sign,

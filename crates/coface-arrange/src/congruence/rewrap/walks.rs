@@ -8,8 +8,8 @@ const NONE: u32 = u32::MAX;
 
 /// The edges of a cycle as closed walks that meet no vertex twice; `None` if one has not two ends.
 ///
-/// A walk begins with the lowest edge that is left and goes on with the lowest edge out of where it arrives; when that is
-/// a vertex it has met, the loop since then is a piece.
+/// A walk begins with the lowest edge that is left and goes on with the lowest edge out of where it arrives; when that
+/// is a vertex it has met, the loop since then is a piece.
 pub(super) fn closed_walks(edges: &SparseMatrix, copies: &[(u32, Sign)]) -> Option<Vec<Piece>> {
     let mut directed = Vec::with_capacity(copies.len());
     for &(edge, sign) in copies {

@@ -22,8 +22,8 @@ pub(super) struct Rings {
 }
 
 impl Rings {
-    /// Corners that are equal to the one before them are left out, then rings with less than two corners. One with two is a segment
-    /// there and back.
+    /// Corners that are equal to the one before them are left out, then rings with less than two corners. One with two
+    /// is a segment there and back.
     pub(super) fn new(positions: &Positions, rings: &RaggedArray) -> Self {
         let coordinates = positions.as_flat().as_chunks::<2>().0;
         let count = rings.item_count();
@@ -96,7 +96,8 @@ impl Rings {
 #[derive(Clone, Copy)]
 pub(super) struct Break {
     pub(super) side: u32,
-    /// Twice the node, and one more for a node on the inside of the side; else it is the corner that the side starts at.
+    /// Twice the node, and one more for a node on the inside of the side; else it is the corner that the side starts
+    /// at.
     place: u32,
 }
 
@@ -151,8 +152,8 @@ impl Chain {
 
 /// All nodes and chains.
 pub(super) struct Chains {
-    /// What is at each node: a corner, or after the corners a crossing. Nodes are in the order in which rings come to them, so that
-    /// near nodes have near numbers.
+    /// What is at each node: a corner, or after the corners a crossing. Nodes are in the order in which rings come to
+    /// them, so that near nodes have near numbers.
     pub(super) nodes: Vec<u32>,
     /// Along one ring after the other. From each to the next on its ring runs a chain.
     pub(super) breaks: Vec<Break>,
@@ -184,7 +185,8 @@ impl Chains {
         rings.ring_of(self.breaks[chain as usize].side) as u32
     }
 
-    /// The side along which a chain leaves its first node, or with `is_against` the one along which it comes to its last.
+    /// The side along which a chain leaves its first node, or with `is_against` the one along which it comes to its
+    /// last.
     pub(super) fn end_side(&self, rings: &Rings, chain: u32, is_against: bool) -> u32 {
         if !is_against {
             return self.breaks[chain as usize].side;

@@ -1,4 +1,4 @@
-//! Edges of an overlay one by one, for those who follow them.
+//! Edges of an overlay one by one, for callers that follow them.
 
 use super::PlanarOverlay;
 use super::ring_cells::RingCells;
@@ -20,14 +20,16 @@ impl PlanarOverlay {
         std::iter::once(from).chain(inner).chain([to]).collect()
     }
 
-    /// The corners within an edge in order, by the places of the sides that start there in the lists of all rings together.
+    /// The corners within an edge in order, by the places of the sides that start there in the lists of all rings
+    /// together.
     #[doc(hidden)]
     pub fn edge_corners(&self, edge: u32) -> impl Iterator<Item = usize> + '_ {
         let corners = self.parts().first_chain(edge).corners(&self.rings);
         corners.into_iter().flatten().map(|corner| self.rings.places[corner as usize] as usize)
     }
 
-    /// The nodes at corners, each with the place of the side that starts there; a node comes as often as rings have corners at it.
+    /// The nodes at corners, each with the place of the side that starts there; a node comes as often as rings have
+    /// corners at it.
     #[doc(hidden)]
     pub fn node_corners(&self) -> impl Iterator<Item = (u32, usize)> + '_ {
         let at_corner = self.chains.breaks.iter().filter(|own| !own.is_within());

@@ -29,8 +29,8 @@ impl JordanRings {
         Self { nesting, touching }
     }
 
-    /// The smallest ring around each ring, whether each ring has what it encloses on its left, and the rings through each point that
-    /// more than one comes to, rising.
+    /// The smallest ring around each ring, whether each ring has what it encloses on its left, and the rings through
+    /// each point that more than one comes to, rising.
     #[doc(hidden)]
     pub fn into_parts(self) -> (Vec<Option<u32>>, Vec<bool>, RaggedArray) {
         let RingNesting { parents, is_counterclockwise } = self.nesting;

@@ -1,7 +1,8 @@
 //! Where rings meet: the nodes, and the breaks that they make on rings.
 //!
-//! Points are only compared with others on the same side, along which both coordinates are in order. That is enough to find which
-//! meetings are at one place: all sides through a point meet each other there in pairs, so that one follows from another.
+//! Points are only compared with others on the same side, along which both coordinates are in order. That is enough to
+//! find which meetings are at one place: all sides through a point meet each other there in pairs, so that one follows
+//! from another.
 
 use super::super::crossings::Meetings;
 use super::super::faces::NONE;

@@ -21,8 +21,8 @@ const AT_ONCE: usize = 1 << 14;
 
 /// Regions with closed rings, laid over each other exactly: any Boolean combination of them is ready to be read off.
 ///
-/// A ring winds once around what it has on its left. Rings may cross and touch themselves and each other, overlap, and be there
-/// several times. Nothing is decided with a tolerance.
+/// A ring winds once around what it has on its left. Rings may cross and touch themselves and each other, overlap, and
+/// be there several times. Nothing is decided with a tolerance.
 ///
 /// # Examples
 /// Two squares that overlap in a quarter.
@@ -56,16 +56,31 @@ pub struct PlanarOverlay {
 }
 
 impl PlanarOverlay {
-    /// The overlay of rings. Each ring runs through its points and back to the first; `regions[i]` is the region that ring i
-    /// belongs to.
+    /// The overlay of rings. Each ring runs through its points and back to the first; `regions[i]` is the region that
+    /// ring i belongs to.
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless positions have two coordinates and there is one region for each ring;
-    /// [`ErrorKind::NotInComplex`] naming a ring with a point that is not there; [`ErrorKind::TooLarge`] beyond 2^31 pieces.
+    /// [`ErrorKind::NotInComplex`] naming a ring with a point that is not there; [`ErrorKind::TooLarge`] beyond 2^31
+    /// pieces.
     ///
     /// # Complexity
-    /// $O(n + k \log k)$, and the search for pairs of sides that come near each other, for n sides that meet k times; in parallel,
-    /// with the same result whatever the number of threads. Corners between meetings are not sorted.
+    /// $O(n + k \log k)$, and the search for pairs of sides that come near each other, for n sides that meet k times;
+    /// in parallel, with the same result whatever the number of threads. Corners between meetings are not sorted.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(overlay.f_vector(), [10, 12, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(positions: &Positions, rings: &RaggedArray, regions: &[u32]) -> Result<Self, Error> {
         Self::with_options(positions, rings, regions, &PlanarOptions::default())
     }
@@ -73,7 +88,24 @@ impl PlanarOverlay {
     /// The same, with a bound on the number of cells.
     ///
     /// # Errors
-    /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`], as soon as that is certain.
+    /// As [`Self::new`], and [`ErrorKind::TooLarge`] for more cells than [`PlanarOptions::max_cells`], as soon as that
+    /// is certain.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::{PlanarOptions, PlanarOverlay};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(2, vec![0., 0., 1., 0., 0., 1.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2]]);
+    /// let lay = |most| {
+    ///     PlanarOverlay::with_options(&corners, &rings, &[0], &PlanarOptions::new().max_cells(most))
+    /// };
+    /// // A triangle has seven cells.
+    /// assert!(lay(7).is_ok() && lay(6).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn with_options(
         positions: &Positions,
         rings: &RaggedArray,
@@ -88,8 +120,8 @@ impl PlanarOverlay {
         Ok(found)
     }
 
-    /// The same for those who follow winding numbers on a [tour](Self::tour): there is no list for each face, so nothing can be
-    /// selected by a condition on it.
+    /// The same for callers that follow winding numbers on a [tour](Self::tour): there is no list for each face, so
+    /// nothing can be selected by a condition on it.
     ///
     /// # Errors
     /// As [`Self::with_options`].
@@ -146,7 +178,22 @@ impl PlanarOverlay {
         Ok(found)
     }
 
-    /// The numbers of vertices, edges and bounded faces that the rings cut the plane into: those of the arrangement of their sides.
+    /// The numbers of vertices, edges and bounded faces that the rings cut the plane into: those of the arrangement of
+    /// their sides.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(overlay.f_vector(), [10, 12, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> [usize; 3] {
         // Corners between nodes are a vertex and an edge more each.
         let parts = self.parts();
@@ -157,16 +204,59 @@ impl PlanarOverlay {
     }
 
     /// One more than the highest region that a ring with sides belongs to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(overlay.region_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn region_count(&self) -> usize {
         self.region_count
     }
 
     /// The number of bounded faces that the rings cut the plane into.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(overlay.face_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.cells.faces.orbits.len()
     }
 
     /// The places where rings meet each other or themselves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// // In (2, 1) and (1, 2).
+    /// assert_eq!(overlay.meeting_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn meeting_count(&self) -> usize {
         self.chains.meeting_count
     }
@@ -177,8 +267,8 @@ impl PlanarOverlay {
         tour(&self.cells.orbits, &self.cells.faces, step);
     }
 
-    /// How much more each region winds around what is left of a halfedge than around what is right of it. A region comes several
-    /// times where several of its rings run along the edge.
+    /// How much more each region winds around what is left of a halfedge than around what is right of it. A region
+    /// comes several times where several of its rings run along the edge.
     #[doc(hidden)]
     pub fn across(&self, halfedge: u32, mut wind: impl FnMut(u32, i32)) {
         for (at, &chain) in self.cells.edges.chains.list(halfedge as usize / 2).iter().enumerate() {
@@ -192,7 +282,8 @@ impl PlanarOverlay {
         }
     }
 
-    /// A point where rings of a region meet each other or themselves: the lowest where two of their sides cross, or else the lowest.
+    /// A point where rings of a region meet each other or themselves: the lowest where two of their sides cross, or
+    /// else the lowest.
     #[doc(hidden)]
     pub fn meeting_of(&self, region: u32) -> Option<PlanarPoint> {
         let is_own = |ring: u32| self.regions[ring as usize] == region;
@@ -288,7 +379,8 @@ impl<'a> Parts<'a> {
         self.chains.chain(self.rings, self.edges.first_chain(edge))
     }
 
-    /// The side along which a chain leaves its first node, or with `is_against` the one along which it comes to its last.
+    /// The side along which a chain leaves its first node, or with `is_against` the one along which it comes to its
+    /// last.
     pub(super) fn end_side(&self, chain: u32, is_against: bool) -> u32 {
         self.chains.end_side(self.rings, chain, is_against)
     }

@@ -1,4 +1,5 @@
-//! What rings make of the plane, without coordinates: edges, faces, winding numbers, and the rings around selected faces.
+//! What rings make of the plane, without coordinates: edges, faces, winding numbers, and the rings around selected
+//! faces.
 
 use super::chains::{Chains, Rings};
 use crate::planar::faces::{Faces, NONE, Orbits};
@@ -23,8 +24,8 @@ pub struct TracedRings {
     pub(crate) halfedges: Vec<u32>,
     /// Where each ring begins, and where the last ends.
     pub(crate) starts: Vec<usize>,
-    /// The rings of each polygon, the outer one first; with an exterior one more list comes last: the holes in what reaches to
-    /// infinity.
+    /// The rings of each polygon, the outer one first; with an exterior one more list comes last: the holes in what
+    /// reaches to infinity.
     pub(crate) by_polygon: RaggedArray,
     pub(crate) has_exterior: bool,
     /// The polygon of each bounded face; [`NONE`] for those that are not selected.
@@ -94,7 +95,8 @@ impl RingCells {
         self.windings.where_satisfied(condition)
     }
 
-    /// The rings around faces, of which the unbounded one comes last. `is_counterclockwise` is asked about simple rings.
+    /// The rings around faces, of which the unbounded one comes last. `is_counterclockwise` is asked about simple
+    /// rings.
     #[doc(hidden)]
     pub fn trace(
         &self,
@@ -104,7 +106,7 @@ impl RingCells {
         self.trace_with(is_inside, false, is_counterclockwise)
     }
 
-    /// The same. With walls each face is a polygon by itself; else faces with an edge in common are one.
+    /// The same. With shared edges kept, each face is a polygon by itself; else faces with an edge in common are one.
     pub(crate) fn trace_with(
         &self,
         is_inside: &[bool],
@@ -228,8 +230,8 @@ impl ChainEdges {
         })
     }
 
-    /// The edges of chains, given the nodes that each goes from and to, for each the first that it is equal to, and whether it runs
-    /// against that.
+    /// The edges of chains, given the nodes that each goes from and to, for each the first that it is equal to, and
+    /// whether it runs against that.
     #[doc(hidden)]
     pub fn of_equal_chains(
         nodes: impl ExactSizeIterator<Item = [u32; 2]>,

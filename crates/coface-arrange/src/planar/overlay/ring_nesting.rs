@@ -31,8 +31,8 @@ const UNKNOWN: u32 = NONE - 1;
 impl RingCells {
     /// The nesting of closed rings, given the ring that runs along each halfedge, [`NONE`] for most.
     ///
-    /// Faces are flooded from the outside. Each knows the smallest ring around it: coming over a ring from the outside makes that
-    /// the smallest one, with the one before as its parent; coming back makes its parent the smallest again.
+    /// Faces are flooded from the outside. Each knows the smallest ring around it: coming over a ring from the outside
+    /// makes that the smallest one, with the one before as its parent; coming back makes its parent the smallest again.
     ///
     /// # Errors
     /// A halfedge at which this is contradictory, as rings cross or run along each other.
@@ -73,11 +73,12 @@ impl RingCells {
         Ok(found)
     }
 
-    /// The smallest ring around each of some rings, given their halfedges, and where each begins and the last ends; rings are
-    /// numbered in a new order. They neither cross nor overlap, and what is on the sides of their edges is not the same.
+    /// The smallest ring around each of some rings, given their halfedges, and where each begins and the last ends;
+    /// rings are numbered in a new order. They neither cross nor overlap, and what is on the sides of their edges is
+    /// not the same.
     ///
-    /// Each face but the unbounded one was entered across one edge when winding numbers were found; going these ways again crosses
-    /// each ring.
+    /// Each face but the unbounded one was entered across one edge when winding numbers were found; going these ways
+    /// again crosses each ring.
     #[doc(hidden)]
     pub fn parents_in_order(&self, halfedges: &[u32], starts: &[usize], order: &[u32]) -> Vec<Option<u32>> {
         // Twice the ring along each edge, and one more if it runs against the edge.
@@ -107,8 +108,8 @@ impl RingCells {
         nesting.parents.into_iter().map(|parent| (parent != NONE).then_some(parent)).collect()
     }
 
-    /// What keeps rings from being simple and almost disjoint, the first along edges and then at nodes, given the ring that each
-    /// chain is on.
+    /// What keeps rings from being simple and almost disjoint, the first along edges and then at nodes, given the ring
+    /// that each chain is on.
     ///
     /// # Complexity
     /// Linear in the halfedges.
@@ -183,8 +184,8 @@ impl RingCells {
 }
 
 impl RingNesting {
-    /// The smallest ring on the far side of one that is crossed where `here` is the smallest; none if that cannot be. The ring has
-    /// the near side on its left or not.
+    /// The smallest ring on the far side of one that is crossed where `here` is the smallest; none if that cannot be.
+    /// The ring has the near side on its left or not.
     fn cross(&mut self, ring: u32, is_near_left: bool, here: u32) -> Option<u32> {
         let (parent, is_counterclockwise) =
             (self.parents[ring as usize], self.is_counterclockwise[ring as usize]);

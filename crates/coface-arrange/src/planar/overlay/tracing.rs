@@ -12,14 +12,30 @@ use coface_geometry::predicates::{PlanarPoint, direction_turn};
 use rayon::prelude::*;
 
 impl PlanarOverlay {
-    /// The polygons of the faces whose winding numbers satisfy a Boolean formula of the regions; regions that are not there have
-    /// nothing inside.
+    /// The polygons of the faces whose winding numbers satisfy a Boolean formula of the regions; regions that are not
+    /// there have nothing inside.
     ///
     /// # Errors
     /// As [`Self::select`].
     ///
     /// # Complexity
     /// As [`Self::select`], times the length of the formula.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::boolean::{BooleanFormula, InsideRule};
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// let union = BooleanFormula::parse("a | b", &[])?;
+    /// assert_eq!(overlay.boolean(&union, InsideRule::Nonzero)?.area(), 7.0);
+    /// # Ok(()) }
+    /// ```
     pub fn boolean(&self, formula: &BooleanFormula, rule: InsideRule) -> Result<PlanarPolygons<'_>, Error> {
         self.select(|windings| {
             formula.evaluate(|input| {
@@ -29,17 +45,31 @@ impl PlanarOverlay {
         })
     }
 
-    /// The polygons of the faces whose winding numbers satisfy a condition: for each face it gets the regions with a winding number
-    /// that is not zero, rising, with that number; for the unbounded face the empty list.
+    /// The polygons of the faces whose winding numbers satisfy a condition: for each face it gets the regions with a
+    /// winding number that is not zero, rising, with that number; for the unbounded face the empty list.
     ///
-    /// Faces with an edge in common are one polygon; edges with the selection on both sides are left out, and so are crossings at
-    /// which a ring goes straight on.
+    /// Faces with an edge in common are one polygon; edges with the selection on both sides are left out, and so are
+    /// crossings at which a ring goes straight on.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 vertices.
     ///
     /// # Complexity
     /// Linear in the nodes, edges and faces, and in what comes out.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::planar::PlanarOverlay;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two squares that overlap in a quarter.
+    /// let points = Positions::from_flat(2, vec![0., 0., 2., 0., 2., 2., 0., 2., 1., 1., 3., 1., 3., 3., 1., 3.])?;
+    /// let rings = RaggedArray::from_lists([[0, 1, 2, 3], [4, 5, 6, 7]]);
+    /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
+    /// assert_eq!(overlay.select(|windings| windings.len() == 2)?.area(), 1.0);
+    /// # Ok(()) }
+    /// ```
     pub fn select(&self, condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<PlanarPolygons<'_>, Error> {
         self.outline(&self.cells.faces_where(condition), false)
     }
@@ -62,7 +92,8 @@ impl PlanarOverlay {
         Ok((polygons?, parents))
     }
 
-    /// The polygons of faces, of which the unbounded one is the last. With walls each face is a polygon by itself.
+    /// The polygons of faces, of which the unbounded one is the last. With shared edges kept, each face is a polygon by
+    /// itself.
     ///
     /// # Errors
     /// As [`Self::select`].
@@ -241,7 +272,8 @@ impl<'a> Writer<'a> {
         self.starts.push(self.rings.len() as u32);
     }
 
-    /// The corners within an edge, with the sides that go on from them. What is a wall is written again with the same vertices.
+    /// The corners within an edge, with the sides that go on from them. What is a wall is written again with the same
+    /// vertices.
     fn push_corners(&mut self, halfedge: u32) {
         let rings = &self.overlay.rings;
         let chain = self.parts.first_chain(halfedge / 2);

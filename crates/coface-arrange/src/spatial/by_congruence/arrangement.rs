@@ -26,28 +26,30 @@ pub struct CongruenceArrangement {
     largest_class_diameter: f64,
 }
 
-/// The arrangement of polygons in space by congruence: each polygon is cut by the others in its own plane, the parts are stacked as
-/// one chain complex, vertices within a tolerance of each other become one, the cells above them follow, and gift wrapping
-/// makes the cells of space.
+/// The arrangement of polygons in space by congruence: each polygon is cut by the others in its own plane, the parts
+/// are stacked as one chain complex, vertices within a tolerance of each other become one, the cells above them follow,
+/// and gift wrapping makes the cells of space.
 ///
-/// Walk i runs around polygon `polygon_of_walk[i]`: outer walks counterclockwise seen from the polygon's front, holes clockwise.
-/// `tolerance` is a length in the unit of the positions: well above the rounding of coordinates, well below the
-/// smallest distance of features that are different. Polygons that are nowhere wider are dropped and named.
+/// Walk i runs around polygon `polygon_of_walk[i]`: outer walks counterclockwise seen from the polygon's front, holes
+/// clockwise. `tolerance` is a length in the unit of the positions: well above the rounding of coordinates, well below
+/// the smallest distance of features that are different. Polygons that are nowhere wider are dropped and named.
 ///
-/// This is the pipeline of the texts, and the second method beside the exact one.
+/// This is the pipeline of the source texts, arrangement by congruence, beside the exact
+/// [`SpatialArrangement`](super::SpatialArrangement).
 ///
 /// # Errors
-/// [`ErrorKind::Shape`] unless there are three coordinates a point and a polygon for each walk; [`ErrorKind::NotInComplex`] naming
-/// a walk with a point that is not there; [`ErrorKind::InvalidInput`] for a tolerance that is negative or no number, naming a polygon
-/// that is farther from flat than the tolerance with its deviation, and where the tolerance is so large that a face falls to pieces.
+/// [`ErrorKind::Shape`] unless there are three coordinates a point and a polygon for each walk;
+/// [`ErrorKind::NotInComplex`] naming a walk with a point that is not there; [`ErrorKind::InvalidInput`] for a
+/// tolerance that is negative or no number, naming a polygon that is farther from flat than the tolerance with its
+/// deviation, and where the tolerance is so large that a face falls to pieces.
 ///
 /// # Complexity
 /// Quadratic in the sides and traces within one polygon; near-linear in the polygons if each meets few others.
 ///
 /// # References
-/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements with (co)chains*
-/// (2020). What is different: points are brought together within each plane before they are cut there, slits are kept, and
-/// components are nested.
+/// A. Paoluzzi, V. Shapiro, A. DiCarlo, F. Furiani, G. Martella, G. Scorzelli, *Topological computing of arrangements
+/// with (co)chains* (2020). What is different: points are brought together within each plane before they are cut there,
+/// slits are kept, and components are nested.
 ///
 /// # Examples
 /// A tetrahedron that a triangle cuts into a tip and a frustum:
@@ -116,30 +118,95 @@ pub fn arrange_by_congruence(
 
 impl CongruenceArrangement {
     /// The numbers of vertices, edges, faces and bounded cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         self.complex.f_vector().to_vec()
     }
 
-    /// The chain complex of vertices, edges, faces and cells. A face has coefficient 1 in the boundary of the cell behind it and -1
-    /// in that of the cell in front. An edge inside a face (a slit) is not in its boundary.
+    /// The chain complex of vertices, edges, faces and cells. A face has coefficient 1 in the boundary of the cell
+    /// behind it and -1 in that of the cell in front. An edge inside a face (a slit) is not in its boundary.
     ///
     /// # Errors
     /// None: it is copied.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.chain_complex()?.cell_count(3), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(self.complex.clone())
     }
 
     /// The positions of the vertices: corners of polygons where they are.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
 
     /// The volume of each cell, without its voids, in the cube of the unit of the positions, rounded.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert!((tetrahedron.volumes()[0] - 1.0 / 6.0).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn volumes(&self) -> &[f64] {
         &self.volumes
     }
 
     /// The number of voids in cells: components that lie in them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.void_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn void_count(&self) -> usize {
         self.void_count
     }
@@ -148,6 +215,19 @@ impl CongruenceArrangement {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.polygons_of_face(FaceId::new(0)).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn polygons_of_face(&self, face: FaceId) -> impl ExactSizeIterator<Item = (usize, Sign)> + '_ {
         let list = self.polygons_of_face.list(face.index()).iter();
         list.map(|&packed| {
@@ -156,16 +236,56 @@ impl CongruenceArrangement {
     }
 
     /// The polygons that are nowhere wider than the tolerance, rising. They are not in the arrangement.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert!(tetrahedron.dropped_polygons().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn dropped_polygons(&self) -> &[u32] {
         &self.dropped
     }
 
     /// The numbers of vertices, edges and faces of all sheets together, before they were brought together.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// // Each of the four sheets is a triangle with three edges of its own.
+    /// assert_eq!(tetrahedron.stacked_f_vector()[1..], [12, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn stacked_f_vector(&self) -> [usize; 3] {
         self.stacked_f_vector
     }
 
     /// The largest distance of two vertices that became one: far below the tolerance if that was chosen well.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert!(tetrahedron.largest_class_diameter() < 1e-12);
+    /// # Ok(()) }
+    /// ```
     pub fn largest_class_diameter(&self) -> f64 {
         self.largest_class_diameter
     }
@@ -179,7 +299,7 @@ fn sheets(
     tolerance: f64,
 ) -> Result<(Vec<Option<Sheet>>, Vec<u32>), Error> {
     if !(tolerance >= 0.0 && tolerance.is_finite()) {
-        return Err(Error::invalid(format!("{tolerance} is no tolerance"))
+        return Err(Error::invalid(format!("{tolerance} is not a tolerance"))
             .with_cure("give a length that is not negative, in the unit of the positions"));
     }
     if positions.dimension() != 3 && !positions.is_empty() {
@@ -256,7 +376,8 @@ fn near_pairs(sheets: &[Sheet], tolerance: f64) -> RaggedArray {
     RaggedArray::from_lists(near)
 }
 
-/// All sheets side by side, after the corners of the polygons: so that corners give their positions to the vertices at them.
+/// All sheets side by side, after the corners of the polygons: so that corners give their positions to the vertices at
+/// them.
 struct Stack {
     complex: ChainComplex,
     positions: Positions,

@@ -120,7 +120,8 @@ impl FlatFaces<'_> {
                 sum.value() / 6.0
             })
             .collect();
-        // Shells that enclose something are cells. The others look outward; those without faces are of sheets that enclose nothing.
+        // Shells that enclose something are cells. The others look outward; those without faces are of sheets that
+        // enclose nothing.
         let outer: Vec<usize> = (0..volumes.len()).filter(|&shell| volumes[shell] > 0.0).collect();
         let mut own_shells: Vec<Vec<usize>> = outer.iter().map(|&shell| vec![shell]).collect();
         let boxes: Vec<[Point; 2]> = outer.iter().map(|&shell| self.bounds(&shells, shell)).collect();
@@ -192,7 +193,8 @@ impl FlatFaces<'_> {
         .with_cure("choose a smaller tolerance"))
     }
 
-    /// 1 if a ray crosses a face from behind, -1 from its front, 0 if it misses it; `None` if it comes near to an edge of it.
+    /// 1 if a ray crosses a face from behind, -1 from its front, 0 if it misses it; `None` if it comes near to an edge
+    /// of it.
     fn crossing(&self, face: usize, place: Point, ray: Point) -> Option<i32> {
         let normal = self.normals[face];
         let slope = dot(normal, ray);
@@ -235,7 +237,8 @@ fn distance_from_origin(p: Point, q: Point) -> f64 {
     length([0, 1, 2].map(|axis| p[axis] + t * side[axis]))
 }
 
-/// A number that grows with the angle of a vector, counterclockwise from the first axis: 0 to 4, and -0 to 0 counts as 0.
+/// A number that grows with the angle of a vector, counterclockwise from the first axis: 0 to 4, and -0 to 0 counts as
+/// 0.
 fn pseudo_angle(x: f64, y: f64) -> f64 {
     let slope = x / (x.abs() + y.abs());
     if y < 0.0 { 3.0 + slope } else { 1.0 - slope }

@@ -143,8 +143,8 @@ impl Sheet {
         self.sides().filter(|&side| crosses(side)).count() % 2 == 1
     }
 
-    /// Adds what another polygon leaves in the plane of this one: all its sides if it lies there, else the segments that it
-    /// is crossed in, and the points where it only touches.
+    /// Adds what another polygon leaves in the plane of this one: all its sides if it lies there, else the segments
+    /// that it is crossed in, and the points where it only touches.
     fn trace(&self, other: &Self, tolerance: f64, traces: &mut Traces) {
         let height = |p: Point| {
             let height = self.flattened(p)[2];
@@ -182,8 +182,9 @@ impl Sheet {
 
     /// The polygon cut by others.
     ///
-    /// Points within the tolerance of each other are brought together before segments are arranged, and segments run through the
-    /// points within the tolerance of them: what comes out differently in rounded numbers is one in the drawing.
+    /// Points within the tolerance of each other are brought together before segments are arranged, and segments run
+    /// through the points within the tolerance of them: what comes out differently in rounded numbers is one in the
+    /// drawing.
     pub(super) fn cut<'a>(
         &self,
         others: impl Iterator<Item = &'a Self>,

@@ -36,8 +36,8 @@ impl CutOptions {
         Self { max_cells: None }
     }
 
-    /// Refuses more vertices, edges and faces together than this. The places where triangles meet count while they are found, so
-    /// that memory stays in proportion.
+    /// Refuses more vertices, edges and faces together than this. The places where triangles meet count while they are
+    /// found, so that memory stays in proportion.
     ///
     /// # Examples
     /// A triangle has seven cells.
@@ -57,8 +57,8 @@ impl CutOptions {
     }
 }
 
-/// What a vertex of cut triangles is. Numbers are those of the points and triangles of the input; equal points, and triangles with
-/// the same corners, go by the first of them.
+/// What a vertex of cut triangles is. Numbers are those of the points and triangles of the input; equal points, and
+/// triangles with the same corners, go by the first of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpatialVertexSource {
     /// A point of the input.
@@ -73,25 +73,26 @@ pub enum SpatialVertexSource {
 
 /// The conforming complex that triangles of space become when they are cut against each other, exactly.
 ///
-/// Triangles may cross, touch, overlap in a plane, be there twice or have no area: those without area are left out and named. Faces
-/// are flat polygons, with holes and slits where need be; faces meet only in common edges and vertices. A vertex may also lie inside
-/// a face of other triangles, where these touch it in a single point.
+/// Triangles may cross, touch, overlap in a plane, be there twice or have no area: those without area are left out and
+/// named. Faces are flat polygons, with holes and slits where need be; faces meet only in common edges and vertices. A
+/// vertex may also lie inside a face of other triangles, where these touch it in a single point.
 ///
 /// # Conventions
-/// Vertices are the points of the input by their first occurrences, points that no triangle has included, then new ones by rising
-/// rounded coordinates. Edges rise by their ends and point from the lower to the higher one. Faces are in the order of their first
-/// triangles, and run as these do.
+/// Vertices are the points of the input by their first occurrences, points that no triangle has included, then new ones
+/// by rising rounded coordinates. Edges rise by their ends and point from the lower to the higher one. Faces are in the
+/// order of their first triangles, and run as these do.
 ///
 /// # Algorithm
-/// All decisions are signs about given points, or about points that are known by the lines and planes that meet there. Pairs of
-/// triangles near each other are found by a tree of boxes. The segment that two triangles have in common has its ends where an edge
-/// of one meets the other; where such segments cross inside a triangle, three triangles meet. Points are one if they are equal. A
-/// point inside two triangles is on their segment, so what lies along an edge or a segment is known without further decisions.
-/// Directions around a point in a triangle are compared by determinants of normals.
+/// All decisions are signs about given points, or about points that are known by the lines and planes that meet there.
+/// Pairs of triangles near each other are found by a tree of boxes. The segment that two triangles have in common has
+/// its ends where an edge of one meets the other; where such segments cross inside a triangle, three triangles meet.
+/// Points are one if they are equal. A point inside two triangles is on their segment, so what lies along an edge or a
+/// segment is known without further decisions. Directions around a point in a triangle are compared by determinants of
+/// normals.
 ///
 /// # References
-/// Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry* (2016); M. Attene, *Indirect predicates for
-/// geometric constructions* (2020).
+/// Q. Zhou, E. Grinspun, D. Zorin, A. Jacobson, *Mesh arrangements for solid geometry* (2016); M. Attene, *Indirect
+/// predicates for geometric constructions* (2020).
 ///
 /// # Examples
 /// Two triangles that cross. Each has a cut that ends inside the other, a slit:
@@ -123,12 +124,26 @@ impl CutTriangles {
     /// Cuts triangles against each other.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless positions have three coordinates; [`ErrorKind::NotInComplex`] naming a triangle with a corner that
-    /// is not there; [`ErrorKind::TooLarge`] when the result would have more cells than the options allow, or than 32 bits number.
+    /// [`ErrorKind::Shape`] unless positions have three coordinates; [`ErrorKind::NotInComplex`] naming a triangle with
+    /// a corner that is not there; [`ErrorKind::TooLarge`] when the result would have more cells than the options
+    /// allow, or than 32 bits number.
     ///
     /// # Complexity
-    /// $O((n + k) \log (n + k))$ for n triangles and a result of size k where boxes that meet are not many more than triangles that do;
-    /// in parallel, with the same result whatever the number of threads.
+    /// $O((n + k) \log (n + k))$ for n triangles and a result of size k where boxes that meet are not many more than
+    /// triangles that do; in parallel, with the same result whatever the number of threads.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert_eq!(cut.complex().f_vector(), [8, 9, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(positions: &Positions, triangles: &[[u32; 3]], options: &CutOptions) -> Result<Self, Error> {
         check_input(positions, triangles)?;
         let most = options.max_cells.unwrap_or(1 << 29).min(1 << 29);
@@ -183,6 +198,19 @@ impl CutTriangles {
     }
 
     /// The vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert_eq!(cut.complex().f_vector(), [8, 9, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &PolygonalComplex {
         &self.complex
     }
@@ -220,6 +248,20 @@ impl CutTriangles {
     }
 
     /// Exact decisions about the vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::{CutTriangles, SpatialPredicates};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// // The point (1, 1, 0) is in the plane of the first triangle.
+    /// assert!(cut.predicates().orientation([0, 1, 2, 6]).is_eq());
+    /// # Ok(()) }
+    /// ```
     pub fn predicates(&self) -> impl SpatialPredicates + '_ {
         CutPredicates {
             sheets: &self.sheets,
@@ -234,11 +276,39 @@ impl CutTriangles {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert!(cut.point(VertexId::new(6)).is_exactly_rounded());
+    /// # Ok(()) }
+    /// ```
     pub fn point(&self, vertex: VertexId) -> SpatialPoint {
         self.vertices.point(&self.sheets, vertex.to_u32()).into_owned()
     }
 
     /// The positions of the vertices: each coordinate is the floating-point number nearest to the exact one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert_eq!(cut.positions().point(VertexId::new(7)), [2.0, 2.0, 0.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
@@ -247,6 +317,20 @@ impl CutTriangles {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::spatial::{CutTriangles, SpatialVertexSource};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert_eq!(cut.source(VertexId::new(0)), SpatialVertexSource::Given(0));
+    /// # Ok(()) }
+    /// ```
     pub fn source(&self, vertex: VertexId) -> SpatialVertexSource {
         let point = |vertex: u32| self.sheets.first_points[vertex as usize] as usize;
         let edge = |edge: u32| self.sheets.edges[edge as usize].map(point);
@@ -260,11 +344,25 @@ impl CutTriangles {
         }
     }
 
-    /// The triangles of the input that a face is part of, rising, each as `2 * triangle + against`: against is 1 for triangles that
-    /// run the other way than the face.
+    /// The triangles of the input that a face is part of, rising, each as `2 * triangle + against`: against is 1 for
+    /// triangles that run the other way than the face.
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert_eq!(cut.triangles_of_face(FaceId::new(0)), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn triangles_of_face(&self, face: FaceId) -> &[u32] {
         self.triangles_of_face.list(face.index())
     }
@@ -283,11 +381,37 @@ impl CutTriangles {
     }
 
     /// The vertex of each point of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert_eq!(cut.vertex_of_point(), [0, 1, 2, 3, 4, 5]);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_of_point(&self) -> &[u32] {
         &self.sheets.vertex_of_point
     }
 
     /// The triangles without area, rising. They are part of no face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::CutTriangles;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles that cross along a segment from (1, 1, 0) to (2, 2, 0).
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let positions = Positions::from_flat(3, points)?;
+    /// let cut = CutTriangles::new(&positions, &[[0, 1, 2], [3, 4, 5]], &Default::default())?;
+    /// assert!(cut.degenerate_triangles().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn degenerate_triangles(&self) -> &[u32] {
         &self.sheets.degenerate
     }

@@ -14,13 +14,14 @@ struct Fan {
 
 const NO_VIEW: u8 = u8::MAX;
 
-/// For each sheet a bit for each corner that is **plain**: each edge there has two sheets, which run through it both ways, all sheets there
-/// have one view, and in the picture they go around the vertex once.
+/// For each sheet a bit for each corner that is **plain**: each edge there has two sheets, which run through it both
+/// ways, all sheets there have one view, and in the picture they go around the vertex once.
 ///
-/// Then the corners of sheets there are sectors that fill the picture around the vertex without overlap, each sheet is within its own
-/// sector, and two of them have nothing in common but the vertex or the edge between them. In the picture a sheet turns by less than a
-/// half turn, and counterclockwise seen from its front; so how often all of them go around is how many of them one direction runs into,
-/// and a sheet is run into when its first side there points down and its last one up. Only coordinates are compared.
+/// Then the corners of sheets there are sectors that fill the picture around the vertex without overlap, each sheet is
+/// within its own sector, and two of them have nothing in common but the vertex or the edge between them. In the
+/// picture a sheet turns by less than a half turn, and counterclockwise seen from its front; so how often all of them
+/// go around is how many of them one direction runs into, and a sheet is run into when its first side there points down
+/// and its last one up. Only coordinates are compared.
 ///
 /// # Complexity
 /// Linear.
@@ -109,8 +110,8 @@ mod tests {
     }
 
     proptest! {
-        /// Two sheets at a plain corner are in sectors without a common inside: in the picture neither has a corner inside the
-        /// sector of the other.
+        /// Two sheets at a plain corner are in sectors without a common inside: in the picture neither has a corner
+        /// inside the sector of the other.
         #[test]
         fn sectors_at_plain_corners_are_apart(
             heights in prop::collection::vec([-3i32..4, -3..4, -1..2], 8),

@@ -220,7 +220,8 @@ impl<'a, 'b> Graph<'a, 'b> {
         if (a ^ b) & 1 == 0 { turn } else { turn.reverse() }
     }
 
-    /// Sorts the halfedges that leave a vertex counterclockwise, from the first of them on. No two have the same direction.
+    /// Sorts the halfedges that leave a vertex counterclockwise, from the first of them on. No two have the same
+    /// direction.
     fn sort_around(&self, leaving: &mut [u32]) {
         if leaving.len() < 3 {
             return;
@@ -380,8 +381,8 @@ impl<'a> Rays<'a> {
 
     /// The orbits of other components, but for their outer ones, that wind around a vertex, rising.
     ///
-    /// Each part that the ray crosses counts for the orbits on its sides: inside an orbit that runs counterclockwise, it leaves
-    /// through one part more that runs to the right than through parts that run to the left.
+    /// Each part that the ray crosses counts for the orbits on its sides: inside an orbit that runs counterclockwise,
+    /// it leaves through one part more that runs to the right than through parts that run to the left.
     fn around(&self, vertex: usize, is_outer: &[bool]) -> Vec<u32> {
         let graph = self.graph;
         let mut terms: Vec<(u32, i32)> = Vec::new();
@@ -415,7 +416,8 @@ impl<'a> Rays<'a> {
             .collect()
     }
 
-    /// Whether the ray from a vertex meets a part of another component, and then whether the part runs to the right there.
+    /// Whether the ray from a vertex meets a part of another component, and then whether the part runs to the right
+    /// there.
     fn crossing(&self, part: u32, vertex: usize) -> Option<bool> {
         let graph = self.graph;
         let on = &graph.all.on;

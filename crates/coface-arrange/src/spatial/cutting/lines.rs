@@ -73,7 +73,8 @@ impl OnLines<'_> {
         self.vertices.rounded(self.sheets, vertex)
     }
 
-    /// The order of one coordinate of two vertices. Rounding is monotone, so that only equal coordinates need the exact points.
+    /// The order of one coordinate of two vertices. Rounding is monotone, so that only equal coordinates need the exact
+    /// points.
     pub(super) fn compare_coordinate(&self, axis: usize, a: u32, b: u32) -> Ordering {
         let order =
             self.rounded(a)[axis].partial_cmp(&self.rounded(b)[axis]).expect("coordinates are numbers");

@@ -51,7 +51,8 @@ pub(super) struct Run {
     pub(super) ends: [Place; 2],
 }
 
-/// All places where the sheets of a soup meet otherwise than in common corners and edges; each list rises, nothing is in it twice.
+/// All places where the sheets of a soup meet otherwise than in common corners and edges; each list rises, nothing is
+/// in it twice.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Meetings {
     /// (edge, vertex): vertices inside edges.
@@ -163,7 +164,8 @@ impl Contacts {
         }
     }
 
-    /// The ends of a segment, and the edges that it lies along, a bit for each edge of either sheet; none for a single point.
+    /// The ends of a segment, and the edges that it lies along, a bit for each edge of either sheet; none for a single
+    /// point.
     fn segment(&self) -> Option<([Place; 2], [u8; 2])> {
         debug_assert!(self.0.len() < 3, "convex sets meet in a segment");
         let [a, b] = self.0.first_chunk()?;
@@ -230,8 +232,8 @@ impl Plane {
         }
     }
 
-    /// The sides that the corners of another sheet are on; `None` if they meet at most in common corners, because all other corners
-    /// are on one side.
+    /// The sides that the corners of another sheet are on; `None` if they meet at most in common corners, because all
+    /// other corners are on one side.
     fn sides(&self, sheets: &Sheets, of: u32) -> Option<[Ordering; 3]> {
         let mut sides = [Ordering::Equal; 3];
         let mut seen = [false; 3];
@@ -272,8 +274,8 @@ impl Pairs<'_> {
         }
     }
 
-    /// The places on the boundary of the first of two sheets that are on the second, given the sides of the second that its
-    /// corners are on. `first` is the position of the first sheet in the contacts.
+    /// The places on the boundary of the first of two sheets that are on the second, given the sides of the second that
+    /// its corners are on. `first` is the position of the first sheet in the contacts.
     fn meet_with(
         &self,
         [f, g]: [u32; 2],
@@ -322,7 +324,8 @@ impl Pairs<'_> {
         turns.iter().all(|turn| turn.is_ge()).then(|| bits(turns))
     }
 
-    /// On which side of an edge of a sheet a vertex is, in the plane as it is seen from the front: `Greater` for inside.
+    /// On which side of an edge of a sheet a vertex is, in the plane as it is seen from the front: `Greater` for
+    /// inside.
     fn turn(&self, sheet: u32, edge: usize, vertex: u32) -> Ordering {
         let view: PlaneView = self.sheets.views[sheet as usize];
         let corners = self.sheets.corners[sheet as usize];

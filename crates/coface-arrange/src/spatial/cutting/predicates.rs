@@ -87,8 +87,8 @@ impl SpatialPredicates for CutPredicates<'_> {
         })
     }
 
-    /// Where two sheets cross, what is on the left of the edge in the first comes before what is on the left in the second, less
-    /// than a half turn on; what is on the right is opposite.
+    /// Where two sheets cross, what is on the left of the edge in the first comes before what is on the left in the
+    /// second, less than a half turn on; what is on the right is opposite.
     fn sort_around(&self, edge: u32, sides: &mut [u32]) -> bool {
         let Support::Sheets(sheets) = self.supports[edge as usize] else { return false };
         let place = |side: u32| {
