@@ -13,6 +13,7 @@ mod homology;
 mod incidence;
 mod info;
 mod persistence;
+mod pi1;
 mod remark;
 mod schema;
 mod shards;
@@ -33,6 +34,9 @@ pub use info::{
     ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
 };
 pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
+pub use pi1::{
+    ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
+};
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use schema::reprinted;

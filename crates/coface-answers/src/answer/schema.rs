@@ -2,7 +2,7 @@
 
 use super::{
     CoverAnswer, CutAnswer, DoubleCoverAnswer, HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports,
-    PersistenceAnswer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
+    PersistenceAnswer, Pi1Answer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -56,6 +56,7 @@ answers! {
     "shard" => ShardAnswer,
     "reduce" => ReduceAnswer,
     "persistence" => PersistenceAnswer,
+    "pi1" => Pi1Answer,
     "cut" => CutAnswer,
     "cover" => CoverAnswer,
     "cover --orientation" => DoubleCoverAnswer,

@@ -27,6 +27,8 @@ fn printed_answers_are_those_of_the_types() {
         ("homology", &["--cycle", "0 1; 1 2; -1*0 2"]),
         ("homology", &["--cup", "1", "1", "--coefficients", "f2"]),
         ("persistence", &[]),
+        ("pi1", &["--subgroups", "2"]),
+        ("pi1", &["--shortest"]),
         ("cut", &[]),
         ("cut", &["--simplify"]),
         ("cover", &["--radius", "1"]),

@@ -12,15 +12,18 @@ use clap::Args;
 use coface::VertexId;
 use coface::algebra::chains::ChainComplex;
 use coface::algebra::{RaggedArray, Word};
+use coface::answers::Producer;
+use coface::answers::answer::{
+    ClosedPath, GroupAnswer, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, Remark, SubgroupCount,
+};
 use coface::answers::text;
-use coface::answers::{Producer, integer_to_json};
 use coface::geometry::Positions;
 use coface::io::{Model, write_path};
 use coface::topology::{
     AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
     Simplification, SubgroupClass, SurfaceGroup, homology,
 };
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -126,22 +129,19 @@ impl Counts {
         Self { subgroups, homomorphisms: homomorphisms.to_vec() }
     }
 
-    fn to_json(&self) -> Value {
-        let subgroups = self.subgroups.as_ref().map(|counts| {
-            let count = |(i, [subgroups, classes]): (usize, &[usize; 2])| {
-                json!({ "index": i + 1, "subgroups": subgroups, "classes": classes })
-            };
-            counts.iter().enumerate().map(count).collect::<Vec<_>>()
+    fn answer(&self) -> GroupCounts {
+        let count = |(i, &[subgroups, classes]): (usize, &[usize; 2])| SubgroupCount {
+            index: i + 1,
+            subgroups,
+            classes,
+        };
+        let homomorphisms = self.homomorphisms.iter().map(|(target, count)| {
+            (target.to_string(), count.map(|count| HomomorphismAnswer { all: count.all, onto: count.onto }))
         });
-        let homomorphisms: Map<String, Value> = self
-            .homomorphisms
-            .iter()
-            .map(|(target, count)| {
-                let count = count.map(|count| json!({ "all": count.all, "onto": count.onto }));
-                (target.to_string(), count.into())
-            })
-            .collect();
-        json!({ "subgroups": subgroups, "homomorphisms": homomorphisms })
+        GroupCounts {
+            subgroups: self.subgroups.as_ref().map(|counts| counts.iter().enumerate().map(count).collect()),
+            homomorphisms: homomorphisms.collect(),
+        }
     }
 }
 
@@ -180,7 +180,7 @@ impl Pi1 {
             Some(_) => loops.map(|(component, word)| groups.loop_vertices(component, word)).collect(),
         };
         let bases: Vec<u32> = (0..shown.len()).map(|i| number(groups.base(i))).collect();
-        let found = Found { shown, bases, loops, walks: None, cycles: None };
+        let found = Found { shown, bases, loops, walks: None, cycles: None, remarks: Vec::new() };
         found.give(self, common, progress, &name, &producer, &number)
     }
 
@@ -209,6 +209,7 @@ struct Found {
     walks: Option<walks::Compared>,
     /// Short closed paths that were asked for.
     cycles: Option<Vec<Cycle>>,
+    remarks: Vec<Remark>,
 }
 
 /// A closed path with its length.
@@ -238,20 +239,22 @@ impl Found {
         }
         drop(progress);
         let components = self.shown.iter().zip(&self.bases);
-        let components: Vec<Value> = components.map(|(group, &base)| object(group, base)).collect();
-        let mut object = json!({ "file": name, "simplified": verb.simplify, "components": components });
+        let components = components.map(|(group, &base)| component(group, base)).collect();
         let page = page(name, &self, number);
-        if let Some(cycles) = &self.cycles {
-            let numbered =
-                |cycle: &Cycle| cycle.vertices.iter().map(|&vertex| number(vertex)).collect::<Vec<u32>>();
-            let cycles = cycles.iter();
-            object["cycles"] =
-                cycles.map(|cycle| json!({ "length": cycle.length, "vertices": numbered(cycle) })).collect();
-        }
-        if let Some(walks) = self.walks {
-            object["walks"] = walks.walks;
-            object["pairs"] = walks.pairs;
-        }
+        let cycle = |cycle: &Cycle| ClosedPath {
+            length: cycle.length,
+            vertices: cycle.vertices.iter().map(|&vertex| number(vertex)).collect(),
+        };
+        let (walks, pairs) = self.walks.map(|compared| (compared.walks, compared.pairs)).unzip();
+        let object = Pi1Answer {
+            file: name.to_owned(),
+            simplified: verb.simplify,
+            components,
+            cycles: self.cycles.as_ref().map(|cycles| cycles.iter().map(cycle).collect()),
+            walks,
+            pairs,
+            remarks: self.remarks,
+        };
         give(common, &object, &page)
     }
 }
@@ -272,6 +275,12 @@ fn check(found: &AbelianGroup, complex: &ChainComplex) -> Result<(), Failure> {
     )))
 }
 
+/// Closed paths in a file.
+#[derive(Serialize)]
+struct Loops {
+    loops: Vec<Vec<u32>>,
+}
+
 /// Writes closed paths as JSON, or as polylines in a format that has positions.
 fn write_loops(
     path: &Path,
@@ -282,7 +291,7 @@ fn write_loops(
     let numbered = loops.iter().map(|vertices| vertices.iter().map(|&vertex| number(vertex)).collect());
     let numbered: Vec<Vec<u32>> = numbered.collect();
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json")) {
-        return write_json(path, &json!({ "loops": numbered }));
+        return write_json(path, &Loops { loops: numbered });
     }
     if positions.dimension() == 0 {
         return Err(Failure::new(format!(
@@ -294,26 +303,17 @@ fn write_loops(
     Ok(write_path(&Model::from_lines(positions, lines)?, path, None)?)
 }
 
-fn object(group: &Shown, base: u32) -> Value {
+fn component(group: &Shown, base: u32) -> Pi1Component {
     let relators = group.presentation.relators().iter().map(Word::letters);
-    let abelianization = group.presentation.abelianization();
-    let torsion: Vec<Value> = abelianization.torsion().iter().map(integer_to_json).collect();
-    let mut object = json!({
-        "base": base,
-        "generators": group.presentation.generator_count(),
-        "relators": relators.collect::<Vec<_>>(),
-        "abelianization": { "betti": abelianization.betti(), "torsion": torsion },
-        "name": group.name.as_ref().map(GroupName::to_string),
-    });
-    if let Some(lengths) = &group.lengths {
-        object["lengths"] = lengths.clone().into();
+    Pi1Component {
+        base,
+        generators: group.presentation.generator_count(),
+        relators: relators.map(<[i32]>::to_vec).collect(),
+        abelianization: GroupAnswer::from(&group.presentation.abelianization()),
+        name: group.name.as_ref().map(GroupName::to_string),
+        lengths: group.lengths.clone(),
+        counts: group.counts.as_ref().map(Counts::answer),
     }
-    if let (Some(counts), Some(object)) = (&group.counts, object.as_object_mut())
-        && let Value::Object(counts) = counts.to_json()
-    {
-        object.extend(counts);
-    }
-    object
 }
 
 /// How many relators, and letters of them, a page for people shows of a component.

@@ -4,11 +4,12 @@ use super::{Counts, Cycle, CycleRequest, Found, Pi1, Shown, check, walks};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::remark;
+use crate::output::say_remarks;
 use crate::progress::Progress;
 use coface::VertexId;
 use coface::algebra::Word;
 use coface::answers::Producer;
+use coface::answers::answer::{Remark, RemarkCode};
 use coface::complexes::surface::GeneralizedMap;
 use coface::topology::{
     AbelianGroup, ClosedWalk, CycleKind, Effort, Presentation, ShortestCycle, SurfaceGroup, SurfaceHomotopy,
@@ -76,9 +77,12 @@ pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
         error.with_cure(cure).in_file(name.clone())
     })?;
     let lengths = lengths(verb, &producer, &map, &numbers)?;
-    if (verb.shortest || verb.cycles.is_some()) && lengths.is_none() && !common.quiet {
-        remark("there are no positions: each edge has the length 1");
+    let mut remarks = Vec::new();
+    if (verb.shortest || verb.cycles.is_some()) && lengths.is_none() {
+        let message = "there are no positions: each edge has the length 1";
+        remarks.push(Remark::new(RemarkCode::UnitLengths, message));
     }
+    say_remarks(&remarks, common);
     let trees = TreeCotree::greedy(&map, base, lengths.as_deref())?;
     let homotopy = SurfaceHomotopy::new(&map, &trees)?;
     let surface = Surface { map: &map, trees: &trees, homotopy, lengths: lengths.as_deref() };
@@ -140,7 +144,7 @@ pub(super) fn run(verb: &Pi1, common: &Common) -> Result<(), Failure> {
             Some(cycles(request, through, &map, lengths.as_deref())?)
         }
     };
-    let found = Found { shown, bases, loops: paths, walks, cycles };
+    let found = Found { shown, bases, loops: paths, walks, cycles, remarks };
     found.give(verb, common, progress, &name, &producer, &number)
 }
 

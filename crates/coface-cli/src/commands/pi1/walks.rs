@@ -4,8 +4,9 @@ use super::surface::{Surface, SurfaceComponent};
 use crate::failure::Failure;
 use coface::VertexId;
 use coface::algebra::Word;
+use coface::answers::answer::{WalkAnswer, WalkPair};
 use coface::topology::{ClosedWalk, ConjugacyForm, NormalForm, Presentation};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -25,8 +26,8 @@ struct Known {
 
 /// Walks compared: the object, and facts for people.
 pub(super) struct Compared {
-    pub(super) walks: Value,
-    pub(super) pairs: Value,
+    pub(super) walks: Vec<WalkAnswer>,
+    pub(super) pairs: Vec<WalkPair>,
     pub(super) facts: Vec<(String, String)>,
 }
 
@@ -52,14 +53,14 @@ pub(super) fn compare(
             (false, false) => format!("does not bound: {}", walk.word),
         };
         facts.push((format!("walk {i}"), verdict));
-        objects.push(json!({
-            "steps": walk.steps,
-            "component": walk.component,
-            "contractible": is_contractible,
-            "bounds": bounds,
-            "word": walk.word.letters(),
-            "homology": walk.class,
-        }));
+        objects.push(WalkAnswer {
+            steps: walk.steps,
+            component: walk.component,
+            contractible: is_contractible,
+            bounds,
+            word: walk.word.letters().to_vec(),
+            homology: walk.class.clone(),
+        });
     }
     let mut pairs = Vec::new();
     for (i, a) in known.iter().enumerate() {
@@ -77,12 +78,10 @@ pub(super) fn compare(
                 };
                 facts.push((format!("walks {i}, {j}"), verdict.to_owned()));
             }
-            pairs.push(json!({
-                "walks": [i, j], "homotopic": based, "freely_homotopic": free, "homologous": homologous,
-            }));
+            pairs.push(WalkPair { walks: [i, j], homotopic: based, freely_homotopic: free, homologous });
         }
     }
-    Ok(Compared { walks: objects.into(), pairs: pairs.into(), facts })
+    Ok(Compared { walks: objects, pairs, facts })
 }
 
 fn know(
