@@ -1,8 +1,8 @@
 //! Any bytes given to the reader of binary curves make a drawing that is a set or no set, or an error; a set is written and read again.
 #![no_main]
 
-use coface::io::{Format, ReadOptions, read_boundary};
 use coface::answers::{PlanarSet, SetRequest};
+use coface::io::{Format, ReadOptions, read_boundary};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

@@ -2,8 +2,8 @@
 //! comes again.
 #![no_main]
 
-use coface::io::{Format, ReadOptions, read_boundary};
 use coface::answers::{PlanarSet, SetRequest};
+use coface::io::{Format, ReadOptions, read_boundary};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

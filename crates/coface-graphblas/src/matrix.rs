@@ -16,6 +16,15 @@ pub struct Matrix {
     longest: usize,
 }
 
+impl std::fmt::Debug for Matrix {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Matrix")
+            .field("row_count", &self.row_count)
+            .field("column_count", &self.column_count)
+            .finish_non_exhaustive()
+    }
+}
+
 /// Compressed columns: column j has the rows `rows[starts[j]..starts[j + 1]]`, rising, with the entries beside them; none is
 /// zero.
 #[derive(Clone, Debug, PartialEq, Eq)]

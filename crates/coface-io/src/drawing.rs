@@ -380,6 +380,7 @@ pub fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
 }
 
 /// The features without names that the lines of a model are of; none where no such feature has several polygons.
+#[derive(Debug)]
 pub struct Features(Vec<i64>);
 
 impl Features {

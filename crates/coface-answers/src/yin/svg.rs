@@ -96,6 +96,7 @@ fn push_curve(text: &mut String, curve: &Curve<'_>) -> Result<(), Error> {
 
 /// A piece of a curve behind its start.
 #[doc(hidden)]
+#[derive(Debug)]
 pub enum Piece {
     /// A straight piece, by its end.
     Line([f64; 2]),

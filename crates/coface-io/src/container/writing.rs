@@ -13,6 +13,15 @@ pub struct ContainerWriter<'a> {
     sections: Vec<Section<'a>>,
 }
 
+impl std::fmt::Debug for ContainerWriter<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ContainerWriter")
+            .field("kind", &self.kind)
+            .field("sections", &self.sections.len())
+            .finish_non_exhaustive()
+    }
+}
+
 struct Section<'a> {
     role: Role,
     index: u32,

@@ -43,6 +43,15 @@ pub struct VolumeStream<'r> {
     files: Vec<PathBuf>,
 }
 
+impl std::fmt::Debug for VolumeStream<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("VolumeStream")
+            .field("header", &self.header)
+            .field("files", &self.files)
+            .finish_non_exhaustive()
+    }
+}
+
 impl VolumeStream<'static> {
     /// Opens a file of this format, or the one that its name and content tell; of `.hdr` and `.img`, and of `.nhdr`, the other file too.
     ///

@@ -32,6 +32,7 @@ pre { overflow-x: auto; font-size: .8rem; }
 "#;
 
 /// A picture on a page.
+#[derive(Debug)]
 pub enum Figure {
     /// SVG, as it stands.
     Svg(String),
@@ -40,6 +41,7 @@ pub enum Figure {
 }
 
 /// A model on a page.
+#[derive(Debug)]
 pub struct Section {
     /// What is said.
     pub items: Vec<Item>,

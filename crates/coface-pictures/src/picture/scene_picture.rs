@@ -58,6 +58,15 @@ pub struct Picture<'a> {
     pub(super) reach: f64,
 }
 
+impl std::fmt::Debug for Picture<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Picture")
+            .field("size", &self.size)
+            .field("facets", &self.facets.len())
+            .finish_non_exhaustive()
+    }
+}
+
 /// A triangle in the picture: pixels and depths.
 pub(super) struct Facet {
     pub(super) corners: [[f64; 3]; 3],

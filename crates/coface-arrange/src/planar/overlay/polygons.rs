@@ -56,6 +56,15 @@ pub struct PlanarPolygons<'a> {
     pub(super) events: Vec<u32>,
 }
 
+impl std::fmt::Debug for PlanarPolygons<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PlanarPolygons")
+            .field("rings", &self.rings.len())
+            .field("polygons", &self.polygons.len())
+            .finish_non_exhaustive()
+    }
+}
+
 impl PlanarPolygons<'_> {
     /// The vertices: each coordinate is the floating-point number nearest to the exact one. Corners of the input are
     /// exact.

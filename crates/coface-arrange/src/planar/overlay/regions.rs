@@ -55,6 +55,15 @@ pub struct PlanarOverlay {
     pub(super) lowest_corners: Vec<u32>,
 }
 
+impl std::fmt::Debug for PlanarOverlay {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PlanarOverlay")
+            .field("region_count", &self.region_count)
+            .field("crossings", &self.crossings.len())
+            .finish_non_exhaustive()
+    }
+}
+
 impl PlanarOverlay {
     /// The overlay of rings. Each ring runs through its points and back to the first; `regions[i]` is the region that
     /// ring i belongs to.
