@@ -73,14 +73,7 @@ const ABSENT: &[(&str, &[&str])] = &[
 ];
 
 /// Circles between folders that are known, by one of their files, and why they stay.
-const KNOWN_CIRCLES: &[(&str, &str, &str)] = &[
-    (
-        "coface-cli",
-        "arguments.rs",
-        "the verbs are named where the words are read, and need the words that all have",
-    ),
-    ("coface-cli", "commands/merge.rs", "homology in parts ends with a merge, and a merge prints homology"),
-];
+const KNOWN_CIRCLES: &[(&str, &str, &str)] = &[];
 
 const MOST_LINES: usize = 1000;
 
