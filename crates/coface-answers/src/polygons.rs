@@ -275,10 +275,10 @@ fn orientation_problems(
     if let (Some(false), Some(cycle)) = (orientation.is_orientable(), orientation.odd_cycle()) {
         let message = format!(
             "no side can be chosen: a closed chain of {} comes back reversed (a Moebius band)",
-            counted(cycle.faces().len(), "face", "faces")
+            counted(cycle.cells().len(), "face", "faces")
         );
-        let cells = cycle.faces().iter().map(|&face| face_vertices(mesh, face, labels));
-        let faces = cycle.faces().iter().map(|&face| [mesh.polygon_of_face(face) as u32]);
+        let cells = cycle.cells().iter().map(|&face| face_vertices(mesh, face, labels));
+        let faces = cycle.cells().iter().map(|&face| [mesh.polygon_of_face(face) as u32]);
         let (cells, faces) = (RaggedArray::from_lists(cells), RaggedArray::from_lists(faces));
         problems.push(Problem::new(ProblemKind::OneSidedChain, message, cells, faces, "face"));
     } else if orientation.is_coherent() == Some(false) {

@@ -1,6 +1,7 @@
 //! Producers: cell complexes of every kind, and the chain complexes that they give.
 //!
-//! Every producer is a [`Cells`]: it has a chain complex, a 2-skeleton, the vertices of its cells and their counts.
+//! Every producer is a [`Cells`]: it has a chain complex, a 2-skeleton, the vertices of its cells and their counts. [`Coherence`]
+//! says whether the top cells agree, with an [`OddCycle`] where they cannot.
 //!
 //! * [`simplicial`]: simplicial complexes of any dimension with star, closure, link and boundary; complexes with ordered simplices.
 //! * [`gluing`]: simplices with facets glued in pairs, and isomorphism signatures.
@@ -14,6 +15,7 @@
 
 pub mod cell_mesh;
 mod cells;
+mod coherence;
 pub mod cubical;
 pub mod gluing;
 pub mod grids;
@@ -24,3 +26,4 @@ pub mod simplicial;
 pub mod surface;
 
 pub use cells::Cells;
+pub use coherence::{Coherence, OddCycle};

@@ -1,11 +1,12 @@
 //! The boundary of a cell mesh as a surface of its own, and the orientation of the cells.
 
 use crate::cell_mesh::mesh::CellMesh;
+use crate::coherence::Coherence;
 use crate::surface::PolygonMesh;
 use crate::surface::dual_graph::DualGraph;
 use crate::surface::dual_graph::coherence;
 use coface_algebra::{CellId, FaceId, VertexId};
-use coface_algebra::{RaggedArray, Sign};
+use coface_algebra::RaggedArray;
 
 /// The faces in exactly one cell, as a polygon mesh with vertices of its own.
 ///
@@ -34,83 +35,19 @@ impl BoundarySurface {
     }
 }
 
-/// How the cells of a mesh are oriented and whether they can be oriented coherently.
-///
-/// Two cells on a common face agree when their boundaries run through it in opposite directions. The question is decided
-/// across the faces with exactly two cells; with a face in three or more cells it has no answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VolumeOrientation {
-    crowded_face: Option<FaceId>,
-    conflicts: Vec<FaceId>,
-    signs: Vec<Sign>,
-    odd_cycle: Option<OddCellCycle>,
-}
-
-/// A closed chain of cells that cannot all agree.
-///
-/// Cell i and cell i + 1 share face i; the last and the first share the last face. The cells are distinct. However the
-/// cells are turned, an odd number of these faces is run through twice in the same direction.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OddCellCycle {
-    cells: Vec<CellId>,
-    faces: Vec<FaceId>,
-}
-
-impl OddCellCycle {
-    /// The cells in order.
-    pub fn cells(&self) -> &[CellId] {
-        &self.cells
-    }
-
-    /// The faces in order: face i is shared by cell i and the next.
-    pub fn faces(&self) -> &[FaceId] {
-        &self.faces
-    }
-}
-
-impl VolumeOrientation {
-    /// Whether the cells can be turned so that all agree; `None` when a face lies in three or more cells.
-    pub fn is_orientable(&self) -> Option<bool> {
-        self.crowded_face.is_none().then_some(self.odd_cycle.is_none())
-    }
-
-    /// Whether all cells agree as they are listed; `None` when a face lies in three or more cells.
-    pub fn is_coherent(&self) -> Option<bool> {
-        self.crowded_face.is_none().then_some(self.conflicts.is_empty())
-    }
-
-    /// The first face in three or more cells, for which the questions have no answer.
-    pub fn crowded_face(&self) -> Option<FaceId> {
-        self.crowded_face
-    }
-
-    /// The faces with exactly two cells whose boundaries run through it in the same direction, rising.
-    pub fn conflicts(&self) -> &[FaceId] {
-        &self.conflicts
-    }
-
-    /// Why there is no coherent orientation.
-    pub fn odd_cycle(&self) -> Option<&OddCellCycle> {
-        self.odd_cycle.as_ref()
-    }
-
-    /// The sign of a cell: minus if it must be turned for a coherent orientation in which the first cell of each
-    /// strongly connected part stays. Plus when there is no coherent orientation.
-    pub fn sign(&self, cell: CellId) -> Sign {
-        self.signs.get(cell.index()).copied().unwrap_or(Sign::Plus)
-    }
-}
+/// How the cells of a mesh are oriented and whether they can be oriented coherently, across the faces with two cells.
+pub type VolumeOrientation = Coherence<CellId, FaceId>;
 
 impl DualGraph for CellMesh {
     fn node_count(&self) -> usize {
         self.cell_count()
     }
 
-    fn wall_count(&self) -> usize {
+    fn facet_count(&self) -> usize {
         self.face_count()
     }
 
-    fn walls_of(&self, cell: u32) -> impl Iterator<Item = u32> {
+    fn facets_of(&self, cell: u32) -> impl Iterator<Item = u32> {
         self.packed_faces(cell as usize).iter().map(|packed| packed >> 1)
     }
 
@@ -140,16 +77,7 @@ impl CellMesh {
     /// # Ok(()) }
     /// ```
     pub fn orientation(&self) -> VolumeOrientation {
-        let found = coherence(self);
-        VolumeOrientation {
-            crowded_face: found.crowded_wall.map(FaceId::new),
-            conflicts: found.conflicts.into_iter().map(FaceId::from_u32).collect(),
-            signs: found.signs,
-            odd_cycle: found.odd_cycle.map(|(cells, faces)| OddCellCycle {
-                cells: cells.into_iter().map(CellId::from_u32).collect(),
-                faces: faces.into_iter().map(FaceId::from_u32).collect(),
-            }),
-        }
+        coherence(self)
     }
 
     /// The faces in exactly one cell, as a surface.
@@ -202,6 +130,7 @@ impl CellMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use coface_algebra::Sign;
     use crate::cell_mesh::manifold::VolumeDefect;
     use crate::cell_mesh::shape::CellShape;
     use proptest::prelude::*;
@@ -286,7 +215,7 @@ mod tests {
         let cycle = orientation.odd_cycle().unwrap();
         let n = cycle.cells().len();
         let mut conflicts = 0;
-        for (i, &face) in cycle.faces().iter().enumerate() {
+        for (i, &face) in cycle.facets().iter().enumerate() {
             let around: Vec<(CellId, Sign)> = mesh.cells_of_face(face).collect();
             let [(c, s), (d, t)] = around[..] else { panic!("{face}") };
             assert_eq!(

@@ -18,7 +18,7 @@ mod mesh;
 mod shape;
 mod two_skeleton;
 
-pub use boundary::{BoundarySurface, OddCellCycle, VolumeOrientation};
+pub use boundary::{BoundarySurface, VolumeOrientation};
 pub use manifold::{VolumeDefect, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};
 pub use mesh::CellMesh;

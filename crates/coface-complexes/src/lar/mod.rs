@@ -38,4 +38,4 @@ pub use model::LarModel;
 pub use operator::Operator;
 pub use shared_vertices::Shared;
 
-pub use orientation::{CellCoherence, OddCellChain, OrientedCells, oriented_boundary, signed_measures};
+pub use orientation::{CellCoherence, OrientedCells, oriented_boundary, signed_measures};

@@ -43,6 +43,6 @@ pub use halfedge::{
     InnerHalfedges, Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
 };
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
-pub use orientation::{OddFaceCycle, SurfaceOrientation};
+pub use orientation::SurfaceOrientation;
 pub use polygon_mesh::PolygonMesh;
 pub use repair::{FacesAtEdge, MeshRepair};

@@ -2,76 +2,11 @@
 
 use super::PolygonMesh;
 use super::dual_graph::{DualGraph, coherence};
-use coface_algebra::Sign;
+use crate::coherence::Coherence;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, Fault};
 
-/// How the faces of a mesh are oriented and whether they can be oriented coherently.
-///
-/// Two faces on a common edge agree when they run through it in opposite directions. The question is decided across
-/// the edges with exactly two faces; with an edge in three or more faces it has no answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SurfaceOrientation {
-    many_faced_edge: Option<EdgeId>,
-    conflicts: Vec<EdgeId>,
-    /// The sign of each face that makes all agree, empty when all are plus.
-    signs: Vec<Sign>,
-    odd_cycle: Option<OddFaceCycle>,
-}
-
-/// A closed chain of faces that cannot all agree: a Moebius band, possibly meeting itself in vertices.
-///
-/// Face i and face i + 1 share edge i; the last and the first share the last edge. The faces are distinct, and so are
-/// the edges. However the faces are turned, an odd number of these edges is run through twice in the same direction.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OddFaceCycle {
-    faces: Vec<FaceId>,
-    edges: Vec<EdgeId>,
-}
-
-impl OddFaceCycle {
-    /// The faces in order.
-    pub fn faces(&self) -> &[FaceId] {
-        &self.faces
-    }
-
-    /// The edges in order: edge i is shared by face i and the next.
-    pub fn edges(&self) -> &[EdgeId] {
-        &self.edges
-    }
-}
-
-impl SurfaceOrientation {
-    /// Whether the faces can be turned so that all agree; `None` when an edge lies in three or more faces.
-    pub fn is_orientable(&self) -> Option<bool> {
-        self.many_faced_edge.is_none().then_some(self.odd_cycle.is_none())
-    }
-
-    /// Whether all faces agree as they are listed; `None` when an edge lies in three or more faces.
-    pub fn is_coherent(&self) -> Option<bool> {
-        self.many_faced_edge.is_none().then_some(self.conflicts.is_empty())
-    }
-
-    /// The first edge in three or more faces, for which the questions have no answer.
-    pub fn many_faced_edge(&self) -> Option<EdgeId> {
-        self.many_faced_edge
-    }
-
-    /// The edges with exactly two faces that run through it in the same direction, rising.
-    pub fn conflicts(&self) -> &[EdgeId] {
-        &self.conflicts
-    }
-
-    /// Why there is no coherent orientation.
-    pub fn odd_cycle(&self) -> Option<&OddFaceCycle> {
-        self.odd_cycle.as_ref()
-    }
-
-    /// The sign of a face: minus if it must be turned around for a coherent orientation in which the first face of each
-    /// strongly connected part keeps its direction. Plus when there is no coherent orientation.
-    pub fn sign(&self, face: FaceId) -> Sign {
-        self.signs.get(face.index()).copied().unwrap_or(Sign::Plus)
-    }
-}
+/// How the faces of a mesh are oriented and whether they can be oriented coherently, across the edges with two faces.
+pub type SurfaceOrientation = Coherence<FaceId, EdgeId>;
 
 impl PolygonMesh {
     /// Whether the faces agree, whether they can be made to, and a closed chain of faces that cannot if not.
@@ -94,20 +29,11 @@ impl PolygonMesh {
     /// let band = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?;
     /// let orientation = band.orientation();
     /// assert_eq!(orientation.is_orientable(), Some(false));
-    /// assert_eq!(orientation.odd_cycle().expect("a Moebius band").faces().len(), 5);
+    /// assert_eq!(orientation.odd_cycle().expect("a Moebius band").cells().len(), 5);
     /// # Ok(()) }
     /// ```
     pub fn orientation(&self) -> SurfaceOrientation {
-        let found = coherence(self);
-        SurfaceOrientation {
-            many_faced_edge: found.crowded_wall.map(EdgeId::new),
-            conflicts: found.conflicts.into_iter().map(EdgeId::from_u32).collect(),
-            signs: found.signs,
-            odd_cycle: found.odd_cycle.map(|(faces, edges)| OddFaceCycle {
-                faces: faces.into_iter().map(FaceId::from_u32).collect(),
-                edges: edges.into_iter().map(EdgeId::from_u32).collect(),
-            }),
-        }
+        coherence(self)
     }
 
     /// The mesh with its faces turned so that all agree; the first face of each strongly connected part keeps its
@@ -129,7 +55,7 @@ impl PolygonMesh {
     /// ```
     pub fn oriented(&self) -> Result<Self, Error> {
         let orientation = self.orientation();
-        if let Some(edge) = orientation.many_faced_edge {
+        if let Some(edge) = orientation.crowded_facet {
             let [a, b] = self.edge(edge);
             return Err(Error::new(
                 ErrorKind::NonManifold,
@@ -149,11 +75,11 @@ impl PolygonMesh {
                 ErrorKind::NonManifold,
                 format!(
                     "the mesh is not orientable: the {} faces from {} around to it again form a Moebius band",
-                    cycle.faces.len(),
-                    cycle.faces[0]
+                    cycle.cells.len(),
+                    cycle.cells[0]
                 ),
             )
-            .with_fault(Fault::OddCycle { faces: cycle.faces.clone() })
+            .with_fault(Fault::OddCycle { faces: cycle.cells.clone() })
             .with_cure("cut the mesh open, or take its orientation double cover"));
         }
         if orientation.signs.is_empty() {
@@ -168,11 +94,11 @@ impl DualGraph for PolygonMesh {
         self.face_count()
     }
 
-    fn wall_count(&self) -> usize {
+    fn facet_count(&self) -> usize {
         self.edge_count()
     }
 
-    fn walls_of(&self, face: u32) -> impl Iterator<Item = u32> {
+    fn facets_of(&self, face: u32) -> impl Iterator<Item = u32> {
         self.side_edges(face as usize).iter().copied()
     }
 
@@ -184,7 +110,8 @@ impl DualGraph for PolygonMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::RaggedArray;
+    use crate::coherence::OddCycle;
+    use coface_algebra::{RaggedArray, Sign};
     use proptest::prelude::*;
     use std::collections::BTreeSet;
 
@@ -198,16 +125,16 @@ mod tests {
         })
     }
 
-    fn check_odd_cycle(mesh: &PolygonMesh, cycle: &OddFaceCycle) {
-        let n = cycle.faces().len();
-        assert_eq!(cycle.edges().len(), n);
-        assert_eq!(cycle.faces().iter().collect::<BTreeSet<_>>().len(), n, "no face twice");
-        assert_eq!(cycle.edges().iter().collect::<BTreeSet<_>>().len(), n, "no edge twice");
+    fn check_odd_cycle(mesh: &PolygonMesh, cycle: &OddCycle<FaceId, EdgeId>) {
+        let n = cycle.cells().len();
+        assert_eq!(cycle.facets().len(), n);
+        assert_eq!(cycle.cells().iter().collect::<BTreeSet<_>>().len(), n, "no face twice");
+        assert_eq!(cycle.facets().iter().collect::<BTreeSet<_>>().len(), n, "no edge twice");
         let mut conflicts = 0;
-        for (i, &edge) in cycle.edges().iter().enumerate() {
+        for (i, &edge) in cycle.facets().iter().enumerate() {
             let around: Vec<(FaceId, Sign)> = mesh.faces_of_edge(edge).collect();
             let [(f, s), (g, t)] = around[..] else { panic!("{edge} has {} faces", around.len()) };
-            let pair = BTreeSet::from([cycle.faces()[i], cycle.faces()[(i + 1) % n]]);
+            let pair = BTreeSet::from([cycle.cells()[i], cycle.cells()[(i + 1) % n]]);
             assert_eq!(BTreeSet::from([f, g]), pair);
             conflicts += usize::from(s == t);
         }
@@ -254,7 +181,7 @@ mod tests {
             let orientation = band.orientation();
             let cycle = orientation.odd_cycle().unwrap();
             check_odd_cycle(&band, cycle);
-            prop_assert_eq!(cycle.faces().len(), n as usize);
+            prop_assert_eq!(cycle.cells().len(), n as usize);
         }
     }
 }

@@ -1,71 +1,16 @@
 //! Do cells agree across their facets, and can they be turned to?
 
 use super::OrientedCells;
+use crate::coherence::Coherence;
 use crate::surface::dual_graph::DualGraph;
 use crate::surface::dual_graph::coherence;
 use coface_algebra::{CellId, Error, ErrorKind};
-use coface_algebra::{RaggedArray, Sign, SparseMatrix};
+use coface_algebra::{RaggedArray, SparseMatrix};
 
-/// Whether the cells of one degree agree, and whether they can be turned so that all do.
-///
-/// Two cells on a common facet agree when they have it with opposite signs. The question is decided across the facets with
-/// exactly two cells; with a facet in three or more cells it has no answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CellCoherence {
-    crowded_facet: Option<CellId>,
-    conflicts: Vec<CellId>,
-    signs: Vec<Sign>,
-    odd_chain: Option<OddCellChain>,
-}
+/// Whether the cells of one degree agree, and whether they can be turned so that all do, across the facets with two cells.
+pub type CellCoherence = Coherence<CellId, CellId>;
 
-/// A closed chain of cells that cannot all agree: cell i and cell i + 1 share facet i, the last and the first the last
-/// facet. However the cells are turned, an odd number of these facets have two equal signs.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OddCellChain {
-    cells: Vec<CellId>,
-    facets: Vec<CellId>,
-}
-
-impl OddCellChain {
-    /// The cells in order, each once.
-    pub fn cells(&self) -> &[CellId] {
-        &self.cells
-    }
-
-    /// The facets in order: facet i is shared by cell i and the next.
-    pub fn facets(&self) -> &[CellId] {
-        &self.facets
-    }
-}
-
-impl CellCoherence {
-    /// Whether the cells can be turned so that all agree; `None` when a facet lies in three or more cells.
-    pub fn is_orientable(&self) -> Option<bool> {
-        self.crowded_facet.is_none().then_some(self.odd_chain.is_none())
-    }
-
-    /// Whether all cells agree as they are; `None` when a facet lies in three or more cells.
-    pub fn is_coherent(&self) -> Option<bool> {
-        self.crowded_facet.is_none().then_some(self.conflicts.is_empty())
-    }
-
-    /// The first facet in three or more cells.
-    pub fn crowded_facet(&self) -> Option<CellId> {
-        self.crowded_facet
-    }
-
-    /// The facets with exactly two cells, both with the same sign, rising.
-    pub fn conflicts(&self) -> &[CellId] {
-        &self.conflicts
-    }
-
-    /// Why the cells cannot agree.
-    pub fn odd_chain(&self) -> Option<&OddCellChain> {
-        self.odd_chain.as_ref()
-    }
-}
-
-/// Cells as nodes, facets as walls.
+/// Cells as nodes, with their facets.
 struct CellGraph<'a> {
     boundary: &'a SparseMatrix,
     /// For each facet its cells, each as `2 * cell + reversed`.
@@ -77,11 +22,11 @@ impl DualGraph for CellGraph<'_> {
         self.boundary.column_count()
     }
 
-    fn wall_count(&self) -> usize {
+    fn facet_count(&self) -> usize {
         self.cells_at.len()
     }
 
-    fn walls_of(&self, cell: u32) -> impl Iterator<Item = u32> {
+    fn facets_of(&self, cell: u32) -> impl Iterator<Item = u32> {
         self.boundary.column(cell as usize).rows().iter().copied()
     }
 
@@ -136,26 +81,17 @@ impl OrientedCells {
             }
         }
         let graph = CellGraph { boundary, cells_at: RaggedArray::from_parts(starts, packed)? };
-        let found = coherence(&graph);
-        let ids = |list: Vec<u32>| list.into_iter().map(CellId::from_u32).collect();
-        Ok(CellCoherence {
-            crowded_facet: found.crowded_wall.map(CellId::new),
-            conflicts: ids(found.conflicts),
-            signs: found.signs,
-            odd_chain: found
-                .odd_cycle
-                .map(|(cells, facets)| OddCellChain { cells: ids(cells), facets: ids(facets) }),
-        })
+        Ok(coherence(&graph))
     }
 
     /// The cells turned so that all agree across the facets that two of them share; the first cell of each part that
-    /// hangs together so keeps its signs.
+    /// is connected in this way keeps its signs.
     ///
     /// # Errors
     /// [`ErrorKind::NonManifold`] naming a closed chain of cells that cannot agree.
     pub fn coherent(self) -> Result<Self, Error> {
         let found = self.coherence()?;
-        if let Some(chain) = &found.odd_chain {
+        if let Some(chain) = &found.odd_cycle {
             let mut names: Vec<String> = chain.cells.iter().take(16).map(ToString::to_string).collect();
             if chain.cells.len() > names.len() {
                 names.push(format!("and {} more", chain.cells.len() - names.len()));

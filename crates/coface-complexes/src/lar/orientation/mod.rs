@@ -25,7 +25,7 @@ mod propagation;
 #[cfg(test)]
 mod tests;
 
-pub use coherence::{CellCoherence, OddCellChain};
+pub use coherence::CellCoherence;
 pub use measure::signed_measures;
 pub use oriented_cells::OrientedCells;
 pub use propagation::oriented_boundary;

@@ -1,5 +1,6 @@
 //! Signs of facets by propagation over the ridges that two facets of a cell share.
 
+use super::CellCoherence;
 use super::OrientedCells;
 use super::pinched::{PinchedRidge, join_patches};
 use crate::lar::parts::in_parts;
@@ -254,9 +255,10 @@ impl Scratch {
             places: &self.places,
             walls: RaggedArray::from_lists(walls),
         };
-        let chain = coherence(&graph).odd_cycle.map_or_else(Vec::new, |(facets, _)| facets);
+        let found: CellCoherence = coherence(&graph);
+        let chain = found.odd_cycle.map_or_else(Vec::new, |cycle| cycle.cells);
         let mut names: Vec<String> =
-            chain.iter().take(16).map(|&position| self.facets[position as usize].to_string()).collect();
+            chain.iter().take(16).map(|&position| self.facets[position.index()].to_string()).collect();
         if chain.len() > names.len() {
             names.push(format!("and {} more", chain.len() - names.len()));
         }
@@ -301,11 +303,11 @@ impl DualGraph for FacetGraph<'_> {
         self.facets.len()
     }
 
-    fn wall_count(&self) -> usize {
+    fn facet_count(&self) -> usize {
         self.walls.len()
     }
 
-    fn walls_of(&self, node: u32) -> impl Iterator<Item = u32> {
+    fn facets_of(&self, node: u32) -> impl Iterator<Item = u32> {
         let ridges = self.lower.column(self.facets[node as usize] as usize).rows();
         ridges.iter().map(|&ridge| self.places[ridge as usize])
     }

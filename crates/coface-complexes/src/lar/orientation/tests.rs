@@ -229,8 +229,8 @@ fn cells_that_cannot_agree_are_named() {
     assert_eq!(error.kind(), ErrorKind::NonManifold);
     let complex = band.oriented_chain_complex(TopOrientation::LowestFacet, None).unwrap();
     let found = OrientedCells::connected(complex.boundary_matrix(2).unwrap().clone()).coherence().unwrap();
-    assert_eq!((found.is_orientable(), found.odd_chain().unwrap().cells().len()), (Some(false), 5));
-    assert_eq!(found.odd_chain().unwrap().facets().len(), 5);
+    assert_eq!((found.is_orientable(), found.odd_cycle().unwrap().cells().len()), (Some(false), 5));
+    assert_eq!(found.odd_cycle().unwrap().facets().len(), 5);
 }
 
 #[test]

@@ -23,7 +23,7 @@ impl HalfedgeMesh {
     /// use coface_algebra::FaceId;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let disk = HalfedgeMesh::from_next(vec![0, 1])?.with_outer_faces(&[FaceId::new(0)])?;
-    /// assert_eq!((disk.f_vector(), disk.outer_face_count()), ([1, 1, 1], 1));
+    /// assert_eq!((disk.f_vector(), disk.outer_face_count()), (vec![1, 1, 1], 1));
     /// assert_eq!(disk.surface().map(|surface| surface.to_string()).as_deref(), Some("disk"));
     /// # Ok(()) }
     /// ```

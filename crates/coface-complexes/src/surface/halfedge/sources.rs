@@ -31,7 +31,7 @@ impl HalfedgeMesh {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let disk = TwoSkeleton::new(2, vec![0, 0, 0, 1], RaggedArray::from_lists([[0, 2, 3]]))?;
     /// let mesh = HalfedgeMesh::from_two_skeleton(&disk)?;
-    /// assert_eq!((mesh.f_vector(), mesh.outer_face_count()), ([2, 2, 1], 1));
+    /// assert_eq!((mesh.f_vector(), mesh.outer_face_count()), (vec![2, 2, 1], 1));
     /// assert_eq!(mesh.two_skeleton()?, disk);
     /// # Ok(()) }
     /// ```
@@ -137,7 +137,7 @@ impl HalfedgeMesh {
     /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (0, 1, 1)])?;
     /// let faces = SparseMatrix::from_entries(2, 2, [(0, 0, 1), (1, 0, 1), (0, 1, 1), (1, 1, 1)])?;
     /// let sphere = HalfedgeMesh::from_chain_complex(&ChainComplex::new(vec![edges, faces])?)?;
-    /// assert_eq!((sphere.f_vector(), sphere.genus()), ([2, 2, 2], 0));
+    /// assert_eq!((sphere.f_vector(), sphere.genus()), (vec![2, 2, 2], 0));
     /// # Ok(()) }
     /// ```
     pub fn from_chain_complex(complex: &ChainComplex) -> Result<Self, Error> {

@@ -1,0 +1,98 @@
+//! Whether top cells agree, and whether they can be turned so that they do: one answer for faces, cells and facets.
+
+use coface_algebra::{Id, Sign};
+
+/// How the top cells of a complex are oriented and whether they can be oriented coherently.
+///
+/// Two cells on a common facet agree when their boundaries run through it in opposite directions. The question is decided
+/// across the facets with exactly two cells; with a facet in three or more cells it has no answer.
+///
+/// # Examples
+/// Two triangles that run through their common edge in the same direction:
+/// ```
+/// use coface_algebra::{FaceId, RaggedArray, Sign};
+/// use coface_complexes::surface::PolygonMesh;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangles = RaggedArray::from_lists([[0, 1, 2], [1, 2, 3]]);
+/// let found = PolygonMesh::new(4, triangles, &[])?.orientation();
+/// assert_eq!((found.is_coherent(), found.is_orientable()), (Some(false), Some(true)));
+/// assert_eq!(found.conflicts().len(), 1);
+/// assert_eq!(found.sign(FaceId::new(1)), Sign::Minus);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coherence<Cell, Facet> {
+    pub(crate) crowded_facet: Option<Facet>,
+    pub(crate) conflicts: Vec<Facet>,
+    /// The sign of each cell that makes all agree; empty when all are plus, and when there is none.
+    pub(crate) signs: Vec<Sign>,
+    pub(crate) odd_cycle: Option<OddCycle<Cell, Facet>>,
+}
+
+/// A closed chain of top cells that cannot all agree: in a surface a Moebius band, possibly meeting itself in vertices.
+///
+/// Cell i and cell i + 1 share facet i; the last and the first share the last facet. The cells are distinct, and so are
+/// the facets. However the cells are turned, an odd number of these facets is run through twice in the same direction.
+///
+/// # Examples
+/// The Moebius band of five triangles:
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_complexes::surface::PolygonMesh;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+/// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+/// let cycle = found.odd_cycle().expect("a Moebius band is not orientable");
+/// assert_eq!((cycle.cells().len(), cycle.facets().len()), (5, 5));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OddCycle<Cell, Facet> {
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) facets: Vec<Facet>,
+}
+
+impl<Cell, Facet> OddCycle<Cell, Facet> {
+    /// The cells in order.
+    pub fn cells(&self) -> &[Cell] {
+        &self.cells
+    }
+
+    /// The facets in order: facet i is shared by cell i and the next.
+    pub fn facets(&self) -> &[Facet] {
+        &self.facets
+    }
+}
+
+impl<Cell: Id, Facet: Id> Coherence<Cell, Facet> {
+    /// Whether the cells can be turned so that all agree; `None` when a facet lies in three or more cells.
+    pub fn is_orientable(&self) -> Option<bool> {
+        self.crowded_facet.is_none().then_some(self.odd_cycle.is_none())
+    }
+
+    /// Whether all cells agree as they are listed; `None` when a facet lies in three or more cells.
+    pub fn is_coherent(&self) -> Option<bool> {
+        self.crowded_facet.is_none().then_some(self.conflicts.is_empty())
+    }
+
+    /// The first facet in three or more cells, for which the questions have no answer.
+    pub fn crowded_facet(&self) -> Option<Facet> {
+        self.crowded_facet
+    }
+
+    /// The facets with exactly two cells that run through it in the same direction, rising.
+    pub fn conflicts(&self) -> &[Facet] {
+        &self.conflicts
+    }
+
+    /// Why there is no coherent orientation.
+    pub fn odd_cycle(&self) -> Option<&OddCycle<Cell, Facet>> {
+        self.odd_cycle.as_ref()
+    }
+
+    /// The sign of a cell: minus if it must be turned for a coherent orientation in which the first cell of each strongly
+    /// connected part stays. Plus when there is no coherent orientation.
+    pub fn sign(&self, cell: Cell) -> Sign {
+        self.signs.get(cell.index()).copied().unwrap_or(Sign::Plus)
+    }
+}
