@@ -54,11 +54,33 @@ pub struct OddCycle<Cell, Facet> {
 
 impl<Cell, Facet> OddCycle<Cell, Facet> {
     /// The cells in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert_eq!(found.odd_cycle().map(|cycle| cycle.cells().len()), Some(5));
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self) -> &[Cell] {
         &self.cells
     }
 
     /// The facets in order: facet i is shared by cell i and the next.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert_eq!(found.odd_cycle().map(|cycle| cycle.facets().len()), Some(5));
+    /// # Ok(()) }
+    /// ```
     pub fn facets(&self) -> &[Facet] {
         &self.facets
     }
@@ -66,26 +88,81 @@ impl<Cell, Facet> OddCycle<Cell, Facet> {
 
 impl<Cell: Id, Facet: Id> Coherence<Cell, Facet> {
     /// Whether the cells can be turned so that all agree; `None` when a facet lies in three or more cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert_eq!(found.is_orientable(), Some(false));
+    /// # Ok(()) }
+    /// ```
     pub fn is_orientable(&self) -> Option<bool> {
         self.crowded_facet.is_none().then_some(self.odd_cycle.is_none())
     }
 
     /// Whether all cells agree as they are listed; `None` when a facet lies in three or more cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert_eq!(found.is_coherent(), Some(false));
+    /// # Ok(()) }
+    /// ```
     pub fn is_coherent(&self) -> Option<bool> {
         self.crowded_facet.is_none().then_some(self.conflicts.is_empty())
     }
 
     /// The first facet in three or more cells, for which the questions have no answer.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert_eq!(found.crowded_facet(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn crowded_facet(&self) -> Option<Facet> {
         self.crowded_facet
     }
 
     /// The facets with exactly two cells that run through it in the same direction, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert!(!found.conflicts().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn conflicts(&self) -> &[Facet] {
         &self.conflicts
     }
 
     /// Why there is no coherent orientation.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let found = PolygonMesh::new(5, RaggedArray::from_lists(triangles), &[])?.orientation();
+    /// assert!(found.odd_cycle().is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn odd_cycle(&self) -> Option<&OddCycle<Cell, Facet>> {
         self.odd_cycle.as_ref()
     }

@@ -5,8 +5,8 @@ use crate::coherence::Coherence;
 use crate::surface::PolygonMesh;
 use crate::surface::dual_graph::DualGraph;
 use crate::surface::dual_graph::coherence;
-use coface_algebra::{CellId, FaceId, VertexId};
 use coface_algebra::RaggedArray;
+use coface_algebra::{CellId, FaceId, VertexId};
 
 /// The faces in exactly one cell, as a polygon mesh with vertices of its own.
 ///
@@ -20,16 +20,52 @@ pub struct BoundarySurface {
 
 impl BoundarySurface {
     /// The surface; its vertices are those of boundary faces only, in the order of the cell mesh.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let boundary = mesh.boundary_surface();
+    /// assert_eq!(boundary.mesh().face_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn mesh(&self) -> &PolygonMesh {
         &self.mesh
     }
 
     /// The vertex of the cell mesh that each vertex of the surface is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let boundary = mesh.boundary_surface();
+    /// assert_eq!(boundary.vertices().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn vertices(&self) -> &[VertexId] {
         &self.vertices
     }
 
     /// The face of the cell mesh that each face of the surface is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let boundary = mesh.boundary_surface();
+    /// assert_eq!(boundary.faces().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn faces(&self) -> &[FaceId] {
         &self.faces
     }
@@ -130,9 +166,9 @@ impl CellMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::Sign;
     use crate::cell_mesh::manifold::VolumeDefect;
     use crate::cell_mesh::shape::CellShape;
+    use coface_algebra::Sign;
     use proptest::prelude::*;
     use std::collections::{BTreeMap, BTreeSet};
 

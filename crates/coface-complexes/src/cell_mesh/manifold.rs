@@ -67,48 +67,156 @@ pub enum VolumeDefect {
 
 impl VolumeVerdict {
     /// Whether the mesh is a 3-manifold, with or without boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.is_manifold());
+    /// # Ok(()) }
+    /// ```
     pub fn is_manifold(&self) -> bool {
         self.witness.is_none()
     }
 
     /// Whether no face lies in exactly one cell, and nothing is loose.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(!verdict.is_closed());
+    /// # Ok(()) }
+    /// ```
     pub fn is_closed(&self) -> bool {
         self.boundary_face_count == 0 && self.loose_faces.is_empty() && self.loose_edges.is_empty()
     }
 
     /// The faces in three or more cells, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.non_manifold_faces().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn non_manifold_faces(&self) -> &[FaceId] {
         &self.non_manifold_faces
     }
 
     /// The faces without a cell, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.loose_faces().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn loose_faces(&self) -> &[FaceId] {
         &self.loose_faces
     }
 
     /// The edges without a face, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.loose_edges().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn loose_edges(&self) -> &[EdgeId] {
         &self.loose_edges
     }
 
     /// The edges whose link is neither one path nor one cycle, rising; among them the sides of non-manifold and loose
     /// faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.non_manifold_edges().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn non_manifold_edges(&self) -> &[EdgeId] {
         &self.non_manifold_edges
     }
 
     /// The vertices whose link is neither a sphere nor a disk, rising; among them the ends of non-manifold edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.non_manifold_vertices().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn non_manifold_vertices(&self) -> &[VertexId] {
         &self.non_manifold_vertices
     }
 
     /// The number of faces in exactly one cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert_eq!(verdict.boundary_face_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_face_count(&self) -> usize {
         self.boundary_face_count
     }
 
     /// The first place where the mesh is no manifold: a face in many cells, else something loose, else an edge, else a
     /// vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// let verdict = mesh.manifold_verdict();
+    /// assert!(verdict.witness().is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn witness(&self) -> Option<&VolumeDefect> {
         self.witness.as_ref()
     }

@@ -58,6 +58,17 @@ impl CellMesh {
     ///
     /// # Complexity
     /// $O(n \log d)$ for n sides, d of them with one least vertex; parallel over ranges of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.cell_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         vertex_count: usize,
         shapes: Vec<CellShape>,
@@ -110,51 +121,161 @@ impl CellMesh {
     }
 
     /// The number of vertices, isolated ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.vertex_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.skeleton.vertex_count()
     }
 
     /// The number of edges, loose ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.edge_count(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.skeleton.edge_count()
     }
 
     /// The number of faces, loose polygons included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.face_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.skeleton.face_count()
     }
 
     /// The number of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.cell_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self) -> usize {
         self.shapes.len()
     }
 
     /// The numbers of vertices, edges, faces and cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         vec![self.vertex_count(), self.edge_count(), self.face_count(), self.cell_count()]
     }
 
     /// The alternating sum of the numbers of vertices, edges, faces and cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         self.skeleton.euler_characteristic() - self.cell_count() as i64
     }
 
     /// The vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.skeleton().euler_characteristic(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn skeleton(&self) -> &PolygonMesh {
         &self.skeleton
     }
 
     /// The connected components; each isolated vertex is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.components().count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn components(&self) -> Components {
         self.skeleton.components()
     }
 
     /// The shapes of the cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.shapes(), [CellShape::Tetrahedron]);
+    /// # Ok(()) }
+    /// ```
     pub fn shapes(&self) -> &[CellShape] {
         &self.shapes
     }
 
     /// The cells by their vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.cells().list(0), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self) -> &RaggedArray {
         &self.cells
     }
@@ -163,17 +284,50 @@ impl CellMesh {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, RaggedArray};
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.cell(CellId::new(0)), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn cell(&self, cell: CellId) -> &[u32] {
         self.cells.list(cell.index())
     }
 
     /// The position of a cell among the cells the mesh was made of.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, RaggedArray};
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.source_of_cell(CellId::new(0)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn source_of_cell(&self, cell: CellId) -> usize {
         self.source_of_cell.as_ref().map_or(cell.index(), |kept| kept[cell.index()] as usize)
     }
 
     /// The cells that were left out: each with the cell that has the same shape and faces, by rising position in the
     /// input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert!(mesh.duplicate_cells().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn duplicate_cells(&self) -> &[(CellId, usize)] {
         &self.duplicate_cells
     }
@@ -191,6 +345,17 @@ impl CellMesh {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, RaggedArray};
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.faces_of_cell(CellId::new(0)).len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn faces_of_cell(&self, cell: CellId) -> impl ExactSizeIterator<Item = (FaceId, Sign)> + '_ {
         self.packed_faces(cell.index()).iter().map(|&packed| face_and_sign(packed))
     }
@@ -204,6 +369,17 @@ impl CellMesh {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.cells_of_face(FaceId::new(0)).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn cells_of_face(&self, face: FaceId) -> impl ExactSizeIterator<Item = (CellId, Sign)> + '_ {
         self.packed_cells(face.index())
             .iter()
@@ -217,6 +393,17 @@ impl CellMesh {
     }
 
     /// The boundary matrix of degree 3: rows are faces, columns cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.cell_boundaries().column(0).rows(), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_boundaries(&self) -> SparseMatrix {
         let side_count = self.sides.start(self.cell_count());
         cell_boundaries(
@@ -231,6 +418,17 @@ impl CellMesh {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.chain_complex()?.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         if self.cell_count() == 0 {
             return self.skeleton.chain_complex();
@@ -245,6 +443,17 @@ impl CellMesh {
     ///
     /// # Errors
     /// As [`Self::chain_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
+    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
+    /// assert_eq!(mesh.into_chain_complex()?.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn into_chain_complex(self) -> Result<ChainComplex, Error> {
         let Self { shapes, sides, faces, skeleton, .. } = self;
         if shapes.is_empty() {

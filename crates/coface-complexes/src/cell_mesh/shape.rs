@@ -23,6 +23,14 @@ impl CellShape {
     pub const ALL: [Self; 4] = [Self::Tetrahedron, Self::Hexahedron, Self::Wedge, Self::Pyramid];
 
     /// The number of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cell_mesh::CellShape;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(CellShape::Pyramid.vertex_count(), 5);
+    /// # Ok(()) }
+    /// ```
     pub const fn vertex_count(self) -> usize {
         match self {
             Self::Tetrahedron => 4,
@@ -34,6 +42,14 @@ impl CellShape {
 
     /// The faces as cycles of local vertex numbers, each counterclockwise seen from outside a positive cell, so that
     /// the boundary of the cell is the sum of its faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cell_mesh::CellShape;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(CellShape::Hexahedron.faces().len(), 6);
+    /// # Ok(()) }
+    /// ```
     pub const fn faces(self) -> &'static [&'static [usize]] {
         match self {
             Self::Tetrahedron => &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]],

@@ -66,6 +66,15 @@ impl CubicalVolume {
     ///
     /// # Errors
     /// As [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.set_count(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn full(shape: &[u32], is_periodic: &[bool]) -> Result<Self, Error> {
         let mut volume = Self::empty(shape, is_periodic)?;
         volume.bits.fill();
@@ -133,21 +142,57 @@ impl CubicalVolume {
     }
 
     /// The number of voxels along each axis.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.shape(), [2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn shape(&self) -> &[u32] {
         &self.shape
     }
 
     /// For each axis whether its last voxel meets its first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.is_periodic(), [false, false]);
+    /// # Ok(()) }
+    /// ```
     pub fn is_periodic(&self) -> &[bool] {
         &self.is_periodic
     }
 
     /// The number of voxels, set or not.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.voxel_count(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn voxel_count(&self) -> usize {
         self.bits.len
     }
 
     /// The number of voxels that are set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.set_count(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn set_count(&self) -> usize {
         self.bits.words.iter().map(|word| word.count_ones() as usize).sum()
     }
@@ -156,6 +201,15 @@ impl CubicalVolume {
     ///
     /// # Panics
     /// If there is no such voxel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert!(volume.is_set(&[1, 2]));
+    /// # Ok(()) }
+    /// ```
     pub fn is_set(&self, voxel: &[u32]) -> bool {
         let is_voxel = voxel.len() == self.shape.len() && voxel.iter().zip(&self.shape).all(|(x, n)| x < n);
         assert!(is_voxel, "there is no voxel {voxel:?} in a volume of shape {:?}", self.shape);
@@ -163,6 +217,15 @@ impl CubicalVolume {
     }
 
     /// A bit for each voxel, 64 in a word, the first one lowest, the last axis running fastest; beyond the end zeros.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.words(), [0b11_1111]);
+    /// # Ok(()) }
+    /// ```
     pub fn words(&self) -> &[u64] {
         &self.bits.words
     }
@@ -184,6 +247,15 @@ impl CubicalVolume {
     ///
     /// # Complexity
     /// Linear in the places of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.chain_complex()?.f_vector(), [12, 17, 6]);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(CubicalBlocks::new(self, &vec![1; self.shape.len()])?.block(0)?.into_complex())
     }
@@ -267,6 +339,15 @@ impl CubicalVolume {
     ///
     /// # Complexity
     /// Linear in the places of cells and in the simplices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::cubical::CubicalVolume;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let volume = CubicalVolume::full(&[2, 3], &[false, false])?;
+    /// assert_eq!(volume.simplicial_chain_complex()?.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn simplicial_chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(SimplicialBlocks::new(self, &vec![1; self.shape.len()])?.block(0)?.into_complex())
     }

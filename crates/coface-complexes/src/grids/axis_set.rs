@@ -24,16 +24,43 @@ impl AxisSet {
     pub const LIMIT: usize = 32;
 
     /// The number of axes in the set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert_eq!(axes.len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn len(self) -> usize {
         self.0.count_ones() as usize
     }
 
     /// Whether there is no axis in the set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert!(!axes.is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
 
     /// Whether an axis is in the set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert!(axes.contains(2) && !axes.contains(1));
+    /// # Ok(()) }
+    /// ```
     pub fn contains(self, axis: usize) -> bool {
         axis < Self::LIMIT && self.0 << axis >> 31 == 1
     }
@@ -42,23 +69,59 @@ impl AxisSet {
     ///
     /// # Panics
     /// If `axis` is not below [`Self::LIMIT`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert_eq!(axes.with(1).len(), 3);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn with(self, axis: usize) -> Self {
         Self(self.0 | bit(axis))
     }
 
     /// The set without this axis.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert_eq!(axes.without(2).len(), 1);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn without(self, axis: usize) -> Self {
         if self.contains(axis) { Self(self.0 & !bit(axis)) } else { self }
     }
 
     /// The number of axes in the set that come before this one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert_eq!(axes.rank(2), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn rank(self, axis: usize) -> usize {
         self.iter().take_while(|&own| own < axis).count()
     }
 
     /// The axes in rising order.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert!(axes.iter().eq([0, 2]));
+    /// # Ok(()) }
+    /// ```
     pub fn iter(self) -> impl Iterator<Item = usize> + Clone {
         let mut rest = self.0;
         std::iter::from_fn(move || {
@@ -71,6 +134,15 @@ impl AxisSet {
     }
 
     /// All subsets in rising order, the empty set first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::AxisSet;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let axes: AxisSet = [0, 2].into_iter().collect();
+    /// assert_eq!(axes.subsets().count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn subsets(self) -> impl Iterator<Item = Self> {
         let mut next = Some(0u32);
         std::iter::from_fn(move || {

@@ -131,22 +131,58 @@ impl CuboidGrid {
     }
 
     /// The number of axes, which is the number of coordinates of a vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::CuboidGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = CuboidGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.axis_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn axis_count(&self) -> usize {
         self.axes.len()
     }
 
     /// The greatest dimension of a cell, the number of axes with a full interval; `None` for an empty grid.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::CuboidGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = CuboidGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.dimension(), Some(2));
+    /// # Ok(()) }
+    /// ```
     pub fn dimension(&self) -> Option<usize> {
         self.cell_counts.len().checked_sub(1)
     }
 
     /// The number of cells of this dimension: the sum over sets S of axes of that size of the product of interval
     /// counts over S and point counts over the other axes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::CuboidGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = CuboidGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.cell_count(2), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self, dimension: usize) -> usize {
         self.cell_counts.get(dimension).copied().unwrap_or(0)
     }
 
     /// The numbers of cells of dimension 0, 1, ...; empty for an empty grid.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::grids::CuboidGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = CuboidGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.f_vector(), [6, 7, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         self.cell_counts.clone()
     }

@@ -47,6 +47,16 @@ impl LarModel {
     ///
     /// # Complexity
     /// $O(n \log m)$ for lists of n vertices in all, m in the longest; in parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert!(LarModel::new(1, vec![RaggedArray::from_lists([[0, 1]])]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(vertex_count: usize, mut cells: Vec<RaggedArray>) -> Result<Self, Error> {
         if u32::try_from(vertex_count).is_err() {
             return Err(Error::new(
@@ -150,16 +160,46 @@ impl LarModel {
     }
 
     /// The number of vertices, isolated ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert_eq!(path.vertex_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
     /// The highest degree with a cell; `None` without vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert_eq!(path.dimension(), Some(1));
+    /// # Ok(()) }
+    /// ```
     pub fn dimension(&self) -> Option<usize> {
         if self.vertex_count == 0 { None } else { Some(self.cells.len()) }
     }
 
     /// The number of cells of this degree; 0 beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert_eq!(path.cell_count(1), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self, degree: usize) -> usize {
         match degree {
             0 => self.vertex_count,
@@ -168,11 +208,31 @@ impl LarModel {
     }
 
     /// The numbers of cells of degrees 0, 1, ...; empty without vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert_eq!(path.f_vector(), [3, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         (0..self.dimension().map_or(0, |d| d + 1)).map(|degree| self.cell_count(degree)).collect()
     }
 
     /// The cells of this degree by their vertices; a vertex is the list of itself.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert_eq!(path.cells(1).list(1), [1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self, degree: usize) -> Cow<'_, RaggedArray> {
         match degree {
             0 => Cow::Owned(
@@ -184,6 +244,16 @@ impl LarModel {
     }
 
     /// The facets of the k-cells that were given, as positions of (k-1)-cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::lar::LarModel;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = LarModel::new(3, vec![RaggedArray::from_lists([[0, 1], [1, 2]])])?;
+    /// assert!(path.given_facets(2).is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn given_facets(&self, degree: usize) -> Option<&RaggedArray> {
         self.facets.get(degree.checked_sub(2)?)?.as_ref()
     }

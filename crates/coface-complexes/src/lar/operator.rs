@@ -31,27 +31,72 @@ pub struct Operator {
 
 impl Operator {
     /// The operator whose rows and columns are the cells of these degrees.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::lar::Operator;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let faces_on_vertices = Operator::new(2, 0);
+    /// assert!(!faces_on_vertices.is_square());
+    /// # Ok(()) }
+    /// ```
     pub fn new(rows: usize, columns: usize) -> Self {
         Self { rows, columns }
     }
 
     /// The degree of the cells that are rows.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::lar::Operator;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let faces_on_vertices = Operator::new(2, 0);
+    /// assert_eq!(faces_on_vertices.rows(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn rows(self) -> usize {
         self.rows
     }
 
     /// The degree of the cells that are columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::lar::Operator;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let faces_on_vertices = Operator::new(2, 0);
+    /// assert_eq!(faces_on_vertices.columns(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn columns(self) -> usize {
         self.columns
     }
 
     /// The operator with rows and columns exchanged.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::lar::Operator;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let faces_on_vertices = Operator::new(2, 0);
+    /// assert_eq!(faces_on_vertices.transposed().rows(), 0);
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn transposed(self) -> Self {
         Self { rows: self.columns, columns: self.rows }
     }
 
     /// Whether rows and columns are the same cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::lar::Operator;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let faces_on_vertices = Operator::new(2, 0);
+    /// assert!(Operator::new(1, 1).is_square() && !faces_on_vertices.is_square());
+    /// # Ok(()) }
+    /// ```
     pub fn is_square(self) -> bool {
         self.rows == self.columns
     }

@@ -78,6 +78,18 @@ impl PlacedCells {
     ///
     /// # Complexity
     /// Linear, but for simplices of many vertices, which are sorted.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.cell_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         positions: Positions,
         kind: CellKind,
@@ -124,31 +136,103 @@ impl PlacedCells {
     }
 
     /// The positions of the vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.positions().as_flat(), [0.0, 1.0, 3.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
 
     /// What the cells are.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.kind(), CellKind::Simplex);
+    /// # Ok(()) }
+    /// ```
     pub fn kind(&self) -> CellKind {
         self.kind
     }
 
     /// The dimension of the cells; that of the space around them is [`Positions::dimension`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.dimension(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn dimension(&self) -> usize {
         self.dimension
     }
 
     /// The cells by their vertices, in the order that [`CellKind`] describes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.cells().list(1), [1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self) -> &RaggedArray {
         &self.cells
     }
 
     /// The number of vertices, those that no cell uses included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.vertex_count(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.positions.len()
     }
 
     /// The number of cells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.cell_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_count(&self) -> usize {
         self.cells.len()
     }
@@ -241,6 +325,18 @@ impl PlacedCells {
     }
 
     /// The positions and the cells, given away.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::shapes::{CellKind, PlacedCells};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(1, vec![0.0, 1.0, 3.0])?;
+    /// let cells = PlacedCells::new(corners, CellKind::Simplex, 1, RaggedArray::from_lists([[0, 1], [1, 2]]))?;
+    /// assert_eq!(cells.into_parts().1.len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn into_parts(self) -> (Positions, RaggedArray) {
         (self.positions, self.cells)
     }

@@ -18,16 +18,49 @@ pub struct Composite {
 
 impl Composite {
     /// The complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = simplex_boundary(2)?;
+    /// let eight = circle.wedge(VertexId::new(0), &circle, VertexId::new(0))?;
+    /// assert_eq!(eight.complex().f_vector(), [5, 6]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &SimplicialComplex {
         &self.complex
     }
 
     /// The complex alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = simplex_boundary(2)?;
+    /// let eight = circle.wedge(VertexId::new(0), &circle, VertexId::new(0))?;
+    /// assert_eq!(eight.into_complex().f_vector(), [5, 6]);
+    /// # Ok(()) }
+    /// ```
     pub fn into_complex(self) -> SimplicialComplex {
         self.complex
     }
 
     /// The vertex of the whole that a vertex of the second complex became.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = simplex_boundary(2)?;
+    /// let eight = circle.wedge(VertexId::new(0), &circle, VertexId::new(0))?;
+    /// assert_eq!(eight.second_label(VertexId::new(0)), VertexId::new(0));
+    /// # Ok(()) }
+    /// ```
     pub fn second_label(&self, vertex: VertexId) -> VertexId {
         VertexId::from_u32(
             Placement { shift: self.shift, identified: &self.identified }.label(vertex.to_u32()),

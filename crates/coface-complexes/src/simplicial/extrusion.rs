@@ -179,26 +179,76 @@ impl Extrusion {
     }
 
     /// The number of vertices of all levels.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.vertex_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.base_vertex_count as usize * self.heights.len()
     }
 
     /// The number of vertices of one level.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.base_vertex_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn base_vertex_count(&self) -> usize {
         self.base_vertex_count as usize
     }
 
     /// The height of each level; the first is 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.heights(), [1.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
 
     /// The simplices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.simplices().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn simplices(&self) -> &SignedSimplices {
         &self.simplices
     }
 
     /// The simplices by themselves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.into_simplices().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn into_simplices(self) -> SignedSimplices {
         self.simplices
     }
@@ -207,6 +257,16 @@ impl Extrusion {
     ///
     /// # Panics
     /// If there is no such simplex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::extrude;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
+    /// assert_eq!(square.source(1), (0, 0));
+    /// # Ok(()) }
+    /// ```
     pub fn source(&self, simplex: usize) -> (usize, usize) {
         assert!(
             simplex < self.simplices.len(),

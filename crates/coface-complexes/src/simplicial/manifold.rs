@@ -85,21 +85,61 @@ pub struct ManifoldWitness {
 
 impl ManifoldWitness {
     /// What is wrong.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = SimplicialComplex::from_facets([[0, 1, 2], [2, 3, 4]])?.manifold_verdict()?;
+    /// let witness = verdict.witness().expect("two triangles touch in a vertex");
+    /// assert_eq!(witness.fault().as_str(), "link_not_connected");
+    /// # Ok(()) }
+    /// ```
     pub fn fault(&self) -> LinkFault {
         self.fault
     }
 
     /// The simplex whose link is meant, and after it those that [`LinkFault`] says.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = SimplicialComplex::from_facets([[0, 1, 2], [2, 3, 4]])?.manifold_verdict()?;
+    /// let witness = verdict.witness().expect("two triangles touch in a vertex");
+    /// assert_eq!(witness.cells()[0].dimension(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self) -> &[Simplex] {
         &self.cells
     }
 
     /// How many simplices of the same dimension have the same fault; the one shown is the first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = SimplicialComplex::from_facets([[0, 1, 2], [2, 3, 4]])?.manifold_verdict()?;
+    /// let witness = verdict.witness().expect("two triangles touch in a vertex");
+    /// assert_eq!(witness.count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn count(&self) -> usize {
         self.count
     }
 
     /// One sentence for people.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialComplex;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = SimplicialComplex::from_facets([[0, 1, 2], [2, 3, 4]])?.manifold_verdict()?;
+    /// let witness = verdict.witness().expect("two triangles touch in a vertex");
+    /// assert!(!witness.message().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn message(&self) -> &str {
         &self.message
     }

@@ -114,6 +114,16 @@ impl Prism {
     ///
     /// # Complexity
     /// $O(n \log n)$ for n simplices of the prism.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// use coface_complexes::simplicial::Prism;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// assert_eq!(prism.complex().f_vector(), [6, 12, 6]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(base: &FrozenComplex) -> Result<Self, Error> {
         let shift = match base.dimension().and_then(|_| base.flat(0).last()) {
             Some(&last) => last
@@ -171,6 +181,16 @@ impl Prism {
     }
 
     /// The product with the interval.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// use coface_complexes::simplicial::Prism;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// assert_eq!(prism.complex().f_vector(), [6, 12, 6]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &FrozenComplex {
         &self.complex
     }
@@ -179,11 +199,31 @@ impl Prism {
     ///
     /// # Errors
     /// None: it is copied.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// use coface_complexes::simplicial::Prism;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// assert_eq!(prism.chain_complex()?.euler_characteristic(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(self.chain_complex.clone())
     }
 
     /// What is added to the number of a vertex for its copy at the upper end: one more than the greatest number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// use coface_complexes::simplicial::Prism;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// assert_eq!(prism.shift(), 3);
+    /// # Ok(()) }
+    /// ```
     pub fn shift(&self) -> u32 {
         self.shift
     }

@@ -37,6 +37,16 @@ impl SignedSimplices {
     ///
     /// # Complexity
     /// Linear for simplices of a few vertices; those of many vertices are sorted.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::SignedSimplices;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = SignedSimplices::new(&RaggedArray::from_lists([[1, 0, 2]]))?;
+    /// assert_eq!(triangle.lists().list(0), [0, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(simplices: &RaggedArray) -> Result<Self, Error> {
         let mut lists = simplices.clone();
         let mut signs = Vec::with_capacity(lists.len());
@@ -62,21 +72,61 @@ impl SignedSimplices {
     }
 
     /// The vertices of each simplex, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::SignedSimplices;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = SignedSimplices::new(&RaggedArray::from_lists([[1, 0, 2]]))?;
+    /// assert_eq!(triangle.lists().list(0), [0, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn lists(&self) -> &RaggedArray {
         &self.lists
     }
 
     /// The sign of each simplex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::SignedSimplices;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = SignedSimplices::new(&RaggedArray::from_lists([[1, 0, 2]]))?;
+    /// assert_eq!(triangle.signs(), [coface_algebra::Sign::Minus]);
+    /// # Ok(()) }
+    /// ```
     pub fn signs(&self) -> &[Sign] {
         &self.signs
     }
 
     /// The number of simplices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::SignedSimplices;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = SignedSimplices::new(&RaggedArray::from_lists([[1, 0, 2]]))?;
+    /// assert_eq!(triangle.len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn len(&self) -> usize {
         self.signs.len()
     }
 
     /// Whether there is no simplex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::SignedSimplices;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = SignedSimplices::new(&RaggedArray::from_lists([[1, 0, 2]]))?;
+    /// assert!(!triangle.is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.signs.is_empty()
     }
@@ -95,6 +145,16 @@ impl SignedSimplices {
     }
 
     /// The rising lists alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::simplicial::SignedSimplices;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = SignedSimplices::new(&RaggedArray::from_lists([[1, 0, 2]]))?;
+    /// assert_eq!(triangle.into_lists().list(0), [0, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn into_lists(self) -> RaggedArray {
         self.lists
     }

@@ -40,6 +40,15 @@ impl SimplicialGrid {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] if vertices or simplices are more than $2^{32} - 1$.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = SimplicialGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.simplex_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn new(shape: &[u32]) -> Result<Self, Error> {
         let product = |factors: &mut dyn Iterator<Item = u64>, what: &str| {
             let mut product = 1u64;
@@ -66,16 +75,43 @@ impl SimplicialGrid {
     }
 
     /// The number of cubes along each axis.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = SimplicialGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.shape(), [2, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn shape(&self) -> &[u32] {
         &self.shape
     }
 
     /// The number of vertices: the product of the numbers of cubes, each plus 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = SimplicialGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.vertex_count(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_count as usize
     }
 
     /// The number of simplices of full dimension d: d! times the number of cubes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = SimplicialGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.simplex_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn simplex_count(&self) -> usize {
         self.simplex_count as usize
     }
@@ -89,6 +125,15 @@ impl SimplicialGrid {
     ///
     /// # Complexity
     /// Linear in the result, in parallel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = SimplicialGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.simplices()?.len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn simplices(&self) -> Result<SignedSimplices, Error> {
         let width = self.shape.len() + 1;
         let total = self.item_count()?;
@@ -194,6 +239,15 @@ impl SimplicialGrid {
     ///
     /// # Errors
     /// None for a grid that could be made.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::SimplicialGrid;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let grid = SimplicialGrid::new(&[2, 1])?;
+    /// assert_eq!(grid.positions()?.len(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> Result<Positions, Error> {
         let dimension = self.shape.len();
         if dimension == 0 {

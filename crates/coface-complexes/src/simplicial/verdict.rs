@@ -26,6 +26,15 @@ pub enum Verdict<Certificate, Witness> {
 
 impl<Certificate, Witness> Verdict<Certificate, Witness> {
     /// Yes, no, or `None` for unknown.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = simplex_boundary(3)?.manifold_verdict()?;
+    /// assert_eq!(verdict.to_bool(), Some(true));
+    /// # Ok(()) }
+    /// ```
     pub fn to_bool(&self) -> Option<bool> {
         match self {
             Self::Yes(_) => Some(true),
@@ -35,6 +44,15 @@ impl<Certificate, Witness> Verdict<Certificate, Witness> {
     }
 
     /// The word of the report: "yes", "no" or "unknown".
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = simplex_boundary(3)?.manifold_verdict()?;
+    /// assert_eq!(verdict.as_str(), "yes");
+    /// # Ok(()) }
+    /// ```
     pub fn as_str(&self) -> &'static str {
         match self {
             Self::Yes(_) => "yes",
@@ -44,6 +62,15 @@ impl<Certificate, Witness> Verdict<Certificate, Witness> {
     }
 
     /// The witness of "no" and "unknown".
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces::simplex_boundary;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let verdict = simplex_boundary(3)?.manifold_verdict()?;
+    /// assert!(verdict.witness().is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn witness(&self) -> Option<&Witness> {
         match self {
             Self::Yes(_) => None,

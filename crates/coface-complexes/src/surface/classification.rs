@@ -30,6 +30,15 @@ pub struct SurfaceType {
 
 impl SurfaceType {
     /// The sphere with `genus` handles and `boundary_count` holes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::SurfaceType;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceType::orientable(1, 0);
+    /// assert_eq!(torus.euler_characteristic(), 0);
+    /// # Ok(()) }
+    /// ```
     pub const fn orientable(genus: usize, boundary_count: usize) -> Self {
         Self { is_orientable: true, genus, boundary_count }
     }
@@ -38,27 +47,72 @@ impl SurfaceType {
     ///
     /// # Panics
     /// If there is no crosscap.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::SurfaceType;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceType::orientable(1, 0);
+    /// assert_eq!(SurfaceType::non_orientable(1, 0).euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub const fn non_orientable(crosscaps: usize, boundary_count: usize) -> Self {
         assert!(crosscaps > 0, "a surface without crosscaps is orientable");
         Self { is_orientable: false, genus: crosscaps, boundary_count }
     }
 
     /// Whether it is orientable.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::SurfaceType;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceType::orientable(1, 0);
+    /// assert!(torus.is_orientable());
+    /// # Ok(()) }
+    /// ```
     pub const fn is_orientable(self) -> bool {
         self.is_orientable
     }
 
     /// The number of handles of an orientable surface, of crosscaps of a non-orientable one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::SurfaceType;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceType::orientable(1, 0);
+    /// assert_eq!(torus.genus(), 1);
+    /// # Ok(()) }
+    /// ```
     pub const fn genus(self) -> usize {
         self.genus
     }
 
     /// The number of boundary loops.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::SurfaceType;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceType::orientable(1, 0);
+    /// assert_eq!(torus.boundary_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub const fn boundary_count(self) -> usize {
         self.boundary_count
     }
 
     /// The Euler characteristic.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::SurfaceType;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = SurfaceType::orientable(1, 0);
+    /// assert_eq!(torus.euler_characteristic(), 0);
+    /// # Ok(()) }
+    /// ```
     pub const fn euler_characteristic(self) -> i64 {
         let handles = if self.is_orientable { 2 * self.genus } else { self.genus };
         2 - handles as i64 - self.boundary_count as i64
@@ -180,26 +234,76 @@ pub struct SurfaceSurvey {
 
 impl SurfaceSurvey {
     /// The connected components.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let survey = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?.survey();
+    /// assert_eq!(survey.components().count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn components(&self) -> &Components {
         &self.components
     }
 
     /// The manifold test.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let survey = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?.survey();
+    /// assert!(survey.verdict().is_manifold());
+    /// # Ok(()) }
+    /// ```
     pub fn verdict(&self) -> &SurfaceVerdict {
         &self.verdict
     }
 
     /// The orientation.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let survey = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?.survey();
+    /// assert_eq!(survey.orientation().is_orientable(), Some(true));
+    /// # Ok(()) }
+    /// ```
     pub fn orientation(&self) -> &SurfaceOrientation {
         &self.orientation
     }
 
     /// The boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let survey = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?.survey();
+    /// assert_eq!(survey.boundary_loops().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_loops(&self) -> &[BoundaryLoop] {
         &self.boundary_loops
     }
 
     /// Each component: its counts and which surface it is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let survey = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?.survey();
+    /// assert_eq!(survey.parts()[0].euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn parts(&self) -> &[SurfaceComponent] {
         &self.parts
     }
@@ -214,6 +318,16 @@ impl SurfaceSurvey {
 
     /// The mesh in words: "torus", "5 spheres", "2 disks and 1 torus"; `None` if some component is neither a surface nor
     /// a point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let survey = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?.survey();
+    /// assert_eq!(survey.name().as_deref(), Some("disk"));
+    /// # Ok(()) }
+    /// ```
     pub fn name(&self) -> Option<String> {
         SurfaceComponent::names(&self.parts)
     }

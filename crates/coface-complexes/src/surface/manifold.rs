@@ -77,37 +77,114 @@ impl LinkComponent {
 
 impl SurfaceVerdict {
     /// Whether the mesh is a surface, with or without boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert!(!verdict.is_manifold());
+    /// # Ok(()) }
+    /// ```
     pub fn is_manifold(&self) -> bool {
         self.witness.is_none()
     }
 
     /// Whether no edge lies in exactly one face and none in no face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert!(!verdict.is_closed());
+    /// # Ok(()) }
+    /// ```
     pub fn is_closed(&self) -> bool {
         self.boundary_edge_count == 0 && self.loose_edges.is_empty()
     }
 
     /// The edges in three or more faces, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert_eq!(verdict.non_manifold_edges().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn non_manifold_edges(&self) -> &[EdgeId] {
         &self.non_manifold_edges
     }
 
     /// The edges without a face, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert!(verdict.loose_edges().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn loose_edges(&self) -> &[EdgeId] {
         &self.loose_edges
     }
 
     /// The vertices whose link is neither one path nor one cycle, rising; among them the ends of non-manifold and loose
     /// edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert_eq!(verdict.non_manifold_vertices().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn non_manifold_vertices(&self) -> &[VertexId] {
         &self.non_manifold_vertices
     }
 
     /// The number of edges in exactly one face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert_eq!(verdict.boundary_edge_count(), 6);
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_edge_count(&self) -> usize {
         self.boundary_edge_count
     }
 
     /// The first place where the mesh is no surface: an edge in many faces, else a loose edge, else a vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
+    /// let verdict = book.manifold_verdict();
+    /// assert!(verdict.witness().is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn witness(&self) -> Option<&SurfaceDefect> {
         self.witness.as_ref()
     }

@@ -50,6 +50,17 @@ impl PolygonMesh {
     ///
     /// # Complexity
     /// Linear, by two passes of counting; parallel over ranges of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.edge_count(), 4);
+    /// assert!(PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 7]]), &[]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn new(vertex_count: usize, polygons: RaggedArray, loose_edges: &[[u32; 2]]) -> Result<Self, Error> {
         let edges = identify_edges(vertex_count, &polygons, loose_edges)?;
         if edges.duplicates.is_empty() {
@@ -75,31 +86,91 @@ impl PolygonMesh {
     }
 
     /// The number of vertices, isolated ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.vertex_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
     /// The number of edges, loose ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.edge_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.edges.ends.len() / 2
     }
 
     /// The number of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.polygons.len()
     }
 
     /// The numbers of vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.f_vector(), [4, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         vec![self.vertex_count, self.edge_count(), self.face_count()]
     }
 
     /// Vertices minus edges plus faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         self.vertex_count as i64 - self.edge_count() as i64 + self.face_count() as i64
     }
 
     /// The faces as cycles of vertices: list i is face i.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.polygons().list(0), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn polygons(&self) -> &RaggedArray {
         &self.polygons
     }
@@ -108,11 +179,31 @@ impl PolygonMesh {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.face(FaceId::new(0)), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn face(&self, face: FaceId) -> &[u32] {
         self.polygons.list(face.index())
     }
 
     /// The position of a face among the polygons the mesh was made of.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.polygon_of_face(FaceId::new(0)), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon_of_face(&self, face: FaceId) -> usize {
         self.polygon_of_face.as_ref().map_or(face.index(), |kept| kept[face.index()] as usize)
     }
@@ -139,6 +230,16 @@ impl PolygonMesh {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.edge(EdgeId::new(1)).map(|end| end.index()), [0, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge(&self, edge: EdgeId) -> [VertexId; 2] {
         let [a, b] = self.ends(edge.index());
         [VertexId::from_u32(a), VertexId::from_u32(b)]
@@ -150,6 +251,16 @@ impl PolygonMesh {
     }
 
     /// The ends of all edges, two by two.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.edge_ends(), [0, 1, 0, 3, 1, 2, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_ends(&self) -> &[u32] {
         &self.edges.ends
     }
@@ -158,6 +269,17 @@ impl PolygonMesh {
     ///
     /// # Complexity
     /// Logarithmic.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.edge_between(3, 0), Some(EdgeId::new(1)));
+    /// assert_eq!(square.edge_between(0, 2), None);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_between(&self, a: u32, b: u32) -> Option<EdgeId> {
         let wanted = (a.min(b), a.max(b));
         let (pairs, _) = self.edges.ends.as_chunks::<2>();
@@ -173,6 +295,16 @@ impl PolygonMesh {
     }
 
     /// The edges of a face in order, with plus where the face runs from the smaller to the larger end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.face_edges(FaceId::new(0)).len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn face_edges(&self, face: FaceId) -> impl ExactSizeIterator<Item = (EdgeId, Sign)> + '_ {
         let polygon = self.face(face);
         let edges = self.side_edges(face.index());
@@ -194,6 +326,16 @@ impl PolygonMesh {
     }
 
     /// The faces at an edge by rising id, with plus where the face runs from the smaller to the larger end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.faces_of_edge(EdgeId::new(0)).count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn faces_of_edge(&self, edge: EdgeId) -> impl ExactSizeIterator<Item = (FaceId, Sign)> + '_ {
         self.packed_faces(edge.index())
             .iter()
@@ -207,6 +349,16 @@ impl PolygonMesh {
     }
 
     /// The number of faces at an edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.face_count_at(EdgeId::new(0)), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count_at(&self, edge: EdgeId) -> usize {
         self.packed_faces(edge.index()).len()
     }
@@ -257,12 +409,32 @@ impl PolygonMesh {
     }
 
     /// The boundary matrix of degree 1: rows are vertices, columns edges; an edge is its larger end minus its smaller.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.edge_boundaries().column(0).entries(), [-1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_boundaries(&self) -> SparseMatrix {
         edge_boundaries(self.vertex_count, self.edges.ends.clone())
     }
 
     /// The boundary matrix of degree 2: rows are edges, columns faces; an edge has the entry 1 where the face runs
     /// from its smaller to its larger end.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.face_boundaries().column(0).entries(), [1, -1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn face_boundaries(&self) -> SparseMatrix {
         face_boundaries(self.edge_count(), &self.polygons, self.corner_edges().to_vec())
     }
@@ -298,6 +470,16 @@ impl PolygonMesh {
     ///
     /// # Errors
     /// As [`Self::chain_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
+    /// assert_eq!(square.into_chain_complex()?.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn into_chain_complex(self) -> Result<ChainComplex, Error> {
         let vertex_count = self.vertex_count;
         complex_of(vertex_count, self.into_boundary_matrices())

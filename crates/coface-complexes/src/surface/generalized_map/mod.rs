@@ -89,6 +89,15 @@ impl GeneralizedMap {
     ///
     /// # Complexity
     /// Linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.side_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn new(skeleton: TwoSkeleton) -> Result<Self, Error> {
         let count = skeleton.faces().item_count();
         if count >= 1 << 31 {
@@ -116,36 +125,99 @@ impl GeneralizedMap {
     }
 
     /// The vertices, edges and faces with their rims.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.skeleton().edge_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn skeleton(&self) -> &TwoSkeleton {
         &self.skeleton
     }
 
     /// The number of vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.vertex_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.skeleton.vertex_count()
     }
 
     /// The number of edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.edge_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.skeleton.edge_count()
     }
 
     /// The number of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.skeleton.face_count()
     }
 
     /// The numbers of vertices, edges and faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.f_vector(), [1, 2, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         self.skeleton.f_vector()
     }
 
     /// The number of sides of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.side_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn side_count(&self) -> usize {
         self.mates.len()
     }
 
     /// All sides.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.sides().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn sides(&self) -> impl DoubleEndedIterator<Item = HalfedgeId> + ExactSizeIterator + Clone + use<> {
         (0..self.mates.len() as u32).map(HalfedgeId::from_u32)
     }
@@ -346,6 +418,15 @@ impl GeneralizedMap {
     ///
     /// # Complexity
     /// Linear in the corners at the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert!(map.boundary_loops().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn boundary_loops(&self) -> Vec<Vec<(HalfedgeId, Sign)>> {
         let mut seen = vec![false; self.side_count()];
         let mut loops = Vec::new();
@@ -374,12 +455,30 @@ impl GeneralizedMap {
     ///
     /// # Complexity
     /// Near-linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.surfaces()[0].genus(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn surfaces(&self) -> Vec<SurfaceType> {
         let components = self.components().into_iter();
         components.map(|component| component.surface().expect("a map is a surface")).collect()
     }
 
     /// The components with their counts, in the order of the first faces. Isolated vertices are no components here.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.components()[0].euler_characteristic(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn components(&self) -> Vec<SurfaceComponent> {
         let orientation = self.orientation();
         let count = orientation.conflicts.len();
@@ -411,6 +510,15 @@ impl GeneralizedMap {
     }
 
     /// The number of components; each isolated vertex is one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
+    /// assert_eq!(map.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         let mut partition = UnionFind::new(self.skeleton.vertex_count());
         for &[a, b] in self.skeleton.edge_ends().as_chunks::<2>().0 {

@@ -178,31 +178,85 @@ impl HalfedgeMesh {
     }
 
     /// The number of halfedges, those along outer faces included: twice the number of edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.halfedge_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn halfedge_count(&self) -> usize {
         self.next.len()
     }
 
     /// The number of vertices, isolated ones included.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.vertex_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_count(&self) -> usize {
         self.vertex_halfedge.len()
     }
 
     /// The number of edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.edge_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_count(&self) -> usize {
         self.next.len() / 2
     }
 
     /// The number of faces, outer ones not counted: they are `0..face_count()`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn face_count(&self) -> usize {
         self.face_count
     }
 
     /// The number of outer faces, that is of boundary loops: they are `face_count()..face_count() + outer_face_count()`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.outer_face_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn outer_face_count(&self) -> usize {
         self.face_halfedge.len() - self.face_count
     }
 
     /// The numbers of vertices, edges and faces, outer faces not counted.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.f_vector(), [1, 2, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> Vec<usize> {
         vec![self.vertex_count(), self.edge_count(), self.face_count]
     }
@@ -211,6 +265,16 @@ impl HalfedgeMesh {
     ///
     /// # Panics
     /// If there is no such halfedge; so do all functions of halfedges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.next(HalfedgeId::new(0)), HalfedgeId::new(2));
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn next(&self, halfedge: HalfedgeId) -> HalfedgeId {
         HalfedgeId::from_u32(self.next[halfedge.index()])
@@ -249,36 +313,96 @@ impl HalfedgeMesh {
     }
 
     /// The other halfedge of the edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.twin(HalfedgeId::new(0)), HalfedgeId::new(1));
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn twin(&self, halfedge: HalfedgeId) -> HalfedgeId {
         HalfedgeId::from_u32(halfedge.to_u32() ^ 1)
     }
 
     /// The vertex a halfedge leaves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.source(HalfedgeId::new(0)).index(), 0);
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn source(&self, halfedge: HalfedgeId) -> VertexId {
         VertexId::from_u32(self.source[halfedge.index()])
     }
 
     /// The vertex a halfedge goes to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.target(HalfedgeId::new(0)).index(), 0);
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn target(&self, halfedge: HalfedgeId) -> VertexId {
         VertexId::from_u32(self.source[halfedge.index() ^ 1])
     }
 
     /// The edge of a halfedge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.edge(HalfedgeId::new(3)).index(), 1);
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn edge(&self, halfedge: HalfedgeId) -> EdgeId {
         EdgeId::from_u32(halfedge.to_u32() >> 1)
     }
 
     /// The face that a halfedge runs around, to its left; an outer one along the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.face(HalfedgeId::new(3)).index(), 0);
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn face(&self, halfedge: HalfedgeId) -> FaceId {
         FaceId::from_u32(self.face[halfedge.index()])
     }
 
     /// The halfedge of an edge in the direction of the edge; its twin is the other one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.edge_halfedge(EdgeId::new(1)).index(), 2);
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn edge_halfedge(&self, edge: EdgeId) -> HalfedgeId {
         HalfedgeId::from_u32(edge.to_u32() << 1)
@@ -289,6 +413,16 @@ impl HalfedgeMesh {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert!(torus.vertex_halfedge(VertexId::new(0)).is_some());
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn vertex_halfedge(&self, vertex: VertexId) -> Option<HalfedgeId> {
         let halfedge = self.vertex_halfedge[vertex.index()];
@@ -299,24 +433,64 @@ impl HalfedgeMesh {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.face_halfedge(FaceId::new(0)).index(), 0);
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn face_halfedge(&self, face: FaceId) -> HalfedgeId {
         HalfedgeId::from_u32(self.face_halfedge[face.index()])
     }
 
     /// Whether a face is an outer one, which fills a boundary loop.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::FaceId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert!(!torus.is_outer(FaceId::new(0)));
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn is_outer(&self, face: FaceId) -> bool {
         face.index() >= self.face_count
     }
 
     /// Whether a halfedge runs along an outer face, with the surface on its right.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::HalfedgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert!(!torus.is_outer_halfedge(HalfedgeId::new(0)));
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn is_outer_halfedge(&self, halfedge: HalfedgeId) -> bool {
         self.is_outer(self.face(halfedge))
     }
 
     /// Whether an edge lies on the boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert!(!torus.is_boundary_edge(EdgeId::new(0)));
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn is_boundary_edge(&self, edge: EdgeId) -> bool {
         let h = self.edge_halfedge(edge);
@@ -327,17 +501,45 @@ impl HalfedgeMesh {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert!(!torus.is_boundary_vertex(VertexId::new(0)));
+    /// # Ok(()) }
+    /// ```
     #[inline]
     pub fn is_boundary_vertex(&self, vertex: VertexId) -> bool {
         self.vertex_halfedge(vertex).is_some_and(|h| self.is_outer_halfedge(h))
     }
 
     /// Whether there is no boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert!(torus.is_closed());
+    /// # Ok(()) }
+    /// ```
     pub fn is_closed(&self) -> bool {
         self.outer_face_count() == 0
     }
 
     /// The sources and targets of all edges, two by two.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.edge_ends(), [0, 0, 0, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_ends(&self) -> &[u32] {
         &self.source
     }
@@ -363,11 +565,29 @@ impl HalfedgeMesh {
     ///
     /// # Complexity
     /// That of [`Self::components`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         self.components().count()
     }
 
     /// Vertices minus edges plus faces, outer faces not counted. In each component of a closed surface it is even.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.euler_characteristic(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         let (v, e, f) = (self.vertex_count(), self.edge_count(), self.face_count());
         v as i64 - e as i64 + f as i64
@@ -377,6 +597,15 @@ impl HalfedgeMesh {
     ///
     /// # Complexity
     /// That of [`Self::components`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgeMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
+    /// assert_eq!(torus.genus(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn genus(&self) -> usize {
         let isolated = self.vertex_halfedge.iter().filter(|&&h| h == NONE).count() as i64;
         let surfaces = self.component_count() as i64 - isolated;
