@@ -435,10 +435,10 @@ mod tests {
         band.glue(0, 2, 0, &[1, 2, 0])?;
         keeps_the_contract("gluing table", &band, true);
         keeps_the_contract("face classes", &GluingTable::unglued(3, 2)?.faces()?, true);
-        let mut cone = GluingTable::unglued(2, 1)?;
-        cone.glue(0, 0, 0, &[0, 2, 1])?;
-        assert!(cone.faces()?.has_folds());
-        keeps_the_contract("folded gluing table", &cone, true);
+        let mut folded = GluingTable::unglued(3, 1)?;
+        folded.glue(0, 3, 0, &[1, 0, 3, 2])?;
+        assert!(folded.faces()?.has_folds());
+        keeps_the_contract("folded gluing table", &folded, true);
         let square = RaggedArray::from_lists([[0, 1, 2, 3]]);
         let polygons = PolygonMesh::new(6, square.clone(), &[[4, 5]])?;
         keeps_the_contract("polygon mesh", &polygons, true);

@@ -150,7 +150,7 @@ impl GluingTable {
     /// use coface_complexes::gluing::GluingTable;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let (sphere, facets) = GluingTable::unglued(3, 1)?.boundary_table()?;
-    /// assert_eq!(sphere.faces()?.f_vector(), [4, 6, 4]);
+    /// assert_eq!(sphere.faces()?.class_counts(), [4, 6, 4]);
     /// assert_eq!(facets[2], (0, 2));
     /// # Ok(()) }
     /// ```

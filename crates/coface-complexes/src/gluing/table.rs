@@ -40,7 +40,7 @@ pub type GluingRow = Vec<Option<(u32, Vec<u32>)>>;
 /// sphere.glue(0, 0, 0, &[1, 0, 2, 3])?;
 /// sphere.glue(0, 2, 0, &[0, 1, 3, 2])?;
 /// assert!(sphere.is_closed());
-/// assert_eq!(sphere.faces()?.f_vector(), [2, 3, 2, 1]);
+/// assert_eq!(sphere.faces()?.class_counts(), [2, 3, 2, 1]);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, PartialEq, Eq)]
@@ -93,7 +93,7 @@ impl GluingTable {
     /// use coface_complexes::gluing::GluingTable;
     /// // A triangle with two sides glued to a cone.
     /// let cone = vec![vec![Some((0, vec![1, 0, 2])), Some((0, vec![1, 0, 2])), None]];
-    /// assert_eq!(GluingTable::from_rows(&cone)?.faces()?.f_vector(), [2, 2, 1]);
+    /// assert_eq!(GluingTable::from_rows(&cone)?.faces()?.class_counts(), [2, 2, 1]);
     /// let one_sided = vec![vec![Some((0, vec![1, 0, 2])), None, None]];
     /// let error = GluingTable::from_rows(&one_sided).unwrap_err();
     /// assert!(error.message().contains("facet 1 of simplex 0"));
@@ -158,7 +158,7 @@ impl GluingTable {
     /// let mut circle = GluingTable::unglued(1, 2)?;
     /// circle.glue(0, 0, 1, &[0, 1])?;
     /// circle.glue(0, 1, 1, &[0, 1])?;
-    /// assert_eq!(circle.faces()?.f_vector(), [2, 2]);
+    /// assert_eq!(circle.faces()?.class_counts(), [2, 2]);
     /// # Ok(()) }
     /// ```
     pub fn glue(
@@ -472,7 +472,7 @@ impl GluingTable {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let mut sphere = GluingTable::unglued(2, 2)?;
     /// (0..3).try_for_each(|side| sphere.glue(0, side, 1, &[0, 1, 2]))?;
-    /// assert_eq!(sphere.faces()?.f_vector(), [3, 3, 2]);
+    /// assert_eq!(sphere.faces()?.class_counts(), [3, 3, 2]);
     /// # Ok(()) }
     /// ```
     pub fn faces(&self) -> Result<FaceClasses, Error> {

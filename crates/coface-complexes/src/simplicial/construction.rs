@@ -24,7 +24,7 @@ impl Composite {
     /// use coface_algebra::VertexId;
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let circle = simplex_boundary(2)?;
+    /// let circle = simplex_boundary(1)?;
     /// let eight = circle.wedge(VertexId::new(0), &circle, VertexId::new(0))?;
     /// assert_eq!(eight.complex().f_vector(), [5, 6]);
     /// # Ok(()) }
@@ -40,7 +40,7 @@ impl Composite {
     /// use coface_algebra::VertexId;
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let circle = simplex_boundary(2)?;
+    /// let circle = simplex_boundary(1)?;
     /// let eight = circle.wedge(VertexId::new(0), &circle, VertexId::new(0))?;
     /// assert_eq!(eight.into_complex().f_vector(), [5, 6]);
     /// # Ok(()) }
@@ -56,7 +56,7 @@ impl Composite {
     /// use coface_algebra::VertexId;
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let circle = simplex_boundary(2)?;
+    /// let circle = simplex_boundary(1)?;
     /// let eight = circle.wedge(VertexId::new(0), &circle, VertexId::new(0))?;
     /// assert_eq!(eight.second_label(VertexId::new(0)), VertexId::new(0));
     /// # Ok(()) }

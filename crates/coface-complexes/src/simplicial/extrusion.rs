@@ -216,7 +216,7 @@ impl Extrusion {
     /// use coface_complexes::simplicial::extrude;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let square = extrude(2, &RaggedArray::from_lists([[0, 1]]), &[1.0])?;
-    /// assert_eq!(square.heights(), [1.0]);
+    /// assert_eq!(square.heights(), [0.0, 1.0]);
     /// # Ok(()) }
     /// ```
     pub fn heights(&self) -> &[f64] {

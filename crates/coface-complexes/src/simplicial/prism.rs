@@ -120,7 +120,7 @@ impl Prism {
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// use coface_complexes::simplicial::Prism;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// let prism = Prism::new(&simplex_boundary(1)?.freeze())?;
     /// assert_eq!(prism.complex().f_vector(), [6, 12, 6]);
     /// # Ok(()) }
     /// ```
@@ -187,7 +187,7 @@ impl Prism {
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// use coface_complexes::simplicial::Prism;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// let prism = Prism::new(&simplex_boundary(1)?.freeze())?;
     /// assert_eq!(prism.complex().f_vector(), [6, 12, 6]);
     /// # Ok(()) }
     /// ```
@@ -205,7 +205,7 @@ impl Prism {
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// use coface_complexes::simplicial::Prism;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// let prism = Prism::new(&simplex_boundary(1)?.freeze())?;
     /// assert_eq!(prism.chain_complex()?.euler_characteristic(), 0);
     /// # Ok(()) }
     /// ```
@@ -220,7 +220,7 @@ impl Prism {
     /// use coface_complexes::known_spaces::simplex_boundary;
     /// use coface_complexes::simplicial::Prism;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let prism = Prism::new(&simplex_boundary(2)?.freeze())?;
+    /// let prism = Prism::new(&simplex_boundary(1)?.freeze())?;
     /// assert_eq!(prism.shift(), 3);
     /// # Ok(()) }
     /// ```
