@@ -1,7 +1,7 @@
 //! Random meshes for the round trips of formats.
 
 use super::CellData;
-use super::model::{Group, GroupKind, Model};
+use super::{Group, GroupKind, Model};
 use super::numbers::Numbers;
 use coface_algebra::RaggedArray;
 use coface_algebra::VertexId;
