@@ -1,8 +1,8 @@
 //! Random meshes for the round trips of formats.
 
 use super::CellData;
-use super::{Group, GroupKind, Model};
 use super::numbers::Numbers;
+use super::{Group, GroupKind, Model};
 use coface_algebra::RaggedArray;
 use coface_algebra::VertexId;
 use coface_complexes::cell_mesh::CellShape;
