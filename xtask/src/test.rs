@@ -209,8 +209,12 @@ fn named(what: &str) -> String {
     format!("{program}: {}", target.trim_start_matches("unittests "))
 }
 
-/// The tests that need the C library GraphBLAS.
-const GRAPHBLAS: [&str; 2] = ["--features", "coface-arrange/graphblas-tests,coface-graphblas/installed"];
+/// All features: those of the tests that need the C library GraphBLAS, and those that are not in the default build of the program.
+const GRAPHBLAS: [&str; 2] =
+    ["--features", "coface-cli/arrow,coface-arrange/graphblas-tests,coface-graphblas/installed"];
+
+/// The features that need no library and are not in the default build of the program.
+const OPTIONAL: [&str; 2] = ["--features", "coface-cli/arrow"];
 
 /// Sees to it that the C library GraphBLAS is there, where that is possible.
 fn graphblas(tally: &mut Tally) {
@@ -224,7 +228,7 @@ fn graphblas(tally: &mut Tally) {
 
 /// The features that everything is built with: all whose libraries are there.
 pub(crate) fn features() -> &'static [&'static str] {
-    if has_graphblas() { &GRAPHBLAS } else { &[] }
+    if has_graphblas() { &GRAPHBLAS } else { &OPTIONAL }
 }
 
 /// Whether the linker finds the library: the compiler prints a path for a file that it knows, and the bare name else.

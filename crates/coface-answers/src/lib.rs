@@ -65,7 +65,7 @@ pub use surface_model::{
 };
 pub use triangulation::triangulated;
 pub use volume::homology_of_volume;
-pub use yin::{KinkRequest, PlanarSet, SetRequest};
+pub use yin::{CutCellsRequest, KinkRequest, MotionRequest, PlanarMotion, PlanarSet, SetRequest};
 #[doc(hidden)]
 pub use yin::{SetPiece, set_pieces};
 

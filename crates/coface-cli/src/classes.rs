@@ -26,7 +26,7 @@ impl ClassFormat {
             Some("arrow" | "feather" | "ipc") => Ok(Self::Arrow),
             #[cfg(not(feature = "arrow"))]
             Some("arrow" | "feather" | "ipc") => Err(Failure::new(format!(
-                "{}: this program was built without Arrow; write .json",
+                "{}: this program was built without the feature arrow; write .json, or build it with --features arrow",
                 path.display()
             ))),
             _ => Err(Failure::new(format!(

@@ -11,5 +11,8 @@ pub use picture::{
     Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, colored, diagram_picture,
     gltf, matrix_picture, palette_color, pane_picture, vertex_colors,
 };
-pub use scene::{Layer, Pane, Scene};
+pub use scene::{
+    LabelDocument, Layer, LayerDocument, PackedLists, PackedTriangles, Pane, PaneDocument, Scene, SceneDocument,
+    SceneReport,
+};
 pub use set_picture::{SetPicture, set_picture};

@@ -5,7 +5,7 @@ use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::congruence::{choice, named_models};
 use crate::errors::{OrRaise, invalid};
-use crate::json::to_python;
+use crate::json::{to_python, value_of};
 use crate::model::{Model, format_of};
 use crate::source::Source;
 use crate::work::run;
@@ -119,7 +119,7 @@ pub(crate) fn arrange<'py>(
         let source = if features { RegionSource::Features } else { RegionSource::Models };
         let (arranged, value) = run(py, progress, || {
             let arranged = DrawingArrangement::new(PlanarDrawing::new(borrowed(&models), source)?, &request)?;
-            let value = arranged.to_json()?;
+            let value = value_of(&arranged.answer()?);
             Ok((arranged, value))
         })?;
         return Ok(Bound::new(py, PlanarArrangement { arranged, value })?.into_any());
@@ -134,7 +134,7 @@ pub(crate) fn arrange<'py>(
     let request = spatial_request(snap, max_cells, split, merge_coplanar);
     let (arranged, value) = run(py, progress, || {
         let arranged = SceneArrangement::of_scene(SpatialScene::of(borrowed(&models), true)?, &request)?;
-        let value = arranged.to_json(rule.unwrap_or_default())?;
+        let value = value_of(&arranged.answer(rule.unwrap_or_default())?);
         Ok((arranged, value))
     })?;
     Ok(Bound::new(py, SpatialArrangement { arranged, value })?.into_any())
@@ -240,7 +240,7 @@ pub(crate) fn boolean<'py>(
             }
             RegionBoolean::new(drawing, &formula(operation, count)?, &request)
         })?;
-        let value = result.to_json();
+        let value = value_of(&result.answer());
         return Ok(Bound::new(py, PlanarBoolean { result, value })?.into_any());
     }
     if features {
@@ -255,7 +255,7 @@ pub(crate) fn boolean<'py>(
         request.rule = rule.unwrap_or_default();
         (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
         let result = SolidBoolean::of(&arrangement, &request)?;
-        let (value, provenance) = (result.to_json()?, result.provenance()?);
+        let (value, provenance) = (value_of(&result.answer()?), value_of(&result.provenance()?));
         Ok((value, provenance, result.to_mesh()?, result.to_chains()?))
     })?;
     let (value, provenance, mesh, chains) = solid;
@@ -370,7 +370,7 @@ answer! { PlanarArrangement {
 
     /// Where everything comes from: ``vertices``, ``edges`` (segments along each) and ``faces`` (inputs around each).
     fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.arranged.provenance_to_json())
+        to_python(py, &self.arranged.provenance())
     }
 
     /// The chain complex of vertices, edges and bounded faces.
@@ -489,7 +489,7 @@ answer! { PlanarBoolean {
 
     /// Where everything comes from.
     fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.result.provenance_to_json())
+        to_python(py, &self.result.provenance())
     }
 
     /// The result as a file of this format.

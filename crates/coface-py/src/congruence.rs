@@ -3,6 +3,7 @@
 use crate::answer::answer;
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
+use crate::json::value_of;
 use crate::errors::invalid;
 use crate::memory::owned_matrix;
 use crate::model::{Model, source_of};
@@ -141,7 +142,7 @@ pub(crate) fn congruence(
     let (congruence, value) = run(py, progress, || {
         let models = models.iter().map(|(name, source)| (name.clone(), source.model.clone())).collect();
         let congruence = ModelCongruence::of(models, &request)?;
-        let value = congruence.to_json()?;
+        let value = value_of(&congruence.answer()?);
         Ok((congruence, value))
     })?;
     Ok(Congruence { congruence, value })

@@ -51,6 +51,11 @@ fn value_to_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, P
     })
 }
 
+/// An answer as a JSON value.
+pub(crate) fn value_of(answer: &impl Serialize) -> Value {
+    serde_json::to_value(answer).expect("answers have texts as keys")
+}
+
 /// A value of Python as JSON: dictionaries, lists, tuples, arrays, numbers, texts, None.
 pub(crate) fn from_python(value: &Bound<'_, PyAny>) -> PyResult<Value> {
     let py = value.py();

@@ -13,7 +13,7 @@ use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
 use crate::errors::{OrRaise, invalid};
-use crate::json::to_python;
+use crate::json::{to_python, value_of};
 use crate::model::{Model, read_options};
 use crate::source::Source;
 use crate::work::run;
@@ -123,7 +123,7 @@ impl YinSet {
     }
 
     fn with_provenance(set: PlanarSet, provenance: Value) -> Result<Self, Error> {
-        let value = set.to_json()?;
+        let value = value_of(&set.answer()?);
         Ok(Self { set: Arc::new(set), provenance, value })
     }
 
@@ -133,8 +133,8 @@ impl YinSet {
 
     fn combined(sets: &[&yin::YinSet], operation: &str) -> Result<Self, Error> {
         let combination = yin::YinSet::combine(sets, &formula(operation, sets.len())?)?;
-        let mut provenance = PlanarSet::provenance_to_json(&combination);
-        provenance["uncertified"] = combination.report().iter().map(PlanarSet::decision_to_json).collect();
+        let mut provenance = value_of(&PlanarSet::provenance(&combination));
+        provenance["uncertified"] = value_of(&PlanarSet::decisions(&combination));
         Self::with_provenance(PlanarSet::from_set(combination.into_set()), provenance)
     }
 
@@ -458,7 +458,7 @@ answer! { YinSet {
     /// What was odd about the input.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.set.remarks().to_vec()
+        self.set.remarks().iter().map(|remark| remark.message.clone()).collect()
     }
 
     /// Of a combination, ``sources``: for each curve and piece ``[operand, curve, piece, from, to]``; and ``uncertified`` decisions.

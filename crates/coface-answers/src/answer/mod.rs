@@ -8,6 +8,12 @@
 
 mod cover;
 mod cut;
+mod arrange;
+mod batch;
+mod boolean;
+mod congruence;
+mod convert;
+mod generate;
 mod groups;
 mod homology;
 mod incidence;
@@ -29,6 +35,25 @@ pub use homology::{
     RealTerm, SequenceAnswer,
 };
 pub use incidence::IncidenceAnswer;
+mod picture;
+mod remark;
+mod schema;
+mod yin;
+
+pub use arrange::{
+    DegeneratePolygons, DrawingInput, InsideMethod, PlanarArrangementAnswer, PlanarArrangementProvenance,
+    PlanarRounding, SpatialArrangementAnswer, SpatialArrangementProvenance, SpatialInput, SpatialRounding,
+    SplitPolygons, VertexOrigin,
+};
+pub use batch::BatchAnswer;
+pub use boolean::{
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, Pinches, PlanarBooleanAnswer,
+    PlanarBooleanProvenance, PolygonRounding, SolidBooleanAnswer, SolidBooleanProvenance,
+};
+pub use congruence::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput};
+pub use convert::{CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts};
+pub use generate::GenerateAnswer;
+pub use groups::{HomologyGroup, WholeNumber};
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,
     ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
@@ -37,6 +62,7 @@ pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use pi1::{
     ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
 };
+pub use picture::RenderAnswer;
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use schema::reprinted;
@@ -44,6 +70,11 @@ pub use schema::schema;
 pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
 pub use simplices::SimplicesAnswer;
 pub use view::{LayerAnswer, ViewAnswer};
+pub use yin::{
+    CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer, YinCurve,
+    YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint, YinKinksAnswer, YinPieceSource, YinProvenance,
+    YinRepairAnswer, YinSetAnswer,
+};
 
 use serde::Serialize;
 

@@ -119,13 +119,17 @@ pub enum RemarkCode {
     FacesTriangulated,
     /// Segments beside polygons bound nothing and were left out.
     UnboundedSegments,
-    /// What the drawing itself assumed or changed.
+    /// A hole of a drawing is not inside of its outer ring; what is outside counts as empty.
     DrawingAssumption,
+    /// Cells of an input that the answer is not about were left out.
+    CellsLeftOut,
+    /// Curves bound nothing, so the set has no boundary.
+    EmptyBoundary,
     /// Coordinates were rounded, and the rounded result is not valid.
     RoundedInvalid,
     /// Groups and data on cells were left out.
     DataLeftOut,
-    /// Vertices of one face or cell were merged with each other.
+    /// Vertices of one block, a file or a connected component, were merged with each other.
     MergedWithinBlock,
     /// The boundary of a moving region was cut and pasted.
     TopologyRepaired,
@@ -135,6 +139,8 @@ pub enum RemarkCode {
     ModelRepaired,
     /// Parts of the scene were not drawn.
     NotDrawn,
+    /// The rows of an earlier run were not taken.
+    EarlierRunIgnored,
     /// A file could not be served and is a row of refusals.
     InputRefused,
 }

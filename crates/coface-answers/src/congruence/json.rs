@@ -1,61 +1,76 @@
-//! Congruences as JSON.
+//! Congruences as answers, and their classes as JSON.
 
-use super::ModelCongruence;
+use super::{BlockRule, ModelCongruence};
+use crate::answer::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput, Place, Remark, RemarkCode};
+use crate::text;
 use coface_algebra::{CellId, Error};
 use coface_arrange::congruence::{BlockMerge, BlockPolicy};
-use serde_json::{Value, json};
 use std::io::Write;
 
 /// How many merges within blocks are listed.
 const LISTED_MERGES: usize = 100;
 
 impl ModelCongruence {
-    /// The congruence as one JSON object with the keys that programs rely on: `f_vector_before`, `f_vector`, `classes`,
-    /// `largest_class_diameter`, `discarded`, `products_zero`.
+    /// The congruence as an answer.
     ///
     /// `discarded` and `changed` are the numbers of cells of each degree that collapsed, and that lost facets without
-    /// collapsing. Merges within blocks are counted (`null` without blocks), and unless the request allows them the first 100
+    /// collapsing. Merges within blocks are counted (none without blocks), and unless the request allows them the first 100
     /// are listed.
     ///
     /// # Errors
     /// Those of [`Self::products_are_zero`].
-    pub fn to_json(&self) -> Result<Value, Error> {
+    pub fn answer(&self) -> Result<CongruenceAnswer, Error> {
         let chains = self.chains();
-        let counts = |lists: &[Vec<u32>]| lists.iter().map(Vec::len).collect::<Vec<_>>();
-        let classes: Vec<usize> = chains.classes().iter().map(|classes| classes.class_count()).collect();
         let merges = self.merges().filter(|_| self.request.within_blocks != BlockPolicy::Allow);
-        let inputs = self.names.iter().enumerate().map(|(model, name)| {
-            let counts: Vec<usize> =
-                self.starts.iter().map(|starts| starts[model + 1] - starts[model]).collect();
-            json!({"file": name, "f_vector": counts})
+        let inputs = self.names.iter().enumerate().map(|(model, name)| CongruenceInput {
+            file: name.clone(),
+            f_vector: self.starts.iter().map(|starts| starts[model + 1] - starts[model]).collect(),
         });
-        Ok(json!({
-            "inputs": inputs.collect::<Vec<_>>(),
-            "tolerance": self.request.tolerance,
-            "f_vector_before": self.f_vector_before(),
-            "f_vector": self.complex().f_vector(),
-            "euler_characteristic": self.complex().euler_characteristic(),
-            "classes": classes,
-            "largest_class_diameter": self.vertices().largest_diameter(),
-            "discarded": chains.collapsed_counts(),
-            "changed": counts(chains.changed()),
-            "products_zero": self.products_are_zero()?,
-            "merged_within_blocks": self.merges().map(<[_]>::len),
-            "block_merges": merges.map(|merges| {
-                merges.iter().take(LISTED_MERGES).map(|merge| self.merge_to_json(merge)).collect::<Vec<_>>()
+        Ok(CongruenceAnswer {
+            inputs: inputs.collect(),
+            tolerance: self.request.tolerance,
+            f_vector_before: self.f_vector_before(),
+            f_vector: self.complex().f_vector().to_vec(),
+            euler_characteristic: self.complex().euler_characteristic(),
+            classes: chains.classes().iter().map(|classes| classes.class_count()).collect(),
+            largest_class_diameter: self.vertices().largest_diameter(),
+            discarded: chains.collapsed_counts(),
+            changed: chains.changed().iter().map(Vec::len).collect(),
+            products_zero: self.products_are_zero()?,
+            merged_within_blocks: self.merges().map(<[_]>::len),
+            block_merges: merges.map(|merges| {
+                merges.iter().take(LISTED_MERGES).map(|merge| self.merge_answer(merge)).collect()
             }),
-        }))
+            remarks: self.remarks(),
+        })
     }
 
-    fn merge_to_json(&self, merge: &BlockMerge) -> Value {
-        let of_model = |&vertex: &u32| self.vertex_source(vertex as usize).1;
-        json!({
-            "class": merge.class,
-            "block": merge.block,
-            "file": merge.vertices.first().map(|&vertex| self.vertex_source(vertex as usize).0),
-            "vertices": merge.vertices.iter().map(of_model).collect::<Vec<_>>(),
-            "distance": merge.distance,
-        })
+    /// What the request wants to be warned of: classes with several vertices of one block.
+    fn remarks(&self) -> Vec<Remark> {
+        let merges = match (self.request.within_blocks, self.merges()) {
+            (BlockPolicy::Warn, Some(merges)) => merges,
+            _ => return Vec::new(),
+        };
+        let nearest = merges.iter().min_by(|a, b| a.distance.total_cmp(&b.distance));
+        let Some(nearest) = nearest else { return Vec::new() };
+        let block = if self.request.blocks == BlockRule::Models { "file" } else { "component" };
+        let (name, _) = self.vertex_source(nearest.vertices[0] as usize);
+        let message = format!(
+            "{} with several vertices of one {block}; the nearest, in {name}, are {} apart",
+            text::count(merges.len(), "class"),
+            nearest.distance
+        );
+        vec![Remark::new(RemarkCode::MergedWithinBlock, message).at(merges.len(), [Place::file(name)])]
+    }
+
+    fn merge_answer(&self, merge: &BlockMerge) -> BlockMergeAnswer {
+        BlockMergeAnswer {
+            class: merge.class,
+            block: merge.block,
+            file: merge.vertices.first().map(|&vertex| self.vertex_source(vertex as usize).0.to_owned()),
+            vertices: merge.vertices.iter().map(|&vertex| self.vertex_source(vertex as usize).1).collect(),
+            distance: merge.distance,
+        }
     }
 
     /// Writes the classes of all degrees as JSON: for each degree the members of each class, rising, and their signs against the

@@ -3,11 +3,13 @@
 use super::containment::{Containment, ContainmentSearch};
 use super::drawing::PlanarDrawing;
 use super::sides::Sides;
+use crate::answer::{
+    PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, Remark, RemarkCode,
+};
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::{PlanarArrangement, PlanarOptions, RoundingCertificate, Step, VertexSource};
-use serde_json::{Value, json};
 
 /// How drawings are arranged.
 #[derive(Clone, Copy, Debug, Default)]
@@ -181,74 +183,69 @@ impl DrawingArrangement {
         }
     }
 
-    /// The arrangement as one JSON object with the keys that programs rely on: `dimension`, `f_vector`, `measures` (areas),
-    /// `inside` (of each face the models, or regions, that contain it), `products_zero`, `holes`.
+    /// The arrangement as an answer: counts, areas, what contains each face, and what rounding does.
     ///
     /// # Errors
     /// Those of [`Self::products_are_zero`] and [`PlanarArrangement::rounding_certificate`].
-    pub fn to_json(&self) -> Result<Value, Error> {
+    pub fn answer(&self) -> Result<PlanarArrangementAnswer, Error> {
         let arrangement = &self.arrangement;
         let (vertices, edges, faces) =
             (arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count());
         let bridges = (0..edges).filter(|&edge| arrangement.is_bridge(EdgeId::new(edge))).count();
-        let inside: Value = self.containment.regions.iter().map(|regions| json!(regions)).collect();
-        Ok(json!({
-            "dimension": 2,
-            "f_vector": [vertices, edges, faces],
-            "measures": arrangement.areas(),
-            "inside": inside,
-            "products_zero": self.products_are_zero()?,
-            "holes": arrangement.hole_count(),
-            "components": arrangement.component_count(),
-            "euler_characteristic": vertices as i64 - edges as i64 + faces as i64,
-            "bridges": bridges,
-            "dangling_edges": self.dangling_edge_count(),
-            "rounding": rounding_to_json(&arrangement.rounding_certificate()?, arrangement.is_exactly_rounded()),
-            "snap_rounds": self.snap_rounds,
-            "inputs": self.drawing.inputs_to_json(),
-            "regions": self.drawing.region_names(),
-            "warnings": self.warnings(),
-        }))
+        let certificate = arrangement.rounding_certificate()?;
+        let rounding = rounding_answer(&certificate, arrangement.is_exactly_rounded());
+        let mut remarks = self.containment.remarks(&self.drawing);
+        if !rounding.valid {
+            remarks.push(Remark::new(
+                RemarkCode::RoundedInvalid,
+                "coordinates are rounded, and drawn with them this is another complex; --snap makes one that stays as it is",
+            ));
+        }
+        Ok(PlanarArrangementAnswer {
+            dimension: 2,
+            f_vector: [vertices, edges, faces],
+            measures: arrangement.areas(),
+            inside: self.containment.regions.iter().map(<[u32]>::to_vec).collect(),
+            products_zero: self.products_are_zero()?,
+            holes: arrangement.hole_count(),
+            components: arrangement.component_count(),
+            euler_characteristic: vertices as i64 - edges as i64 + faces as i64,
+            bridges,
+            dangling_edges: self.dangling_edge_count(),
+            rounding,
+            snap_rounds: self.snap_rounds,
+            inputs: self.drawing.input_answers(),
+            regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
+            warnings: self.warnings(),
+            remarks,
+        })
     }
 
-    /// Where everything comes from, as JSON: of each vertex the vertex of the inputs or the two segments that cross there, of each
-    /// edge the segments along it, of each face the regions around it. Segments and vertices are pairs of an input and
-    /// a number in it.
-    pub fn provenance_to_json(&self) -> Value {
+    /// Where everything comes from: of each vertex the vertex of the inputs or the two segments that cross there, of each
+    /// edge the segments along it, of each face the regions around it.
+    pub fn provenance(&self) -> PlanarArrangementProvenance {
         let drawing = &self.drawing;
-        let segment = |segment: usize| json!(drawing.segment_source(segment));
-        let vertices: Value = self
-            .sources
-            .iter()
-            .map(|source| match *source {
-                VertexSource::Given(vertex) => json!({"vertex": drawing.vertex_source(vertex)}),
-                VertexSource::Crossing(segments) => json!({"segments": segments.map(segment)}),
-            })
-            .collect();
-        let edges: Value = self
-            .segments_of_edge
-            .iter()
-            .map(|segments| segments.iter().map(|&s| segment(s as usize)).collect::<Value>())
-            .collect();
-        let faces: Value = self.containment.regions.iter().map(|regions| json!(regions)).collect();
-        json!({
-            "inputs": drawing.names,
-            "regions": drawing.region_names(),
-            "vertices": vertices,
-            "edges": edges,
-            "faces": faces,
-        })
+        let segments = |segments: &[u32]| {
+            segments.iter().map(|&segment| drawing.segment_source(segment as usize)).collect()
+        };
+        PlanarArrangementProvenance {
+            inputs: drawing.names.clone(),
+            regions: drawing.region_names().into_iter().map(str::to_owned).collect(),
+            vertices: self.sources.iter().map(|source| drawing.vertex_origin(source)).collect(),
+            edges: self.segments_of_edge.iter().map(segments).collect(),
+            faces: self.containment.regions.iter().map(<[u32]>::to_vec).collect(),
+        }
     }
 }
 
 /// What rounding does to a drawing.
-fn rounding_to_json(certificate: &RoundingCertificate, is_exact: bool) -> Value {
-    json!({
-        "exact": is_exact,
-        "valid": certificate.is_valid(),
-        "merged_vertices": certificate.merged_vertices.len(),
-        "broken_edges": certificate.broken_edges.len(),
-        "turned_vertices": certificate.turned_vertices.len(),
-        "moved_components": certificate.moved_components.len(),
-    })
+fn rounding_answer(certificate: &RoundingCertificate, is_exact: bool) -> PlanarRounding {
+    PlanarRounding {
+        exact: is_exact,
+        valid: certificate.is_valid(),
+        merged_vertices: certificate.merged_vertices.len(),
+        broken_edges: certificate.broken_edges.len(),
+        turned_vertices: certificate.turned_vertices.len(),
+        moved_components: certificate.moved_components.len(),
+    }
 }

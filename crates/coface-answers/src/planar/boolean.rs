@@ -5,6 +5,11 @@ use super::containment::{Containment, ContainmentSearch};
 use super::drawing::{Filling, PlanarDrawing};
 use super::outline::Outline;
 use super::walks::Walks;
+use crate::answer::{
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer, PlanarBooleanProvenance,
+    PolygonRounding, Remark, RemarkCode,
+};
+use crate::text;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
@@ -12,7 +17,6 @@ use coface_arrange::planar::{
     PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step, VertexSource,
 };
 use coface_geometry::{Positions, Sum};
-use serde_json::{Value, json};
 
 /// How regions are combined.
 #[derive(Clone, Copy, Debug, Default)]
@@ -72,6 +76,7 @@ pub struct RegionBoolean {
     cell_counts: [usize; 3],
     snap_rounds: Option<usize>,
     warnings: Vec<String>,
+    remarks: Vec<Remark>,
 }
 
 impl RegionBoolean {
@@ -156,6 +161,7 @@ impl RegionBoolean {
         let cell_counts = overlay.f_vector();
         let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
         let warnings = containment.warnings(&drawing);
+        let remarks = containment.remarks(&drawing);
         drop(walks);
         Ok(Self {
             drawing,
@@ -173,6 +179,7 @@ impl RegionBoolean {
             cell_counts,
             snap_rounds,
             warnings,
+            remarks,
         })
     }
 
@@ -253,68 +260,78 @@ impl RegionBoolean {
         self.is_valid
     }
 
-    /// The result as one JSON object with the keys that programs rely on: `measure` (the area), `f_vector`, `components`,
-    /// `closed`, `manifold`.
-    pub fn to_json(&self) -> Value {
+    /// The result as an answer.
+    pub fn answer(&self) -> PlanarBooleanAnswer {
         let witness = self.pinches.first().map(|&vertex| {
             let [x, y] = [self.positions.point(vertex)[0], self.positions.point(vertex)[1]];
-            json!({
-                "kind": "pinched_vertex",
-                "cells": [[vertex.index()]],
-                "message": format!("more than two edges of the boundary meet at vertex {} at ({x}, {y})", vertex.index()),
-            })
+            BoundaryWitness {
+                kind: "pinched_vertex".to_owned(),
+                cells: vec![vec![vertex.to_u32()]],
+                message: format!(
+                    "more than two edges of the boundary meet at vertex {} at ({x}, {y})",
+                    vertex.index()
+                ),
+                points: None,
+            }
         });
-        json!({
-            "dimension": 2,
-            "measure": self.area(),
-            "f_vector": self.f_vector(),
-            "components": self.component_count,
-            "closed": true,
-            "manifold": {
-                "verdict": if self.pinches.is_empty() { "yes" } else { "no" },
-                "closed": true,
-                "witness": witness,
+        let mut remarks = Vec::new();
+        match self.drawing.unbounded_segment_count() {
+            0 => {}
+            count => remarks.push(
+                Remark::new(
+                    RemarkCode::UnboundedSegments,
+                    format!("{} beside polygons bound nothing and are passed over", text::count(count, "segment")),
+                )
+                .at(count, []),
+            ),
+        }
+        remarks.extend(self.remarks.iter().cloned());
+        if !self.is_valid {
+            remarks.push(Remark::new(
+                RemarkCode::RoundedInvalid,
+                "coordinates are rounded, and with them the polygons are not sound; --snap makes them so",
+            ));
+        }
+        PlanarBooleanAnswer {
+            dimension: 2,
+            measure: self.area(),
+            f_vector: self.f_vector(),
+            components: self.component_count,
+            closed: true,
+            manifold: BoundaryManifold {
+                verdict: BoundaryVerdict::of(self.pinches.is_empty()),
+                closed: true,
+                witness,
             },
-            "polygons": self.outline.polygon_count(),
-            "holes": self.hole_count(),
-            "measures": self.areas,
-            "pinches": self.pinches.len(),
-            "rounding": {"exact": self.is_exact, "valid": self.is_valid},
-            "snap_rounds": self.snap_rounds,
-            "arrangement": self.cell_counts,
-            "regions": self.drawing.region_names(),
-            "inputs": self.drawing.inputs_to_json(),
-            "warnings": self.warnings,
-        })
+            polygons: self.outline.polygon_count(),
+            holes: self.hole_count(),
+            measures: self.areas.clone(),
+            pinches: self.pinches.len(),
+            rounding: PolygonRounding { exact: self.is_exact, valid: self.is_valid },
+            snap_rounds: self.snap_rounds,
+            arrangement: self.cell_counts,
+            regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
+            inputs: self.drawing.input_answers(),
+            warnings: self.warnings.clone(),
+            remarks,
+        }
     }
 
-    /// Where everything comes from, as JSON: as [`DrawingArrangement::provenance_to_json`](crate::DrawingArrangement::provenance_to_json), edges with their ends, and for each
-    /// polygon the regions that contain some of it.
-    pub fn provenance_to_json(&self) -> Value {
+    /// Where everything comes from: as [`DrawingArrangement::provenance`](crate::DrawingArrangement::provenance), edges with
+    /// their ends, and for each polygon the regions that contain some of it.
+    pub fn provenance(&self) -> PlanarBooleanProvenance {
         let drawing = &self.drawing;
-        let segment = |segment: u32| json!(drawing.segment_source(segment as usize));
-        let vertices: Value = (self.sources.iter())
-            .map(|source| match *source {
-                VertexSource::Given(vertex) => json!({"vertex": drawing.vertex_source(vertex)}),
-                VertexSource::Crossing(segments) => {
-                    json!({"segments": segments.map(|s| segment(s as u32))})
-                }
-            })
-            .collect();
-        let edges: Value = (self.edges.iter().zip(self.segments_of_edge.iter()))
-            .map(|(ends, segments)| {
-                let segments: Value = segments.iter().map(|&s| segment(s)).collect();
-                json!({"ends": ends, "segments": segments})
-            })
-            .collect();
-        let polygons: Value = self.regions_of_polygon.iter().map(|regions| json!(regions)).collect();
-        json!({
-            "inputs": drawing.names,
-            "regions": drawing.region_names(),
-            "vertices": vertices,
-            "edges": edges,
-            "polygons": polygons,
-        })
+        let edge = |(&ends, segments): (&[u32; 2], &[u32])| EdgeOrigin {
+            ends,
+            segments: segments.iter().map(|&segment| drawing.segment_source(segment as usize)).collect(),
+        };
+        PlanarBooleanProvenance {
+            inputs: drawing.names.clone(),
+            regions: drawing.region_names().into_iter().map(str::to_owned).collect(),
+            vertices: self.sources.iter().map(|source| drawing.vertex_origin(source)).collect(),
+            edges: self.edges.iter().zip(self.segments_of_edge.iter()).map(edge).collect(),
+            polygons: self.regions_of_polygon.iter().map(<[u32]>::to_vec).collect(),
+        }
     }
 }
 

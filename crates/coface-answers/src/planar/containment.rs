@@ -1,6 +1,7 @@
 //! The regions that contain each face.
 
 use super::drawing::{Filling, PlanarDrawing};
+use crate::answer::{Remark, RemarkCode};
 use coface_algebra::RaggedArray;
 use coface_arrange::boolean::InsideRule;
 
@@ -34,6 +35,17 @@ impl Containment {
             ));
         }
         warnings
+    }
+
+    /// The same in one remark, or in none.
+    pub(super) fn remarks(&self, drawing: &PlanarDrawing) -> Vec<Remark> {
+        let warnings = self.warnings(drawing);
+        let Some(first) = warnings.first() else { return Vec::new() };
+        let message = match self.stray_holes.len() {
+            1 => first.clone(),
+            count => format!("{first}; {} more holes are not inside of their outer rings", count - 1),
+        };
+        vec![Remark::new(RemarkCode::DrawingAssumption, message).at(self.stray_holes.len(), [])]
     }
 }
 

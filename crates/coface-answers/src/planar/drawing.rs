@@ -1,10 +1,11 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
+use crate::answer::{DrawingInput, VertexOrigin};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_arrange::boolean::InsideRule;
+use coface_arrange::planar::VertexSource;
 use coface_geometry::Positions;
 use coface_io::{Features, GroupKind, Model, Shape, Structure, shapes};
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// A segment that is in no ring.
@@ -306,18 +307,29 @@ impl PlanarDrawing {
     }
 
     /// The models with how much they draw.
-    pub(super) fn inputs_to_json(&self) -> Value {
+    pub(super) fn input_answers(&self) -> Vec<DrawingInput> {
         let mut polygon_counts = vec![0; self.names.len()];
         for polygon in &self.polygons {
             polygon_counts[self.regions[polygon.region as usize].model as usize] += 1;
         }
-        let models = self.names.iter().zip(&polygon_counts).enumerate();
+        let models = self.names.iter().zip(polygon_counts).enumerate();
         models
-            .map(|(model, (name, polygons))| {
-                let segments = self.segment_starts[model + 1] - self.segment_starts[model];
-                json!({"file": name, "segments": segments, "polygons": polygons})
+            .map(|(model, (name, polygons))| DrawingInput {
+                file: name.clone(),
+                segments: (self.segment_starts[model + 1] - self.segment_starts[model]) as usize,
+                polygons,
             })
             .collect()
+    }
+
+    /// The source of a vertex of a result, by inputs.
+    pub(super) fn vertex_origin(&self, source: &VertexSource) -> VertexOrigin {
+        match *source {
+            VertexSource::Given(vertex) => VertexOrigin::Vertex(self.vertex_source(vertex)),
+            VertexSource::Crossing(segments) => {
+                VertexOrigin::Segments(segments.map(|segment| self.segment_source(segment)))
+            }
+        }
     }
 
     /// `NotACycle` naming a region of open lines, or `InvalidInput` naming one of nothing that has an inside.

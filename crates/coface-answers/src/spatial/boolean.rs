@@ -3,6 +3,10 @@
 use super::inputs::Membership;
 use super::{InputState, OpenInputs, SceneArrangement};
 use crate::Labels;
+use crate::answer::{
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, Place, Remark, RemarkCode, SolidBooleanAnswer,
+    SpatialInput,
+};
 use crate::polygons::witness;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
@@ -12,7 +16,6 @@ use coface_complexes::surface::PolygonMesh;
 use coface_geometry::{Positions, Sum, polygon_area};
 use coface_io::repeated_vertex;
 use rayon::prelude::*;
-use serde_json::{Value, json};
 use std::sync::OnceLock;
 
 /// So many pinches of a sort are listed.
@@ -234,60 +237,71 @@ impl<'a> SolidBoolean<'a> {
         })
     }
 
-    /// The result as one JSON object with the keys that programs rely on: `measure`, `f_vector`, `components`, `closed`, `manifold`.
+    /// The result as an answer.
     ///
-    /// `measure` is the volume, `null` if the exterior is in the result. `f_vector` counts vertices, edges and polygons of the surface;
+    /// `measure` is the volume, none if the exterior is in the result. `f_vector` counts vertices, edges and polygons of the surface;
     /// where faces are not cut into triangles those with holes count once. `components` are those of the surface, `solids` those of
-    /// what it encloses. Pinches are told by coordinates as they were before they were split.
+    /// what it encloses. Pinches are listed by coordinates as they were before they were split.
     ///
     /// # Errors
     /// Those of [`Self::positions`].
-    pub fn to_json(&self) -> Result<Value, Error> {
+    pub fn answer(&self) -> Result<SolidBooleanAnswer, Error> {
         let positions = self.positions()?;
         let survey = self.mesh().survey();
         let verdict = survey.verdict();
         let place = |vertex: &u32| positions.point(VertexId::from_u32(*vertex)).to_vec();
         let witness = verdict.witness().map(|defect| {
             let found = witness(self.mesh(), defect, &Labels::default());
-            let cells = found.cells();
-            let points: Vec<Vec<Vec<f64>>> =
-                cells.iter().map(|cell| cell.iter().map(place).collect()).collect();
-            json!({"kind": found.kind(), "cells": cells, "message": found.message(), "points": points})
+            let cells = found.cells().to_vec();
+            BoundaryWitness {
+                kind: found.kind().to_owned(),
+                points: Some(cells.iter().map(|cell| cell.iter().map(place).collect()).collect()),
+                cells,
+                message: found.message().to_owned(),
+            }
         });
-        let f_vector = self.f_vector();
         let [solids, voids] = self.part_counts();
         let surface = survey.surface();
-        Ok(json!({
-            "dimension": 3,
-            "measure": self.volume(),
-            "f_vector": f_vector,
-            "components": survey.components().count(),
-            "closed": verdict.boundary_edge_count() == 0,
-            "manifold": {
-                "verdict": if verdict.is_manifold() { "yes" } else { "no" },
-                "closed": verdict.is_closed(),
-                "witness": witness,
+        let files = self.input_answers();
+        let remarks = self.remarks(&files);
+        Ok(SolidBooleanAnswer {
+            dimension: 3,
+            measure: self.volume(),
+            f_vector: self.f_vector(),
+            components: survey.components().count(),
+            closed: verdict.boundary_edge_count() == 0,
+            manifold: BoundaryManifold {
+                verdict: BoundaryVerdict::of(verdict.is_manifold()),
+                closed: verdict.is_closed(),
+                witness,
             },
-            "euler_characteristic": self.mesh().euler_characteristic(),
-            "genus": surface.map(|surface| surface.genus()),
-            "area": polygon_area(&positions, self.surface.polygons()),
-            "solids": solids,
-            "voids": voids,
-            "cells": self.selection.cells().count(),
-            "unbounded": self.selection.has_exterior(),
-            "triangles": self.request.triangles,
-            "faces_cut": self.faces_cut(),
-            "walls": if self.request.keep_walls { self.boundary.walls().len() } else { 0 },
-            "pinches": self.pinches_to_json(),
-            "rule": match self.request.rule {
-                InsideRule::Nonzero => "nonzero",
-                InsideRule::Positive => "positive",
-                InsideRule::Odd => "evenodd",
-            },
-            "files": self.files_to_json(),
-            "rounding": self.arrangement.rounding_to_json(self.closure()[0].iter().copied()),
-            "remarks": self.arrangement.scene().remarks(),
-        }))
+            euler_characteristic: self.mesh().euler_characteristic(),
+            genus: surface.map(|surface| surface.genus()),
+            area: polygon_area(&positions, self.surface.polygons()),
+            solids,
+            voids,
+            cells: self.selection.cells().count(),
+            unbounded: self.selection.has_exterior(),
+            triangles: self.request.triangles,
+            faces_cut: self.faces_cut(),
+            walls: if self.request.keep_walls { self.boundary.walls().len() } else { 0 },
+            pinches: self.pinches(),
+            rule: rule_word(self.request.rule).to_owned(),
+            files,
+            rounding: self.arrangement.rounding(self.closure()[0].iter().copied()),
+            remarks,
+        })
+    }
+
+    /// What was left out or assumed of the inputs.
+    fn remarks(&self, files: &[SpatialInput]) -> Vec<Remark> {
+        let mut remarks = self.arrangement.remarks(files);
+        for file in files.iter().filter(|file| file.inside_by == Some(InsideMethod::GeneralizedWinding)) {
+            let message =
+                format!("{} is open: what is inside of it was decided in floating point", file.file);
+            remarks.push(Remark::new(RemarkCode::OpenInput, message).at(1, [Place::file(&file.file)]));
+        }
+        remarks
     }
 
     /// The numbers of vertices, edges and faces of the surface, faces with holes once; of triangles if faces are cut.
@@ -317,39 +331,46 @@ impl<'a> SolidBoolean<'a> {
         facets.filter(|chunk| chunk.len() > 1).count()
     }
 
-    fn pinches_to_json(&self) -> Value {
+    /// The places where the result is pinched.
+    fn pinches(&self) -> Pinches {
         let complex = self.arrangement.complex();
         let positions = self.arrangement.positions();
-        let place = |vertex: u32| positions.point(VertexId::from_u32(vertex));
+        let place = |vertex: u32| positions.point(VertexId::from_u32(vertex)).to_vec();
         let (edges, vertices) = (self.boundary.pinched_ridges(), self.boundary.pinched_vertices());
-        let ends = |edge: &CellId| -> Vec<&[f64]> {
+        let ends = |edge: &CellId| -> Vec<Vec<f64>> {
             let rows =
                 complex.boundary_matrix(1).map_or(&[][..], |matrix| matrix.column(edge.index()).rows());
             rows.iter().map(|&vertex| place(vertex)).collect()
         };
-        json!({
-            "edge_count": edges.len(),
-            "vertex_count": vertices.len(),
-            "edges": edges.iter().take(MOST_LISTED).map(ends).collect::<Vec<_>>(),
-            "vertices": vertices.iter().take(MOST_LISTED).map(|v| place(v.to_u32())).collect::<Vec<_>>(),
-            "split": self.request.split_pinches,
-            "copies": self.copies[0],
-        })
+        Pinches {
+            edge_count: edges.len(),
+            vertex_count: vertices.len(),
+            edges: edges.iter().take(MOST_LISTED).map(ends).collect(),
+            vertices: vertices.iter().take(MOST_LISTED).map(|v| place(v.to_u32())).collect(),
+            split: self.request.split_pinches,
+            copies: self.copies[0],
+        }
     }
 
-    fn files_to_json(&self) -> Vec<Value> {
-        let mut files = self.arrangement.files_to_json();
+    fn input_answers(&self) -> Vec<SpatialInput> {
+        let mut files = self.arrangement.input_answers();
         for (input, file) in files.iter_mut().enumerate() {
-            let by = match self.arrangement.input_state(input) {
-                _ if self.membership.generalized.contains(&input) => "generalized_winding",
-                InputState::Incoherent { .. } => "parity",
-                _ => "winding",
-            };
-            if let Some(object) = file.as_object_mut() {
-                object.insert("inside_by".to_owned(), json!(by));
-            }
+            file.inside_by = Some(match self.arrangement.input_state(input) {
+                _ if self.membership.generalized.contains(&input) => InsideMethod::GeneralizedWinding,
+                InputState::Incoherent { .. } => InsideMethod::Parity,
+                _ => InsideMethod::Winding,
+            });
         }
         files
+    }
+}
+
+/// The word for a rule in answers.
+fn rule_word(rule: InsideRule) -> &'static str {
+    match rule {
+        InsideRule::Nonzero => "nonzero",
+        InsideRule::Positive => "positive",
+        InsideRule::Odd => "evenodd",
     }
 }
 

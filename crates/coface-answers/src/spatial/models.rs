@@ -2,13 +2,13 @@
 
 use super::boolean::{facets_of, refuse_unbounded};
 use super::{SceneArrangement, SolidBoolean};
+use crate::answer::{SolidBooleanProvenance, SpatialArrangementProvenance};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
 use coface_algebra::{Sign, SparseMatrix};
 use coface_arrange::boolean::SelectionMesh;
 use coface_complexes::surface::PolygonMesh;
 use coface_io::{CellData, Group, GroupKind, Model};
-use serde_json::{Value, json};
 
 /// Where a face has the exterior, in data on polygons.
 const NO_CELL: i64 = -1;
@@ -59,9 +59,9 @@ impl SceneArrangement {
 
     /// For each face of the arrangement its sources: the model, the polygon in it, and 1 or -1 where the polygon runs with the face
     /// or against it; polygons of volumes run outward.
-    pub fn provenance(&self) -> Value {
+    pub fn provenance(&self) -> SpatialArrangementProvenance {
         let faces = (0..self.complex().cell_count(2)).map(|face| self.sources(CellId::new(face), Sign::Plus));
-        json!({"files": self.scene.names(), "faces": faces.collect::<Vec<_>>()})
+        SpatialArrangementProvenance { files: self.scene.names().to_vec(), faces: faces.collect() }
     }
 
     /// The sources of a face that is run through in this direction, as `[model, polygon, sign]`.
@@ -175,10 +175,13 @@ impl SolidBoolean<'_> {
     ///
     /// # Errors
     /// None for arrangements that were made.
-    pub fn provenance(&self) -> Result<Value, Error> {
+    pub fn provenance(&self) -> Result<SolidBooleanProvenance, Error> {
         let mesh = self.mesh_with_walls()?;
         let sources = mesh.facets().iter().map(|&(face, sign)| self.arrangement.sources(face, sign));
-        Ok(json!({"files": self.arrangement.scene().names(), "polygons": sources.collect::<Vec<_>>()}))
+        Ok(SolidBooleanProvenance {
+            files: self.arrangement.scene().names().to_vec(),
+            polygons: sources.collect(),
+        })
     }
 
     fn mesh_with_walls(&self) -> Result<SelectionMesh, Error> {

@@ -1,5 +1,6 @@
 //! Models as polygons in space.
 
+use crate::answer::{Place, Remark, RemarkCode};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign};
@@ -41,7 +42,7 @@ pub struct SpatialScene {
     input_of_polygon: Vec<u32>,
     source_of_polygon: Vec<u32>,
     is_wall: Vec<bool>,
-    remarks: Vec<String>,
+    remarks: Vec<Remark>,
 }
 
 impl SpatialScene {
@@ -131,11 +132,12 @@ impl SpatialScene {
     }
 
     fn remark(&mut self, name: &str, count: usize, what: &str, fate: &str) {
-        match count {
-            0 => {}
-            1 => self.remarks.push(format!("{name}: one {what} {fate}")),
-            _ => self.remarks.push(format!("{name}: {count} {what}s: each {fate}")),
-        }
+        let message = match count {
+            0 => return,
+            1 => format!("{name}: one {what} {fate}"),
+            _ => format!("{name}: {count} {what}s: each {fate}"),
+        };
+        self.remarks.push(Remark::new(RemarkCode::CellsLeftOut, message).at(count, [Place::file(name)]));
     }
 
     /// Adds a polygon of the model that is being read, as often as it is in the sum, or as a wall: vertex 0 of the model has the number
@@ -329,8 +331,8 @@ impl SpatialScene {
         self.is_wall[polygon]
     }
 
-    /// What was left out, one sentence each.
-    pub fn remarks(&self) -> &[String] {
+    /// What was left out.
+    pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 

@@ -3,13 +3,15 @@
 use super::arranged::Arranged;
 use super::inputs::Inputs;
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
+use crate::answer::{
+    DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput, SpatialRounding, SplitPolygons,
+};
 use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
 use coface_arrange::boolean::InsideRule;
 use coface_geometry::Positions;
 use coface_io::Model;
-use serde_json::{Value, json};
 
 /// So many polygons of a sort are listed.
 const MOST_LISTED: usize = 100;
@@ -30,9 +32,9 @@ const MOST_LISTED: usize = 100;
 /// let (up, down) = (read("0 0 6")?, read("0 0 -12")?);
 /// let scene = SceneArrangement::of([("up", &up), ("down", &down)], &SpatialRequest::default())?;
 /// assert_eq!(scene.complex().f_vector(), [5, 9, 7, 2]);
-/// let object = scene.to_json(Default::default())?;
+/// let answer = scene.answer(Default::default())?;
 /// // The second is listed inside out: it winds -1 times around what it encloses.
-/// assert_eq!(object["files"][1]["reversed_cells"], 1);
+/// assert_eq!(answer.files[1].reversed_cells, 1);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
@@ -128,49 +130,60 @@ impl SceneArrangement {
         vertices.class_count()
     }
 
-    /// The arrangement as one JSON object with the keys that programs rely on: `dimension`, `f_vector`, `measures`, `inside`,
-    /// `products_zero`, `holes`.
+    /// The arrangement as an answer.
     ///
     /// `inside` is by the rule; models that are open contain nothing. `files` says for each model how many edges its rim has, how many
     /// cells it winds around less than zero times, and more than once.
     ///
     /// # Errors
     /// Those of [`Self::products_are_zero`].
-    pub fn to_json(&self, rule: InsideRule) -> Result<Value, Error> {
+    pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
         let complex = self.complex();
         let membership = self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty)?;
         let cells = complex.cell_count(3);
-        let inside: Vec<Vec<usize>> =
-            (0..cells).map(|cell| membership.inputs_around(CellId::new(cell))).collect();
-        let dangling = self.dangling_faces();
         let place = |polygon: &u32| {
-            let input = self.scene.input_of_polygon()[*polygon as usize];
-            json!([input, self.scene.source_of_polygon()[*polygon as usize]])
+            let polygon = *polygon as usize;
+            (self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon])
         };
         let dropped = self.arranged.degenerate_polygons();
-        let (split, deviation) = self.arranged.split_polygons();
+        let (count, largest_deviation) = self.arranged.split_polygons();
         let mut f_vector = complex.f_vector().to_vec();
         f_vector.resize(4, 0);
-        Ok(json!({
-            "dimension": 3,
-            "f_vector": f_vector,
-            "measures": self.volumes(),
-            "inside": inside,
-            "products_zero": self.products_are_zero()?,
-            "holes": self.arranged.hole_count(),
-            "voids": self.arranged.void_count(),
-            "components": self.component_count(),
-            "euler_characteristic": complex.euler_characteristic(),
-            "dangling_faces": dangling,
-            "files": self.files_to_json(),
-            "degenerate_polygons": {
-                "count": dropped.len(),
-                "listed": dropped.iter().take(MOST_LISTED).map(place).collect::<Vec<_>>(),
+        let files = self.input_answers();
+        let remarks = self.remarks(&files);
+        Ok(SpatialArrangementAnswer {
+            dimension: 3,
+            f_vector,
+            measures: self.volumes().to_vec(),
+            inside: (0..cells).map(|cell| membership.inputs_around(CellId::new(cell))).collect(),
+            products_zero: self.products_are_zero()?,
+            holes: self.arranged.hole_count(),
+            voids: self.arranged.void_count(),
+            components: self.component_count(),
+            euler_characteristic: complex.euler_characteristic(),
+            dangling_faces: self.dangling_faces(),
+            files,
+            degenerate_polygons: DegeneratePolygons {
+                count: dropped.len(),
+                listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
             },
-            "split_polygons": {"count": split, "largest_deviation": deviation},
-            "rounding": self.rounding_to_json((0..complex.cell_count(0)).map(CellId::new)),
-            "remarks": self.scene.remarks(),
-        }))
+            split_polygons: SplitPolygons { count, largest_deviation },
+            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new)),
+            remarks,
+        })
+    }
+
+    /// What was left out of the models, and which of them are inside out.
+    pub(super) fn remarks(&self, files: &[SpatialInput]) -> Vec<Remark> {
+        let mut remarks = self.scene.remarks().to_vec();
+        for file in files.iter().filter(|file| file.reversed_cells > 0) {
+            let message = format!(
+                "{} is inside out, wholly or in part: it winds less than zero times around cells",
+                file.file
+            );
+            remarks.push(Remark::new(RemarkCode::ReversedInput, message).at(file.reversed_cells, [Place::file(&file.file)]));
+        }
+        remarks
     }
 
     /// The number of faces with one cell, or the exterior, on both sides.
@@ -182,32 +195,38 @@ impl SceneArrangement {
         is_side.iter().filter(|is_side| !**is_side).count()
     }
 
-    pub(super) fn files_to_json(&self) -> Vec<Value> {
+    /// The models in their order.
+    pub(super) fn input_answers(&self) -> Vec<SpatialInput> {
         let mut polygons = vec![0usize; self.scene.names().len()];
         self.scene.input_of_polygon().iter().for_each(|&input| polygons[input as usize] += 1);
         let file = |(input, name): (usize, &String)| {
-            let (closed, coherent, edges) = match self.inputs.state(input) {
+            let (closed, coherent, rim_edges) = match self.inputs.state(input) {
                 InputState::Closed => (true, true, 0),
                 InputState::Incoherent { edges } => (true, false, edges),
                 InputState::Open { edges } => (false, false, edges),
             };
-            let [reversed, overlapping] = self.inputs.odd_cells(input);
-            json!({
-                "file": name,
-                "polygons": polygons[input],
-                "closed": closed,
-                "coherent": coherent,
-                "rim_edges": edges,
-                "reversed_cells": reversed,
-                "overlapping_cells": overlapping,
-            })
+            let [reversed_cells, overlapping_cells] = self.inputs.odd_cells(input);
+            SpatialInput {
+                file: name.clone(),
+                polygons: polygons[input],
+                closed,
+                coherent,
+                rim_edges,
+                reversed_cells,
+                overlapping_cells,
+                inside_by: None,
+            }
         };
         self.scene.names().iter().enumerate().map(file).collect()
     }
 
     /// How many of these vertices have rounded coordinates.
-    pub(super) fn rounding_to_json(&self, vertices: impl Iterator<Item = CellId>) -> Value {
-        let rounded = vertices.filter(|&vertex| self.arranged.is_rounded(vertex)).count();
-        json!({"exact": rounded == 0, "rounded_vertices": rounded, "rounds": self.arranged.round_count()})
+    pub(super) fn rounding(&self, vertices: impl Iterator<Item = CellId>) -> SpatialRounding {
+        let rounded_vertices = vertices.filter(|&vertex| self.arranged.is_rounded(vertex)).count();
+        SpatialRounding {
+            exact: rounded_vertices == 0,
+            rounded_vertices,
+            rounds: self.arranged.round_count(),
+        }
     }
 }

@@ -1,9 +1,9 @@
-//! What is known of a set, as JSON.
+//! What is known of a set.
 
 use super::PlanarSet;
-use coface_algebra::Error;
-use coface_yin::{Assumption, Combination, PieceSource, UncertifiedDecision, YinSet};
-use serde_json::{Value, json};
+use crate::answer::{YinCurve, YinDecision, YinKinkPoint, YinPieceSource, YinProvenance, YinSetAnswer};
+use coface_algebra::{Error, VertexId};
+use coface_yin::{Assumption, Combination, KnotIndex, PieceSource, UncertifiedDecision, YinSet};
 
 /// The part of the largest extent of a set that its perimeter is known to.
 const PRECISION: f64 = 1e-13;
@@ -20,18 +20,11 @@ impl PlanarSet {
         })
     }
 
-    /// The set as one JSON object.
-    ///
-    /// * `empty`, `plane`, `bounded`; `area`, `null` if the set is unbounded; `perimeter`, the length of all curves; `order`;
-    /// * `curve_counts`: the positive and the negative curves, and one more for the atom that is unbounded, as the papers on Yin sets
-    ///   count; `betti_open` and `betti_closed`: components and holes of the set and of its closure;
-    /// * `curves`: for each `sign` (1 counterclockwise, -1 clockwise), `area` with that sign, `length`, `knots`, `kinks`, `vertices` (the
-    ///   names of the kinks), `parent` (the curve directly around it, or `null`), `depth` and `name`;
-    /// * `atoms`: the curves of each component, the positive one first, if it has one; `kinks`, how many; `bounding_box`, `null` without curves.
+    /// The set as an answer.
     ///
     /// # Errors
     /// Those of [`YinSet::betti_open`].
-    pub fn to_json(&self) -> Result<Value, Error> {
+    pub fn answer(&self) -> Result<YinSetAnswer, Error> {
         let set = &self.set;
         let frame = self.bounding_box();
         let extent = frame.map_or(0.0, |[low, high]| (high[0] - low[0]).max(high[1] - low[1]));
@@ -49,64 +42,79 @@ impl PlanarSet {
             let area = curve.signed_area();
             let length = curve.length(tolerance);
             perimeter += length;
-            curves.push(json!({
-                "sign": if area < 0.0 { -1 } else { 1 },
-                "area": area,
-                "length": length,
-                "knots": curve.piece_count(),
-                "kinks": own,
-                "vertices": vertices,
-                "parent": set.forest().parent(number),
-                "depth": set.forest().depth(number),
-                "name": self.names.get(number).cloned().flatten(),
-            }));
+            curves.push(YinCurve {
+                sign: if area < 0.0 { -1 } else { 1 },
+                area: finite(area),
+                length: finite(length),
+                knots: curve.piece_count(),
+                kinks: own,
+                vertices,
+                parent: set.forest().parent(number),
+                depth: set.forest().depth(number),
+                name: self.names.get(number).cloned().flatten(),
+            });
         }
-        let atoms: Vec<Value> = set.atoms().iter().map(|atom| atom.curves().collect()).collect();
-        Ok(json!({
-            "empty": set.is_empty(),
-            "plane": set.is_plane(),
-            "bounded": set.is_bounded(),
-            "area": set.area(),
-            "perimeter": perimeter,
-            "curve_counts": set.curve_counts(),
-            "betti_open": set.betti_open()?,
-            "betti_closed": set.betti_closed()?,
-            "curves": curves,
-            "order": set.order().value(),
-            "atoms": atoms,
-            "kinks": set.kinks().len(),
-            "bounding_box": frame,
-        }))
+        Ok(YinSetAnswer {
+            empty: set.is_empty(),
+            plane: set.is_plane(),
+            bounded: set.is_bounded(),
+            area: set.area().and_then(finite),
+            perimeter: finite(perimeter),
+            curve_counts: set.curve_counts(),
+            betti_open: set.betti_open()?,
+            betti_closed: set.betti_closed()?,
+            curves,
+            order: set.order().value(),
+            atoms: set.atoms().iter().map(|atom| atom.curves().collect()).collect(),
+            kinks: set.kinks().len(),
+            bounding_box: frame,
+            remarks: self.remarks.clone(),
+        })
     }
 
-    /// Where the pieces of the boundary of a combination come from: `sources` has for each curve a list of
-    /// `[operand, curve, piece, from, to]`, one for each piece: the part of a piece of an operand by parameters in the unit interval, which
-    /// fall where the result runs against its source.
-    pub fn provenance_to_json(combination: &Combination) -> Value {
+    /// The kinks with their names and places.
+    pub fn kink_points(&self) -> Vec<YinKinkPoint> {
+        let place = |(at, vertex): (KnotIndex, VertexId)| {
+            let point = self.set.curve(at.curve as usize).knot_point(at.knot as usize);
+            YinKinkPoint::new(vertex.to_u32(), at.curve, at.knot, point)
+        };
+        self.set.kinks().iter().map(place).collect()
+    }
+
+    /// Where the pieces of the boundary of a combination come from: for each curve the source of each of its pieces, the part of a
+    /// piece of an operand by parameters in the unit interval, which fall where the result runs against its source.
+    pub fn provenance(combination: &Combination) -> YinProvenance {
         let set: &YinSet = combination.set();
         let mut sources = combination.sources().iter();
-        let lists: Vec<Value> = (0..set.curve_count())
-            .map(|curve| sources.by_ref().take(set.curve(curve).piece_count()).map(source_to_json).collect())
-            .collect();
-        json!({ "sources": lists })
+        let of_curve = |curve: usize| {
+            sources.by_ref().take(set.curve(curve).piece_count()).map(piece_source).collect()
+        };
+        YinProvenance { sources: (0..set.curve_count()).map(of_curve).collect() }
     }
 
-    /// A decision that was taken without proof: `point`, `pieces` as in [`Self::provenance_to_json`], and what was `assumed`.
-    pub fn decision_to_json(decision: &UncertifiedDecision) -> Value {
-        json!({
-            "point": decision.point,
-            "pieces": decision.pieces.iter().map(source_to_json).collect::<Vec<_>>(),
-            "assumed": match decision.assumption {
+    /// The decisions of a combination that were taken without proof.
+    pub fn decisions(combination: &Combination) -> Vec<YinDecision> {
+        let answer = |decision: &UncertifiedDecision| YinDecision {
+            point: decision.point,
+            pieces: decision.pieces.iter().map(piece_source).collect(),
+            assumed: match decision.assumption {
                 Assumption::SamePoint => "the same point",
                 Assumption::SameArc => "the same arc",
                 Assumption::ArcOrder => "the order of arcs at a point",
                 Assumption::SmallCurve => "a curve too small to be kept",
-            },
-        })
+            }
+            .to_owned(),
+        };
+        combination.report().iter().map(answer).collect()
     }
 }
 
-fn source_to_json(source: &PieceSource) -> Value {
+fn piece_source(source: &PieceSource) -> YinPieceSource {
     let [from, to] = source.range;
-    json!([source.operand, source.curve, source.piece, from, to])
+    (source.operand, source.curve, source.piece, from, to)
+}
+
+/// A number within the range of numbers.
+fn finite(number: f64) -> Option<f64> {
+    number.is_finite().then_some(number)
 }

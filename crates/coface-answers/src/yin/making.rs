@@ -1,5 +1,6 @@
 //! From what a file says about a boundary to a set.
 
+use crate::answer::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
@@ -72,7 +73,7 @@ impl Default for SetRequest {
 pub struct PlanarSet {
     pub(super) set: YinSet,
     pub(super) names: Vec<Option<String>>,
-    pub(super) remarks: Vec<String>,
+    pub(super) remarks: Vec<Remark>,
 }
 
 /// A curve with its kinks.
@@ -117,7 +118,9 @@ impl PlanarSet {
             (None, true) => drawing.order().max(Order::CUBIC),
             (None, false) => drawing.order(),
         };
-        let mut remarks = drawing.warnings().to_vec();
+        let warnings = drawing.warnings().iter();
+        let mut remarks: Vec<Remark> =
+            warnings.map(|sentence| Remark::new(RemarkCode::InputReading, sentence.clone())).collect();
         if drawing.is_plane() || drawing.curves().is_empty() {
             let set = if drawing.is_plane() { YinSet::plane(order) } else { YinSet::empty(order) };
             check_listed(&set, request.kinks.as_ref())?;
@@ -134,7 +137,10 @@ impl PlanarSet {
         }
         let (mut set, names) = combined(drawing, &made, request)?;
         if set.curve_count() == 0 {
-            remarks.push("the curves bound nothing: the set has no boundary".to_owned());
+            remarks.push(Remark::new(
+                RemarkCode::EmptyBoundary,
+                "the curves bound nothing: the set has no boundary",
+            ));
         }
         set.set_ends(&request.ends);
         match &request.kinks {
@@ -251,8 +257,8 @@ impl PlanarSet {
         self.set.reset_all_kinks(&knots).map(drop)
     }
 
-    /// What was changed or passed over: one sentence each.
-    pub fn remarks(&self) -> &[String] {
+    /// What was changed or passed over.
+    pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 }

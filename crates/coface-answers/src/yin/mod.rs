@@ -4,11 +4,15 @@
 //! * A [`PlanarSet`] is a Yin set with the names of its curves and what had to be said about the file it is from.
 //! * A [`SetRequest`] says how a file becomes a set: its order, the rule that repairs what crosses itself, its kinks.
 
+mod cells;
 mod facts;
 mod making;
+mod motion;
 mod svg;
 mod writing;
 
+pub use cells::CutCellsRequest;
 pub use making::{KinkRequest, PlanarSet, SetRequest};
+pub use motion::{MotionRequest, PlanarMotion};
 #[doc(hidden)]
 pub use svg::{Piece as SetPiece, pieces_of as set_pieces};

@@ -132,7 +132,7 @@ fn lines_divide_faces_and_bound_nothing() {
     let parts = RegionBoolean::new(drawing(&[model(&cut)]), &formula, &request).unwrap();
     assert_eq!((parts.f_vector(), parts.component_count()), ([6, 7, 2], 1));
     assert_eq!(parts.polygon_areas(), [8.0, 8.0]);
-    assert_eq!(parts.to_json()["arrangement"], serde_json::json!([8, 9, 2]));
+    assert_eq!(parts.answer().arrangement, [8, 9, 2]);
 }
 
 #[test]

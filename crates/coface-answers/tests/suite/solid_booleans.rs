@@ -5,6 +5,7 @@
 
 use coface_algebra::RaggedArray;
 use coface_algebra::{CellId, ErrorKind};
+use coface_answers::answer::{BoundaryVerdict, InsideMethod};
 use coface_answers::{InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_complexes::cell_mesh::CellShape;
@@ -57,12 +58,12 @@ fn shifted_cubes_combine() {
     ] {
         let result = combined(&scene, text);
         assert_eq!((result.volume(), result.f_vector()), (Some(volume), f_vector), "{text}");
-        let object = result.to_json().unwrap();
-        assert_eq!(object["area"], area, "{text}");
-        assert_eq!(object["closed"], true);
+        let object = result.answer().unwrap();
+        assert_eq!(object.area, Some(area), "{text}");
+        assert!(object.closed);
         let pinched = text == "a ^ b";
-        assert_eq!(object["manifold"]["verdict"], if pinched { "no" } else { "yes" });
-        assert_eq!(object["pinches"]["edge_count"], if pinched { 6 } else { 0 });
+        assert_eq!(object.manifold.verdict, BoundaryVerdict::of(!pinched));
+        assert_eq!(object.pinches.edge_count, if pinched { 6 } else { 0 });
         // The result is the union of itself.
         if let Ok(model) = result.to_mesh()
             && !pinched
@@ -95,9 +96,9 @@ fn pinches_are_split_on_request() {
             assert!(!SolidBoolean::of(&scene, &request).unwrap().mesh().manifold_verdict().is_manifold());
             request.split_pinches = true;
             let result = SolidBoolean::of(&scene, &request).unwrap();
-            let object = result.to_json().unwrap();
-            assert_eq!(object["manifold"]["verdict"], "yes", "{second:?}");
-            assert_eq!((&object["components"], &object["solids"]), (&components.into(), &components.into()));
+            let object = result.answer().unwrap();
+            assert_eq!(object.manifold.verdict, BoundaryVerdict::Yes, "{second:?}");
+            assert_eq!((object.components, object.solids), (components, components));
             assert!(result.copy_count() > 0);
             if !triangles {
                 assert_eq!(result.f_vector(), counts, "{second:?}");
@@ -139,13 +140,13 @@ fn faces_with_holes_count_once() {
     let rod = cuboid([0.25, 0.25, -0.5], [0.75, 0.75, 1.5]);
     let scene = arranged(&[cube([0.0; 3], 1.0), rod]);
     assert_eq!(
-        (scene.complex().f_vector(), scene.to_json(Default::default()).unwrap()["holes"].as_i64()),
-        (&[24, 40, 22, 4][..], Some(2))
+        (scene.complex().f_vector(), scene.answer(Default::default()).unwrap().holes),
+        (&[24, 40, 22, 4][..], 2)
     );
     let drilled = combined(&scene, "a - b");
     assert_eq!((drilled.volume(), drilled.f_vector(), drilled.faces_cut()), (Some(0.75), [16, 24, 10], 2));
-    let object = drilled.to_json().unwrap();
-    assert_eq!((&object["genus"], &object["manifold"]["verdict"]), (&1.into(), &"yes".into()));
+    let object = drilled.answer().unwrap();
+    assert_eq!((object.genus, object.manifold.verdict), (Some(1), BoundaryVerdict::Yes));
     let chains = drilled.to_chains().unwrap();
     let Some(io::Structure::Chains(complex)) = chains.structure() else { panic!() };
     assert_eq!(complex.f_vector(), [16, 24, 10, 1]);
@@ -157,12 +158,12 @@ fn faces_with_holes_count_once() {
 #[test]
 fn nested_cubes_have_a_void() {
     let scene = arranged(&[cube([0.0; 3], 1.0), cube([0.25; 3], 0.5)]);
-    let object = scene.to_json(Default::default()).unwrap();
-    assert_eq!((&object["voids"], &object["components"]), (&1.into(), &2.into()));
+    let object = scene.answer(Default::default()).unwrap();
+    assert_eq!((object.voids, object.components), (1, 2));
     let shell = combined(&scene, "a - b");
     assert_eq!((shell.volume(), shell.part_counts()), (Some(0.875), [1, 1]));
-    let object = shell.to_json().unwrap();
-    assert_eq!((&object["components"], &object["solids"]), (&2.into(), &1.into()));
+    let object = shell.answer().unwrap();
+    assert_eq!((object.components, object.solids), (2, 1));
     let chains = shell.to_chains().unwrap();
     assert_eq!(combined(&arranged(&[chains]), "a").volume(), Some(0.875));
 }
@@ -177,9 +178,9 @@ fn solids_inside_out_are_told_and_count() {
     let mut positive = request("a | b");
     positive.rule = InsideRule::Positive;
     assert_eq!(SolidBoolean::of(&scene, &positive).unwrap().volume(), Some(1.0));
-    let object = scene.to_json(Default::default()).unwrap();
-    assert_eq!(object["files"][1]["reversed_cells"], 2);
-    assert_eq!(object["inside"].as_array().unwrap().len(), 3);
+    let object = scene.answer(Default::default()).unwrap();
+    assert_eq!(object.files[1].reversed_cells, 2);
+    assert_eq!(object.inside.len(), 3);
 }
 
 #[test]
@@ -198,8 +199,8 @@ fn open_surfaces_are_refused_with_their_rim_or_decided_by_generalized_winding_nu
     request.open = OpenInputs::Generalized;
     let result = SolidBoolean::of(&scene, &request).unwrap();
     assert_eq!(result.volume(), Some(0.125));
-    assert_eq!(result.to_json().unwrap()["files"][0]["inside_by"], "generalized_winding");
-    assert_eq!(scene.to_json(Default::default()).unwrap()["inside"], serde_json::json!([[1]]));
+    assert_eq!(result.answer().unwrap().files[0].inside_by, Some(InsideMethod::GeneralizedWinding));
+    assert_eq!(scene.answer(Default::default()).unwrap().inside, [[1]]);
 }
 
 #[test]
@@ -216,7 +217,7 @@ fn directions_that_disagree_are_told_apart_from_holes() {
     odd.rule = InsideRule::Odd;
     let result = SolidBoolean::of(&scene, &odd).unwrap();
     assert_eq!(result.volume(), Some(1.875));
-    assert_eq!(result.to_json().unwrap()["files"][0]["inside_by"], "parity");
+    assert_eq!(result.answer().unwrap().files[0].inside_by, Some(InsideMethod::Parity));
 }
 
 #[test]
@@ -244,7 +245,7 @@ fn volume_meshes_are_the_union_of_their_cells() {
     assert_eq!((difference.part_counts(), difference.boundary().walls().len()), ([1, 1], 1));
     assert_eq!(combined(&scene, "b - a").volume(), Some(0.0));
     let sources = difference.provenance().unwrap();
-    assert!(sources["polygons"].as_array().unwrap().iter().all(|list| {
+    assert!(sources.polygons.iter().all(|list| {
         let expected = if list[0][0] == 0 { 1 } else { -1 };
         list[0][2] == expected
     }));
@@ -277,10 +278,10 @@ proptest! {
         let slack = 4.0 * f64::EPSILON * volume;
         prop_assert!(result.volume().is_some_and(|found| (found - volume).abs() <= slack), "{:?} {volume}", result.volume());
         prop_assert!(scene.products_are_zero().unwrap());
-        let object = result.to_json().unwrap();
-        prop_assert_eq!(&object["closed"], true);
-        let is_pinched = object["pinches"]["edge_count"] != 0 || object["pinches"]["vertex_count"] != 0;
-        prop_assert_eq!(&object["manifold"]["verdict"], if is_pinched { "no" } else { "yes" });
+        let object = result.answer().unwrap();
+        prop_assert!(object.closed);
+        let is_pinched = object.pinches.edge_count != 0 || object.pinches.vertex_count != 0;
+        prop_assert_eq!(object.manifold.verdict, BoundaryVerdict::of(!is_pinched));
         // By the theorem of Gauss the surface encloses the same volume.
         let mesh = result.to_mesh().unwrap();
         let enclosed = coface_geometry::enclosed_volume(mesh.positions(), mesh.polygons());
@@ -311,9 +312,9 @@ fn three_cubes_in_one_file_have_seven_cells() {
     let numbers: f64 = scene.volumes().iter().sum();
     let union = combined(&scene, "a");
     assert_eq!(union.volume(), Some(numbers));
-    assert_eq!(union.to_json().unwrap()["components"], 1);
+    assert_eq!(union.answer().unwrap().components, 1);
     assert!((0..7).all(|cell| union.selection().contains(CellId::new(cell))));
-    assert!(scene.to_json(Default::default()).unwrap()["files"][0]["overlapping_cells"].as_u64() > Some(0));
+    assert!(scene.answer(Default::default()).unwrap().files[0].overlapping_cells > 0);
 }
 
 /// Counts and volumes as libigl's exact Booleans find them, with a box that reaches to 3.4e38.
@@ -329,14 +330,11 @@ fn a_box_of_the_size_of_the_largest_single_precision_number_cuts_a_small_solid()
         let mut request = request(text);
         request.triangles = true;
         let result = SolidBoolean::of(&scene, &request).unwrap();
-        let object = result.to_json().unwrap();
+        let object = result.answer().unwrap();
         assert_eq!(result.f_vector(), f_vector, "{text}");
-        assert_eq!(
-            (&object["components"], &object["manifold"]["verdict"]),
-            (&components.into(), &"yes".into())
-        );
-        for (found, expected) in [(&object["measure"], volume), (&object["area"], area)] {
-            let found = found.as_f64().unwrap();
+        assert_eq!((object.components, object.manifold.verdict), (components, BoundaryVerdict::Yes));
+        for (found, expected) in [(object.measure, volume), (object.area, area)] {
+            let found = found.unwrap();
             assert!((found / expected - 1.0).abs() < 1e-8, "{text}: {found} for {expected}");
         }
     }

@@ -2,13 +2,13 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, remark};
+use crate::output::{print_json, print_text, say_remarks};
 use crate::progress::Progress;
 use crate::workers::{self, Task};
 use clap::Args;
-use coface::scale::batch::{Batch as Files, Reading, Summary, TableFormat, find_files};
+use coface::answers::answer::{BatchAnswer, Remark, RemarkCode};
+use coface::scale::batch::{Batch as Files, Reading, TableFormat, find_files};
 use coface::scale::workers::{Limits, parse_bytes, parse_duration};
-use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -99,22 +99,20 @@ impl Batch {
         let pool = workers::pool(Task::Info, jobs, common.threads.map_or(1, usize::from), limits)?;
         let summary = batch.write(&pool, out, format)?;
         drop(progress);
-        if let (Some(refused), false) = (&summary.refused, common.quiet) {
-            remark(refused);
-        }
+        let mut answer = BatchAnswer::new(out.display().to_string());
+        (answer.files, answer.resumed) = (summary.files, summary.resumed);
+        answer.errors.clone_from(&summary.errors);
+        let refused = summary.refused.iter();
+        answer.remarks.extend(refused.map(|why| Remark::new(RemarkCode::EarlierRunIgnored, why.clone())));
+        say_remarks(&answer.remarks, common);
         if common.json {
-            print_json(&json!({
-                "output": out.display().to_string(),
-                "files": summary.files,
-                "errors": summary.errors,
-                "resumed": summary.resumed,
-            }))?;
+            print_json(&answer)?;
         } else {
-            print_text(&format!("{}: {}\n", out.display(), told(&summary)))?;
+            print_text(&format!("{}: {}\n", answer.output, in_words(&answer)))?;
         }
-        match summary.error_count() {
+        match answer.error_count() {
             count @ 1.. if self.strict => {
-                Err(Failure::new(format!("{count} of {} rows are errors", summary.files)))
+                Err(Failure::new(format!("{count} of {} rows are errors", answer.files)))
             }
             _ => Ok(()),
         }
@@ -122,19 +120,19 @@ impl Batch {
 }
 
 /// The summary for people: `12 files, 2 errors (1 parse, 1 time)`.
-fn told(summary: &Summary) -> String {
+fn in_words(answer: &BatchAnswer) -> String {
     let plural = |count: usize, noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" });
-    let mut text = plural(summary.files, "file");
-    match summary.error_count() {
+    let mut text = plural(answer.files, "file");
+    match answer.error_count() {
         0 => text += ", no errors",
         count => {
             let kinds: Vec<String> =
-                summary.errors.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+                answer.errors.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
             text += &format!(", {} ({})", plural(count, "error"), kinds.join(", "));
         }
     }
-    if summary.resumed > 0 {
-        text += &format!("; {} from an earlier run", plural(summary.resumed, "row"));
+    if answer.resumed > 0 {
+        text += &format!("; {} from an earlier run", plural(answer.resumed, "row"));
     }
     text
 }

@@ -4,16 +4,16 @@ use crate::arguments::Common;
 use crate::classes::{ClassFormat, write_classes};
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
-use crate::output::{print_json, print_text, remark};
+use crate::output::{print_json, print_text, say_remarks};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
+use coface::answers::answer::{CongruenceAnswer, Remark, RemarkCode};
 use coface::answers::text;
 use coface::answers::{BlockRule, CongruenceRequest, ModelCongruence};
 use coface::arrange::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
 use coface::io;
 use coface::io::Format;
-use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Merge what coincides: chain complex congruence of one or more models.
@@ -138,21 +138,20 @@ impl Congruence {
             _ => write_model()?,
         }
         progress.stage("multiplying boundaries");
-        let object = congruence.to_json()?;
+        let mut answer = congruence.answer()?;
         drop(progress);
-        if left_out > 0 && output.is_some() && !common.quiet {
-            remark(&format!("groups and data are not kept: {left_out} left out"));
+        if left_out > 0 && output.is_some() {
+            let message = format!("groups and data are not kept: {left_out} left out");
+            answer.remarks.insert(0, Remark::new(RemarkCode::DataLeftOut, message).at(left_out, []));
         }
-        if self.within_blocks == Within::Warn && !common.quiet {
-            self.remark_on_merges(&congruence);
-        }
+        say_remarks(&answer.remarks, common);
         if common.json {
-            return print_json(&object);
+            return print_json(&answer);
         }
         if common.output.is_some() || self.classes.is_some() {
             return Ok(());
         }
-        print_text(&self.page(&congruence, &object))
+        print_text(&self.page(&answer))
     }
 
     fn request(&self) -> CongruenceRequest {
@@ -187,21 +186,7 @@ impl Congruence {
         request
     }
 
-    fn remark_on_merges(&self, congruence: &ModelCongruence) {
-        let merges = congruence.merges().unwrap_or_default();
-        let Some(nearest) = merges.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else { return };
-        let block = if self.blocks == Blocks::Files { "file" } else { "component" };
-        let (name, _) = congruence.vertex_source(nearest.vertices[0] as usize);
-        remark(&format!(
-            "{} with several vertices of one {block}; the nearest, in {name}, are {} apart",
-            text::count(merges.len(), "class"),
-            nearest.distance
-        ));
-    }
-
-    fn page(&self, congruence: &ModelCongruence, object: &Value) -> String {
-        let before = congruence.f_vector_before();
-        let after = congruence.complex().f_vector();
+    fn page(&self, answer: &CongruenceAnswer) -> String {
         let name = |degree: usize| match degree {
             0 => "vertices".to_owned(),
             1 => "edges".to_owned(),
@@ -209,44 +194,41 @@ impl Congruence {
             3 => "cells".to_owned(),
             _ => format!("{degree}-cells"),
         };
+        let at = |counts: &[usize], degree: usize| counts.get(degree).copied().unwrap_or(0);
         let mut facts = Vec::new();
-        for degree in 0..before.len().max(after.len()) {
-            let [old, new] = [&before[..], after].map(|counts| counts.get(degree).copied().unwrap_or(0));
+        for degree in 0..answer.f_vector_before.len().max(answer.f_vector.len()) {
+            let [old, new] = [&answer.f_vector_before, &answer.f_vector].map(|counts| at(counts, degree));
             if old == 0 && new == 0 {
                 continue;
             }
-            let part = |key: &str, word: &str| match object[key][degree].as_u64() {
-                Some(count) if count > 0 => Some(format!("{} {word}", text::grouped(count as usize))),
-                _ => None,
+            let part = |counts: &[usize], word: &str| match at(counts, degree) {
+                0 => None,
+                count => Some(format!("{} {word}", text::grouped(count))),
             };
-            let gloss: Vec<String> =
-                [part("discarded", "discarded"), part("changed", "changed")].into_iter().flatten().collect();
+            let parts = [part(&answer.discarded, "discarded"), part(&answer.changed, "changed")];
+            let gloss: Vec<String> = parts.into_iter().flatten().collect();
             let value = format!("{} from {}", text::grouped(new), text::grouped(old));
             facts.push((name(degree), value, gloss.join(", ")));
         }
         let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
-        facts.push(fact(
-            "Euler char.",
-            congruence.complex().euler_characteristic().to_string(),
-            "of what is left",
-        ));
+        facts.push(fact("Euler char.", answer.euler_characteristic.to_string(), "of what is left"));
         facts.push(fact(
             "widest class",
-            format!("{:.6e}", congruence.vertices().largest_diameter()),
+            format!("{:.6e}", answer.largest_class_diameter),
             "the largest distance of vertices that became one",
         ));
-        let is_zero = object["products_zero"] == json!(true);
+        let is_zero = answer.products_zero;
         facts.push(fact(
             "boundaries",
             if is_zero { "of boundaries are zero" } else { "of boundaries are NOT zero" }.to_owned(),
             "found by multiplying the matrices",
         ));
-        if let Some(merges) = congruence.merges().filter(|merges| !merges.is_empty()) {
+        if let Some(merges) = answer.merged_within_blocks.filter(|&merges| merges > 0) {
             let gloss = match self.blocks {
                 Blocks::Files => "classes with several vertices of one file",
                 _ => "classes with several vertices of one component",
             };
-            facts.push(fact("within blocks", text::grouped(merges.len()), gloss));
+            facts.push(fact("within blocks", text::grouped(merges), gloss));
         }
         let title = match &self.inputs[..] {
             [one] => format!("congruence of {} within {}", input::name(one), self.tolerance),

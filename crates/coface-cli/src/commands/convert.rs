@@ -4,16 +4,17 @@ use super::view::read_result;
 use crate::arguments::{Common, format_of_name};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_bytes, print_json, remark, write_json};
+use crate::commands::yin::lost_kinks;
+use crate::output::{print_bytes, print_json, say_remarks, write_json};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
+use coface::answers::answer::{CarriersAnswer, ConvertAnswer, Remark, RemarkCode};
 use coface::answers::{PlanarSet, RepairRequest, SetRequest, repaired, triangulated};
 use coface::complexes::surface::{FacesAtEdge, MeshRepair};
 use coface::io;
 use coface::io::{CellData, Format, GroupKind, Model, Structure};
 use coface::pictures::{Coloring, GltfForm, Scene, colored, gltf, vertex_colors};
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Convert a model to another format.
@@ -117,9 +118,8 @@ impl Convert {
                 triangulated(&loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
             loaded.model = model;
             if let Some(place) = &self.labels {
-                let carriers: Value =
-                    carriers.iter().map(|(degree, cell)| json!([degree, cell.index()])).collect();
-                write_json(place, &json!({ "carriers": carriers }))?;
+                let carriers = carriers.iter().map(|&(degree, cell)| (degree, cell.index())).collect();
+                write_json(place, &CarriersAnswer::new(carriers))?;
             }
         }
         if !matches!(format, Target::Model(Format::Npy | Format::Json | Format::Container))
@@ -147,36 +147,32 @@ impl Convert {
             (Target::Model(format), _) => io::write(&model, out, format),
             (Target::Scene(_), None) => unreachable!("a scene is made for what shows one"),
         };
+        let losses = match format {
+            Target::Model(format) => losses_of(&model, format),
+            Target::Scene(_) => Vec::new(),
+        };
         let Some(path) = target else {
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
             let mut bytes = Vec::new();
             write(&mut bytes)?;
             drop(progress);
-            remark_on_repair(repair.as_ref(), common);
-            if let Target::Model(format) = format {
-                remark_on_losses(&model, format, common);
-            }
+            say_remarks(repair.as_ref().map(remark_of_repair).as_slice(), common);
+            say_remarks(&losses, common);
             return print_bytes(|out| out.write_all(&bytes));
         };
         io::replace_file(path, |out| write(out))?;
         drop(progress);
-        if let Target::Model(format) = format {
-            remark_on_losses(&model, format, common);
-        }
+        say_remarks(&losses, common);
+        let repaired = repair.as_ref().map(remark_of_repair);
         if common.json {
-            let mut object = json!({
-                "file": loaded.name,
-                "format": loaded.format.name(),
-                "output": path.display().to_string(),
-                "output_format": format.name(),
-                "counts": counts(&model),
-            });
-            if let Some(repair) = &repair {
-                object["repair"] = repair_to_json(repair);
-            }
-            return print_json(&object);
+            let output = path.display().to_string();
+            let mut answer =
+                ConvertAnswer::of_model(&loaded.name, loaded.format.name(), &output, format.name(), &model)
+                    .with_repair(repair.as_ref());
+            answer.remarks = losses.into_iter().chain(repaired).collect();
+            return print_json(&answer);
         }
-        remark_on_repair(repair.as_ref(), common);
+        say_remarks(repaired.as_slice(), common);
         Ok(())
     }
 
@@ -266,19 +262,13 @@ impl Convert {
         progress.stage(format!("writing {}", path.display()));
         io::replace_file(path, |out| set.write(out, format, None))?;
         drop(progress);
-        if !common.quiet {
-            set.remarks().iter().for_each(|sentence| remark(sentence));
-            if format != Format::Json && !set.set().kinks().is_empty() {
-                remark(&format!("kinks are not kept by {}", format.title()));
-            }
-        }
+        let remarks: Vec<Remark> = set.remarks().iter().cloned().chain(lost_kinks(set, format)).collect();
+        say_remarks(&remarks, common);
         if common.json {
-            return print_json(&json!({
-                "file": input::name(&self.input),
-                "output": path.display().to_string(),
-                "output_format": format.name(),
-                "counts": {"curves": set.set().curve_count(), "kinks": set.set().kinks().len()},
-            }));
+            let (file, output) = (input::name(&self.input), path.display().to_string());
+            let mut answer = ConvertAnswer::of_set(&file, &output, format.name(), set);
+            answer.remarks = remarks;
+            return print_json(&answer);
         }
         Ok(())
     }
@@ -296,29 +286,16 @@ impl Convert {
     }
 }
 
-/// Says what was repaired, where repair was asked for.
-fn remark_on_repair(repair: Option<&MeshRepair>, common: &Common) {
-    let Some(repair) = repair.filter(|_| !common.quiet) else { return };
+/// What was repaired, in numbers.
+fn remark_of_repair(repair: &MeshRepair) -> Remark {
     let (edges, vertices) = (repair.edges_split().len(), repair.vertices_split().len());
-    remark(&format!(
-        "edges split: {edges}; vertices split: {vertices}; faces turned: {}",
-        repair.faces_turned().len()
-    ));
+    let turned = repair.faces_turned().len();
+    let message = format!("edges split: {edges}; vertices split: {vertices}; faces turned: {turned}");
+    Remark::new(RemarkCode::ModelRepaired, message).at(edges + vertices + turned, [])
 }
 
-/// What was repaired: edges and vertices by the vertices of the input, copies with what they are copies of.
-fn repair_to_json(repair: &MeshRepair) -> Value {
-    let copies = repair.vertex_sources().iter().enumerate().filter(|(copy, source)| *copy != source.index());
-    json!({
-        "edges_split": repair.edges_split().iter().map(|edge| json!(edge.map(|end| end.index()))).collect::<Value>(),
-        "vertices_split": repair.vertices_split().iter().map(|vertex| vertex.index()).collect::<Value>(),
-        "faces_turned": repair.faces_turned().iter().map(|&face| repair.mesh().polygon_of_face(face)).collect::<Value>(),
-        "copies": copies.map(|(copy, source)| json!([copy, source.index()])).collect::<Value>(),
-    })
-}
-
-/// Says that the format has no room for the groups or the data of the model, where that is so.
-pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
+/// That the format has no room for the groups or the data of the model, where that is so.
+pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
     let colors = model.vertex_colors();
     // Rings are written as rings of polygons, and polygons of one feature together, which tells these.
     let is_told = |data: &CellData| match format {
@@ -335,20 +312,10 @@ pub(crate) fn remark_on_losses(model: &Model, format: Format, common: &Common) {
         ("groups", model.groups().len(), format.keeps_groups()),
         ("data on cells", data_count, format.keeps_data()),
     ];
-    for (what, count, is_kept) in losses {
-        if count > 0 && !is_kept && !common.quiet {
-            remark(&format!("a file of {} does not keep {what}: {count} left out", format.title()));
-        }
-    }
-}
-
-/// What was written.
-fn counts(model: &Model) -> Value {
-    json!({
-        "vertices": model.vertex_count(),
-        "lines": model.lines().len(),
-        "polygons": model.polygons().len(),
-        "cells": model.cells().len(),
-        "data": model.data().len(),
-    })
+    let is_lost = |&(_, count, is_kept): &(&str, usize, bool)| count > 0 && !is_kept;
+    let remark = |(what, count, _): (&str, usize, bool)| {
+        let message = format!("a file of {} does not keep {what}: {count} left out", format.title());
+        Remark::new(RemarkCode::FormatKeepsLess, message).at(count, [])
+    };
+    losses.into_iter().filter(is_lost).map(remark).collect()
 }

@@ -5,9 +5,10 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::Function;
 use crate::input::{self, Source};
-use crate::output::{print_bytes, print_json, remark, write_file};
+use crate::output::{print_bytes, print_json, say_remarks, write_file};
 use crate::progress::Progress;
 use clap::Args;
+use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
 use coface::answers::{PlanarSet, Report, SetRequest};
 use coface::io::Format;
 use coface::pictures::{
@@ -15,7 +16,6 @@ use coface::pictures::{
     matrix_picture, pane_picture, set_picture,
 };
 use coface::topology::{Coefficients, Filtration, persistence};
-use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Draw a model as PNG or SVG, without a browser.
@@ -115,6 +115,7 @@ impl Render {
         }
         let progress = Progress::start(common.quiet);
         let source = Source::of(&self.input)?;
+        let mut remarks = Vec::new();
         let bytes = match self.flat(&source, common, &progress)? {
             Some(picture) => {
                 progress.stage("drawing");
@@ -123,7 +124,7 @@ impl Render {
                     PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
                 }
             }
-            None => self.scene(&source, format, common, &progress)?,
+            None => self.scene(&source, format, common, &progress, &mut remarks)?,
         };
         progress.stage("writing");
         match &common.output {
@@ -136,11 +137,10 @@ impl Render {
         }
         drop(progress);
         if common.json {
-            print_json(&json!({
-                "file": input::name(&self.input),
-                "picture": common.output.as_ref().map(|path| path.display().to_string()),
-                "bytes": bytes.len(),
-            }))?;
+            let picture = common.output.as_ref().map(|path| path.display().to_string());
+            let mut answer = RenderAnswer::new(input::name(&self.input), picture, bytes.len());
+            answer.remarks = remarks;
+            print_json(&answer)?;
         }
         Ok(())
     }
@@ -234,6 +234,7 @@ impl Render {
         format: PictureFormat,
         common: &Common,
         progress: &Progress,
+        remarks: &mut Vec<Remark>,
     ) -> Result<Vec<u8>, Failure> {
         let loaded = source.model(common.reading(), progress)?;
         progress.stage("drawing");
@@ -250,8 +251,10 @@ impl Render {
                 PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
             });
         }
-        if !scene.panes().is_empty() && !common.quiet {
-            remark(&format!("not drawn: {}; --pane draws it instead", pane_names(&scene)));
+        if !scene.panes().is_empty() {
+            let message = format!("not drawn: {}; --pane draws it instead", pane_names(&scene));
+            remarks.push(Remark::new(RemarkCode::NotDrawn, message).at(scene.panes().len(), []));
+            say_remarks(remarks, common);
         }
         if self.witness {
             progress.stage(format!("examining {}", loaded.name));

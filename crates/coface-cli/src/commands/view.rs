@@ -49,7 +49,7 @@ impl View {
             scene = scene.with_boundary().with_report(&report.answer(100));
         }
         progress.stage("writing the page");
-        let page = coface::pictures::pages::viewer::page_of(&scene.to_json());
+        let page = coface::pictures::pages::viewer::page_of(&scene.document());
         drop(progress);
         match &common.output {
             Some(path) => write_file(path, page.as_bytes())?,

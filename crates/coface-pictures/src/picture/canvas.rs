@@ -1,5 +1,6 @@
 //! Pixels.
 
+#[cfg(feature = "png")]
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind};
 use std::ops::Range;
@@ -52,10 +53,19 @@ impl Canvas {
         }
     }
 
+    /// Says that pictures are not written as PNG by this build.
+    #[cfg(not(feature = "png"))]
+    #[expect(clippy::unused_self, reason = "the same signature as with the feature")]
+    pub(super) fn png(&self, _factor: usize) -> Result<Vec<u8>, Error> {
+        Err(Error::new(ErrorKind::UnsupportedFormat, "PNG is not in this build")
+            .with_cure("write SVG, or build with the feature png"))
+    }
+
     /// The picture as PNG, each pixel the mean of `factor` by `factor` of these.
     ///
     /// # Errors
     /// [`ErrorKind::Io`] should the encoder fail.
+    #[cfg(feature = "png")]
     pub(super) fn png(&self, factor: usize) -> Result<Vec<u8>, Error> {
         let failed = |error: png::EncodingError| {
             Error::new(ErrorKind::Io, format!("the PNG cannot be written: {error}"))
@@ -72,6 +82,7 @@ impl Canvas {
         Ok(file)
     }
 
+    #[cfg(feature = "png")]
     fn shrunk(&self, factor: usize) -> Vec<u8> {
         let (width, height) = (self.width / factor, self.height / factor);
         let count = (factor * factor) as u32;
@@ -105,7 +116,7 @@ pub(super) fn centers(low: f64, high: f64, count: usize) -> Range<usize> {
     low..high.max(low)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "png"))]
 mod tests {
     use super::*;
 

@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::letters;
 use super::palette::{Color, hex, packed};
 use super::style::{SAMPLES, check_size};
-use super::svg::{escaped, push_point, push_short};
+use super::svg_text::{escaped, push_point, push_short};
 use coface_algebra::Error;
 use std::fmt::Write;
 
@@ -331,7 +331,7 @@ fn paint_line(canvas: &mut Canvas, line: &[[f64; 2]], is_closed: bool, width: f6
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "png"))]
 mod tests {
     use super::*;
     use crate::picture::palette::of;

@@ -25,6 +25,7 @@ mod scene_picture;
 mod sight;
 mod style;
 mod svg;
+mod svg_text;
 
 pub use camera::Camera;
 pub use coloring::{Coloring, colored, vertex_colors};

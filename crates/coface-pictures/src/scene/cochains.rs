@@ -1,6 +1,6 @@
 //! Cochains on edges: arrows, and lines of equal potential.
 
-use super::results::{array, vertices};
+use super::values::{array, vertices};
 use super::{Layer, Scene};
 use serde_json::Value;
 
@@ -44,7 +44,7 @@ impl Form {
 pub(super) fn cocycle_layers(result: &Value, layers: &mut Vec<Layer>) {
     for (number, cocycle) in array(result, "cocycles").iter().enumerate() {
         let mut layer = Layer::new("cocycles", format!("cocycle {number}"));
-        let count = super::results::push_chain(&mut layer, cocycle);
+        let count = super::values::push_chain(&mut layer, cocycle);
         layer.detail = format!("not zero on {count} edges");
         layer.has_arrows = true;
         layer.is_on = number == 0 && result["harmonic"].is_null();

@@ -3,7 +3,7 @@
 
 use super::domain::Mesh;
 use super::geodesics::Disk;
-use super::results::{array, vertices};
+use super::values::{array, vertices};
 use super::{Layer, Pane};
 use serde_json::Value;
 

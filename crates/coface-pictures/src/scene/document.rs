@@ -1,11 +1,154 @@
-//! A scene as the JSON document that a page holds.
+//! A scene as the document that a page holds.
 
 use super::parts::common_width;
 use super::{Layer, Pane, Scene};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coface_algebra::RaggedArray;
-use serde_json::{Value, json};
+use coface_answers::answer::{InfoAnswer, YinSetAnswer};
+use serde::{Deserialize, Serialize};
+
+/// What the page of a scene shows. Texts of numbers are base64 of little-endian bytes, 32 bits each.
+///
+/// # Examples
+/// ```
+/// use coface_io::{Format, read};
+/// use coface_pictures::Scene;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+/// let document = Scene::of("triangle", &triangle)?.document();
+/// assert_eq!((document.title.as_str(), document.polygons.width), ("triangle", Some(3)));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct SceneDocument {
+    /// The version of the document: 1.
+    pub coface_scene: u32,
+    /// The title of the page.
+    pub title: String,
+    /// What is known of the model; null where it was not examined.
+    pub report: Option<SceneReport>,
+    /// The number of coordinates that matter: 2 or 3.
+    pub dimension: usize,
+    /// What was subtracted from all positions before they were rounded to 32 bits.
+    pub origin: [f64; 3],
+    /// Three numbers a vertex.
+    pub positions: String,
+    /// The polygons by the first walk around each.
+    pub polygons: PackedLists,
+    /// Walks around polygons beyond the first.
+    pub rims: PackedLists,
+    /// The polygon of each of these walks.
+    #[serde(rename = "polygonsOfRims")]
+    pub polygons_of_rims: String,
+    /// The top cells that are neither polygons nor 3-cells.
+    pub simplices: PackedLists,
+    /// The polygons around each 3-cell.
+    pub cells: PackedLists,
+    /// For each polygon of each 3-cell 1 where the cell has it with a minus, else 0; empty where that is not known.
+    pub signs: String,
+    /// What is known of each 3-cell, or of each polygon where there are none.
+    pub notes: Vec<String>,
+    /// What is shaded; null where that is the polygons.
+    pub triangles: Option<PackedTriangles>,
+    /// What is drawn over the model.
+    pub layers: Vec<LayerDocument>,
+    /// Flat pictures beside the model.
+    pub panes: Vec<PaneDocument>,
+}
+
+/// What is known of what a scene shows.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum SceneReport {
+    /// The report on a model.
+    Model(Box<InfoAnswer>),
+    /// The facts about a set of the plane.
+    Set(Box<YinSetAnswer>),
+}
+
+/// Lists of numbers: all of one width, or by where each starts.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PackedLists {
+    /// The length of all lists; absent where they differ.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<usize>,
+    /// Where each list starts, and where the last ends; absent where all have one width.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub starts: Option<String>,
+    /// The entries of all lists.
+    pub items: String,
+}
+
+/// Triangles that are shaded.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PackedTriangles {
+    /// Three vertices each.
+    pub items: String,
+    /// The polygon of each.
+    pub polygons: String,
+    /// The 3-cell of each; empty without 3-cells.
+    pub cells: String,
+}
+
+/// A [`Layer`] in a document.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct LayerDocument {
+    /// What it is called.
+    pub name: String,
+    /// Layers of one group stand together.
+    pub group: String,
+    /// What is said about it beside its name.
+    pub detail: String,
+    /// Whether it is shown at first.
+    pub on: bool,
+    /// Polylines through points.
+    pub lines: PackedLists,
+    /// Points with a mark.
+    pub points: String,
+    /// Triangles of points, three each.
+    pub triangles: String,
+    /// Texts at points.
+    pub labels: Vec<LabelDocument>,
+    /// A place in the palette; absent for the next free one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub color: Option<u32>,
+    /// Whether lines have arrowheads; absent where they have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arrows: Option<bool>,
+    /// Three numbers a point if it has points of its own; absent where they are vertices of the model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub positions: Option<String>,
+}
+
+/// A text at a point.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct LabelDocument {
+    /// The point.
+    pub point: u32,
+    /// The text.
+    pub text: String,
+}
+
+/// A [`Pane`] in a document.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PaneDocument {
+    /// What it shows.
+    pub name: String,
+    /// Two numbers a point.
+    pub positions: String,
+    /// What is drawn.
+    pub layers: Vec<LayerDocument>,
+    /// What is to the right and what is up; absent where that has no meaning.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axes: Option<[String; 2]>,
+}
 
 /// 32 bits each, little-endian.
 fn numbers(numbers: impl IntoIterator<Item = u32>) -> String {
@@ -20,87 +163,75 @@ fn reals(reals: impl IntoIterator<Item = f64>) -> String {
 }
 
 /// Lists by where they start; lists that all have one length say it instead.
-fn lists(lists: &RaggedArray) -> Value {
+fn packed(lists: &RaggedArray) -> PackedLists {
     let items = numbers(lists.items().iter().copied());
-    if let Some(width) = common_width(lists) {
-        return json!({ "width": width, "items": items });
+    match common_width(lists) {
+        Some(width) => PackedLists { width: Some(width), starts: None, items },
+        None => {
+            let starts = numbers((0..=lists.len()).map(|i| lists.start(i) as u32));
+            PackedLists { width: None, starts: Some(starts), items }
+        }
     }
-    let starts = numbers((0..=lists.len()).map(|i| lists.start(i) as u32));
-    json!({ "starts": starts, "items": items })
 }
 
 impl Scene {
-    /// The scene as the JSON document that a page shows: arrays of numbers are base64 of little-endian bytes, 32 bits each.
-    pub fn to_json(&self) -> Value {
+    /// The scene as the document that a page shows.
+    pub fn document(&self) -> SceneDocument {
         let shifted = |point: &[f64; 3]| [0, 1, 2].map(|axis| point[axis] - self.origin[axis]);
-        let layers: Vec<Value> = self.layers.iter().map(|layer| layer_to_json(layer, shifted)).collect();
-        let mut object = json!({
-            "coface_scene": 1,
-            "title": self.title,
-            "report": self.report,
-            "dimension": self.dimension,
-            "origin": self.origin,
-            "positions": reals(self.positions.iter().flat_map(shifted)),
-            "polygons": lists(&self.parts.polygons),
-            "rims": lists(&self.parts.rims),
-            "polygonsOfRims": numbers(self.parts.polygon_of_rim.iter().copied()),
-            "simplices": lists(&self.parts.simplices),
-            "cells": lists(&self.parts.cells),
-            "signs": numbers(self.parts.cell_signs.iter().map(|&is_negative| u32::from(is_negative))),
-            "notes": self.notes,
-            "triangles": null,
-            "layers": layers,
-            "panes": self.panes.iter().map(pane_to_json).collect::<Vec<_>>(),
-        });
         // Triangles that are the polygons need not be there twice.
         let is_plain = self.parts.cells.is_empty()
             && common_width(&self.parts.polygons) == Some(3)
             && self.triangles.as_flattened() == self.parts.polygons.items();
-        if !is_plain {
-            object["triangles"] = json!({
-                "items": numbers(self.triangles.as_flattened().iter().copied()),
-                "polygons": numbers(self.polygon_of_triangle.iter().copied()),
-                "cells": numbers(self.cell_of_triangle.iter().copied()),
-            });
+        SceneDocument {
+            coface_scene: 1,
+            title: self.title.clone(),
+            report: self.report.clone(),
+            dimension: self.dimension,
+            origin: self.origin,
+            positions: reals(self.positions.iter().flat_map(shifted)),
+            polygons: packed(&self.parts.polygons),
+            rims: packed(&self.parts.rims),
+            polygons_of_rims: numbers(self.parts.polygon_of_rim.iter().copied()),
+            simplices: packed(&self.parts.simplices),
+            cells: packed(&self.parts.cells),
+            signs: numbers(self.parts.cell_signs.iter().map(|&is_negative| u32::from(is_negative))),
+            notes: self.notes.clone(),
+            triangles: (!is_plain).then(|| PackedTriangles {
+                items: numbers(self.triangles.as_flattened().iter().copied()),
+                polygons: numbers(self.polygon_of_triangle.iter().copied()),
+                cells: numbers(self.cell_of_triangle.iter().copied()),
+            }),
+            layers: self.layers.iter().map(|layer| layer_document(layer, shifted)).collect(),
+            panes: self.panes.iter().map(pane_document).collect(),
         }
-        object
     }
 }
 
-fn layer_to_json(layer: &Layer, shifted: impl Fn(&[f64; 3]) -> [f64; 3] + Copy) -> Value {
-    let labels: Vec<Value> =
-        layer.labels.iter().map(|(point, text)| json!({ "point": point, "text": text })).collect();
-    let mut object = json!({
-        "name": layer.name,
-        "group": layer.group,
-        "detail": layer.detail,
-        "on": layer.is_on,
-        "lines": lists(&layer.lines),
-        "points": numbers(layer.points.iter().copied()),
-        "triangles": numbers(layer.triangles.as_flattened().iter().copied()),
-        "labels": labels,
-    });
-    if let Some(color) = layer.color {
-        object["color"] = color.into();
+fn layer_document(layer: &Layer, shifted: impl Fn(&[f64; 3]) -> [f64; 3] + Copy) -> LayerDocument {
+    LayerDocument {
+        name: layer.name.clone(),
+        group: layer.group.clone(),
+        detail: layer.detail.clone(),
+        on: layer.is_on,
+        lines: packed(&layer.lines),
+        points: numbers(layer.points.iter().copied()),
+        triangles: numbers(layer.triangles.as_flattened().iter().copied()),
+        labels: layer
+            .labels
+            .iter()
+            .map(|(point, text)| LabelDocument { point: *point, text: text.clone() })
+            .collect(),
+        color: layer.color,
+        arrows: layer.has_arrows.then_some(true),
+        positions: layer.positions.as_ref().map(|positions| reals(positions.iter().flat_map(shifted))),
     }
-    if layer.has_arrows {
-        object["arrows"] = true.into();
-    }
-    if let Some(positions) = &layer.positions {
-        object["positions"] = reals(positions.iter().flat_map(shifted)).into();
-    }
-    object
 }
 
-fn pane_to_json(pane: &Pane) -> Value {
-    let layers: Vec<Value> = pane.layers.iter().map(|layer| layer_to_json(layer, |point| *point)).collect();
-    let mut object = json!({
-        "name": pane.name,
-        "positions": reals(pane.positions.iter().flatten().copied()),
-        "layers": layers,
-    });
-    if let Some(axes) = &pane.axes {
-        object["axes"] = json!(axes);
+fn pane_document(pane: &Pane) -> PaneDocument {
+    PaneDocument {
+        name: pane.name.clone(),
+        positions: reals(pane.positions.iter().flatten().copied()),
+        layers: pane.layers.iter().map(|layer| layer_document(layer, |point| *point)).collect(),
+        axes: pane.axes.clone(),
     }
-    object
 }

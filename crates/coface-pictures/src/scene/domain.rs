@@ -1,6 +1,6 @@
 //! Fundamental domains as flat pictures, their sides in the colors of the seams.
 
-use super::results::{array, vertices};
+use super::values::{array, vertices};
 use super::{Layer, Pane};
 use coface_algebra::UnionFind;
 use serde_json::Value;

@@ -1,13 +1,23 @@
 //! Forests of curves in curves.
 
 use super::{Layer, Pane};
-use serde_json::Value;
 
-/// The forest that a report on a set in the plane tells: each curve below the one directly around it.
-pub(super) fn forest_pane(report: &Value) -> Option<Pane> {
-    let curves = report["curves"].as_array().filter(|curves| !curves.is_empty())?;
+/// A curve among others.
+pub(super) struct NestedCurve {
+    /// The curve directly around it.
+    pub(super) parent: Option<usize>,
+    /// Whether it runs clockwise.
+    pub(super) is_clockwise: bool,
+}
+
+/// The forest of curves in the plane: each curve below its parent, the one directly around it. None without curves, and where
+/// the parents make no forest.
+pub(super) fn forest_pane(curves: &[NestedCurve]) -> Option<Pane> {
     let count = curves.len();
-    let parent = |curve: usize| curves[curve]["parent"].as_u64().map_or(count, |parent| parent as usize);
+    if count == 0 {
+        return None;
+    }
+    let parent = |curve: usize| curves[curve].parent.unwrap_or(count);
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); count + 1];
     for curve in 0..count {
         children.get_mut(parent(curve))?.push(curve);
@@ -38,8 +48,8 @@ pub(super) fn forest_pane(report: &Value) -> Option<Pane> {
     let mut arcs = Layer::new("forest", "directly around");
     (0..count).for_each(|curve| arcs.lines.push(&[parent(curve) as u32, curve as u32]));
     let mut layers = ["counterclockwise", "clockwise"].map(|name| Layer::new("forest", name));
-    for (curve, facts) in curves.iter().enumerate() {
-        let place = usize::from(facts["sign"].as_i64() == Some(-1));
+    for (curve, nested) in curves.iter().enumerate() {
+        let place = usize::from(nested.is_clockwise);
         layers[place].points.push(curve as u32);
         layers[place].labels.push((curve as u32, curve.to_string()));
     }
@@ -59,14 +69,14 @@ pub(super) fn forest_pane(report: &Value) -> Option<Pane> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+
+    fn nested<const N: usize>(parents: [Option<usize>; N]) -> [NestedCurve; N] {
+        parents.map(|parent| NestedCurve { parent, is_clockwise: false })
+    }
 
     #[test]
     fn curves_stand_below_what_is_around_them() {
-        let report = json!({"curves": [
-            {"sign": 1, "parent": null}, {"sign": -1, "parent": 0}, {"sign": -1, "parent": 0}, {"sign": 1, "parent": 2},
-        ]});
-        let pane = forest_pane(&report).unwrap();
+        let pane = forest_pane(&nested([None, Some(0), Some(0), Some(2)])).unwrap();
         let heights: Vec<f64> = pane.positions.iter().map(|place| place[1]).collect();
         assert_eq!(heights, [-1.0, -2.0, -2.0, -3.0, 0.0]);
         assert_eq!(pane.positions[0][0], 0.5);
@@ -74,8 +84,7 @@ mod tests {
 
     #[test]
     fn a_circle_of_parents_is_no_forest() {
-        let report = json!({"curves": [{"parent": 1}, {"parent": 0}]});
-        assert!(forest_pane(&report).is_none());
-        assert!(forest_pane(&json!({"curves": [{"parent": 7}]})).is_none());
+        assert!(forest_pane(&nested([Some(1), Some(0)])).is_none());
+        assert!(forest_pane(&nested([Some(7)])).is_none());
     }
 }

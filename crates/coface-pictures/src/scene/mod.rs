@@ -24,7 +24,12 @@ mod parts;
 mod persistence;
 mod regions;
 mod results;
+mod sets;
 mod shading;
+mod values;
 
+pub use document::{
+    LabelDocument, LayerDocument, PackedLists, PackedTriangles, PaneDocument, SceneDocument, SceneReport,
+};
 pub use layers::{Layer, Pane};
 pub use model::Scene;

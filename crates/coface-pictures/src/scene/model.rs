@@ -3,13 +3,12 @@
 use super::parts::{Parts, common_width};
 use super::regions::region_layers;
 use super::shading::shaded;
-use super::{Layer, Pane, layout};
+use super::{Layer, Pane, SceneReport, layout};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_answers::answer::InfoAnswer;
 use coface_answers::triangulated;
 use coface_io::{Model, Structure};
-use serde_json::Value;
 
 /// What a picture shows: a model, and layers over it.
 ///
@@ -27,7 +26,7 @@ use serde_json::Value;
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub(super) title: String,
-    pub(super) report: Value,
+    pub(super) report: Option<SceneReport>,
     pub(super) dimension: usize,
     pub(super) origin: [f64; 3],
     pub(super) positions: Vec<[f64; 3]>,
@@ -98,7 +97,7 @@ impl Scene {
     pub(super) fn flat(title: &str, positions: Vec<[f64; 3]>, parts: Parts) -> Self {
         Self {
             title: title.to_owned(),
-            report: Value::Null,
+            report: None,
             dimension: 2,
             origin: middle(&positions),
             positions,
@@ -138,7 +137,7 @@ impl Scene {
             }
             self.push_layer(layer);
         }
-        self.report = serde_json::to_value(report).unwrap_or_default();
+        self.report = Some(SceneReport::Model(Box::new(report.clone())));
         self
     }
 

@@ -1,6 +1,6 @@
 //! Persistence diagrams.
 
-use super::results::array;
+use super::values::array;
 use super::{Layer, Pane};
 use coface_algebra::RaggedArray;
 use serde_json::Value;

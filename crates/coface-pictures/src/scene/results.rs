@@ -3,47 +3,24 @@
 use super::cochains::cocycle_layers;
 use super::cover::cover_pane;
 use super::domain::domain_panes;
-use super::forest::forest_pane;
+use super::forest::{NestedCurve, forest_pane};
 use super::persistence::diagram_pane;
+use super::values::{array, push_chain, vertices};
 use super::{Layer, Scene};
 use coface_algebra::Error;
+use serde::Serialize;
 use serde_json::Value;
 
-/// The vertices of a cell, which have been [checked](super::answers::check) to be numbers.
-pub(super) fn vertices(cell: &Value) -> Vec<u32> {
-    cell.as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(|vertex| vertex.as_u64().and_then(|vertex| u32::try_from(vertex).ok()))
-        .collect()
-}
-
-/// The list at a key, empty where there is none.
-pub(super) fn array<'a>(value: &'a Value, key: &str) -> &'a [Value] {
-    value[key].as_array().map_or(&[], Vec::as_slice)
-}
-
-/// The cells of a chain `[[coefficient, cell], ..]`; edges run backwards where the coefficient is negative.
-pub(super) fn push_chain(layer: &mut Layer, chain: &Value) -> usize {
-    let terms = chain.as_array().map_or(&[][..], Vec::as_slice);
-    for term in terms {
-        let is_negative = match &term[0] {
-            Value::String(digits) => digits.starts_with('-'),
-            number => number.as_f64().is_some_and(|number| number < 0.0),
-        };
-        layer.push_term(&vertices(&term[1]), is_negative);
-    }
-    terms.len()
-}
-
 impl Scene {
-    /// Adds what an answer of coface says, given as the JSON object of its verb: generators, cocycles, harmonic forms, seams with the domain
+    /// Adds what an answer of coface says, as its type or as the JSON object of its verb: generators, cocycles, harmonic forms, seams with the domain
     /// that they cut, covers, loops, sets of simplices, facts about the cells of an arrangement, forests, persistence diagrams.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an object with nothing that could be shown, that has no number
     /// where one should be, or that names vertices or counts cells which the model does not have.
-    pub fn add_result(&mut self, name: &str, result: &Value) -> Result<(), Error> {
+    pub fn add_result(&mut self, name: &str, answer: &impl Serialize) -> Result<(), Error> {
+        let result = &serde_json::to_value(answer)
+            .map_err(|error| Error::invalid(format!("{name} is no answer: {error}")))?;
         super::answers::check(name, result)?;
         let before = (self.layers.len(), self.panes.len());
         let mut layers = Vec::new();
@@ -87,7 +64,7 @@ impl Scene {
         self.panes.extend(domain_panes(result));
         self.panes.extend(cover_pane(result));
         self.panes.extend(diagram_pane(result));
-        self.panes.extend(forest_pane(result));
+        self.panes.extend(nested(result).and_then(|curves| forest_pane(&curves)));
         if (self.layers.len(), self.panes.len()) == before && !has_notes {
             return Err(Error::invalid(format!("{name} has nothing that could be shown over a model")).with_cure(
                 "give the JSON of homology --generators, cut, cover, pi1, cocycles, arrange, persistence, star, link, ...",
@@ -121,6 +98,15 @@ impl Scene {
         self.notes = measures.iter().enumerate().map(note).collect();
         Ok(true)
     }
+}
+
+/// The curves of a set.
+fn nested(result: &Value) -> Option<Vec<NestedCurve>> {
+    let curve = |curve: &Value| NestedCurve {
+        parent: curve["parent"].as_u64().map(|parent| parent as usize),
+        is_clockwise: curve["sign"].as_i64() == Some(-1),
+    };
+    Some(result["curves"].as_array()?.iter().map(curve).collect())
 }
 
 /// Generators of homology or cohomology, by degrees.

@@ -3,7 +3,7 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{SpaceOptions, in_space, named, rounding, say_remarks};
+pub(crate) use spatial::{SpaceOptions, in_space, named, rounding};
 
 use crate::arguments::Common;
 use crate::failure::Failure;

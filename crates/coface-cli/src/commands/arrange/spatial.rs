@@ -3,16 +3,16 @@
 use super::{Arrange, CellOptions, Rule};
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, remark, write_json};
+use crate::output::{print_json, print_text, say_remarks, write_json};
 use crate::progress::Progress;
 use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
+use coface::answers::answer::{SpatialArrangementAnswer, SpatialRounding};
 use coface::answers::text;
 use coface::answers::{SceneArrangement, SpatialRequest, SpatialScene};
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
-use serde_json::{Value, json};
 use std::path::Path;
 
 /// Options of polygons in space.
@@ -109,7 +109,7 @@ pub(super) fn run(
     let scene = SpatialScene::of(named(models), true)?;
     let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells))?;
     progress.stage("multiplying boundaries");
-    let object = arrangement.to_json(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
+    let answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     progress.stage("writing");
     if let Some((path, target)) = output {
         let triangles = verb.space.triangles(arrangement.scene(), output);
@@ -128,97 +128,77 @@ pub(super) fn run(
         write_json(path, &arrangement.provenance())?;
     }
     drop(progress);
-    if !common.quiet {
-        say_remarks(&object);
-    }
+    say_remarks(&answer.remarks, common);
     if common.json {
-        return print_json(&object);
+        return print_json(&answer);
     }
     if common.output.is_some() || verb.provenance.is_some() {
         return Ok(());
     }
-    print_text(&page(&arrangement, &object))
+    print_text(&page(&answer))
 }
 
-/// Says what was left out, and that coordinates are rounded.
-pub(crate) fn say_remarks(object: &Value) {
-    for text in object["remarks"].as_array().into_iter().flatten().filter_map(Value::as_str) {
-        remark(text);
-    }
-    for file in object["files"].as_array().into_iter().flatten() {
-        let name = file["file"].as_str().unwrap_or_default();
-        if file["reversed_cells"].as_u64() > Some(0) {
-            remark(&format!(
-                "{name} is inside out, wholly or in part: it winds less than zero times around cells"
-            ));
-        }
-    }
-}
-
-/// The facts that results in space have in common.
-pub(crate) fn rounding(object: &Value) -> (String, String, String) {
-    let count = object["rounding"]["rounded_vertices"].as_u64().unwrap_or(0);
-    let value = match count {
+/// The fact about rounding that results in space have in common.
+pub(crate) fn rounding(rounding: &SpatialRounding) -> (String, String, String) {
+    let value = match rounding.rounded_vertices {
         0 => "none".to_owned(),
-        _ => text::count(count as usize, "vertex"),
+        count => text::count(count, "vertex"),
     };
     ("rounding".to_owned(), value, "of coordinates; --snap makes them exact".to_owned())
 }
 
-fn page(arrangement: &SceneArrangement, object: &Value) -> String {
+fn page(answer: &SpatialArrangementAnswer) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };
-    let number = |value: &Value| value.as_u64().unwrap_or(0) as usize;
-    let count = |key: &str| text::grouped(number(&object[key]));
-    let f_vector = &object["f_vector"];
-    for (degree, (name, gloss)) in
-        [("vertices", ""), ("edges", ""), ("faces", ""), ("cells", "bounded ones")].into_iter().enumerate()
-    {
-        fact(name, text::grouped(number(&f_vector[degree])), gloss);
+    let names = [("vertices", ""), ("edges", ""), ("faces", ""), ("cells", "bounded ones")];
+    for ((name, gloss), &count) in names.into_iter().zip(&answer.f_vector) {
+        fact(name, text::grouped(count), gloss);
     }
-    fact("holes", count("holes"), "of faces");
-    fact("voids", count("voids"), "of cells");
-    fact("components", count("components"), "of faces");
+    fact("holes", text::grouped(answer.holes), "of faces");
+    fact("voids", text::grouped(answer.voids), "of cells");
+    fact("components", text::grouped(answer.components), "of faces");
     fact(
         "Euler char.",
-        object["euler_characteristic"].to_string(),
+        answer.euler_characteristic.to_string(),
         "vertices - edges + faces - bounded cells",
     );
-    fact("dangling faces", count("dangling_faces"), "those with one cell, or the exterior, on both sides");
-    fact("volume", text::number(arrangement.volumes().iter().sum()), "of all bounded cells");
-    let is_zero = object["products_zero"] == json!(true);
+    fact(
+        "dangling faces",
+        text::grouped(answer.dangling_faces),
+        "those with one cell, or the exterior, on both sides",
+    );
+    fact("volume", text::number(answer.measures.iter().sum()), "of all bounded cells");
     fact(
         "boundaries",
-        if is_zero { "of boundaries are zero" } else { "of boundaries are NOT zero" }.to_owned(),
+        if answer.products_zero { "of boundaries are zero" } else { "of boundaries are NOT zero" }.to_owned(),
         "found by multiplying the matrices",
     );
-    facts.push(rounding(object));
+    facts.push(rounding(&answer.rounding));
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };
-    let dropped = number(&object["degenerate_polygons"]["count"]);
+    let dropped = answer.degenerate_polygons.count;
     if dropped > 0 {
         fact("without area", text::count(dropped, "polygon"), "left out");
     }
-    let split = number(&object["split_polygons"]["count"]);
-    if split > 0 {
-        let deviation = object["split_polygons"]["largest_deviation"].as_f64().unwrap_or(0.0);
-        fact("split", text::count(split, "polygon"), &format!("not planar by up to {deviation:e}"));
+    let split = &answer.split_polygons;
+    if split.count > 0 {
+        let gloss = format!("not planar by up to {:e}", split.largest_deviation);
+        fact("split", text::count(split.count, "polygon"), &gloss);
     }
-    for file in object["files"].as_array().into_iter().flatten() {
-        let name = file["file"].as_str().unwrap_or_default().to_owned();
-        let edges = text::count(number(&file["rim_edges"]), "edge");
-        let (value, gloss) = match (file["closed"] == json!(true), file["coherent"] == json!(true)) {
-            (true, true) => ("closed".to_owned(), String::new()),
-            (true, false) => ("closed".to_owned(), format!("polygons disagree in direction across {edges}")),
-            _ => ("open".to_owned(), format!("along {edges}: it contains no cell")),
+    for file in &answer.files {
+        let edges = text::count(file.rim_edges, "edge");
+        let (value, gloss) = match (file.closed, file.coherent) {
+            (true, true) => ("closed", String::new()),
+            (true, false) => ("closed", format!("polygons disagree in direction across {edges}")),
+            _ => ("open", format!("along {edges}: it contains no cell")),
         };
-        fact("file", format!("{name}: {value}"), &gloss);
+        fact("file", format!("{}: {value}", file.file), &gloss);
     }
-    let title = match arrangement.scene().names() {
-        [one] => format!("arrangement of {one}"),
+    let title = match &answer.files[..] {
+        [one] => format!("arrangement of {}", one.file),
         many => format!("arrangement of {} models", many.len()),
     };
     text::facts(&title, &facts)

@@ -4,13 +4,13 @@ use super::{Boolean, Task};
 use crate::arguments::Common;
 use crate::commands::arrange::Rule;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, remark, write_json};
+use crate::output::{print_json, print_text, say_remarks, write_json};
 use crate::progress::Progress;
 use crate::target::{Target, write_seen};
+use coface::answers::answer::PlanarBooleanAnswer;
 use coface::answers::text;
 use coface::answers::{BooleanRequest, PlanarDrawing, RegionBoolean};
 use coface::io::{Model, replace_file};
-use serde_json::{Value, json};
 use std::path::Path;
 
 pub(super) fn run(
@@ -33,9 +33,8 @@ pub(super) fn run(
     request.keep_walls = verb.keep_walls;
     request.snap = verb.cells.snap;
     request.max_cells = verb.cells.max_cells;
-    let unbounded = drawing.unbounded_segment_count();
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
-    let object = result.to_json();
+    let answer = result.answer();
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => replace_file(path, |out| result.write(out, format))?,
@@ -43,54 +42,41 @@ pub(super) fn run(
         None => {}
     }
     if let Some(path) = &verb.provenance {
-        write_json(path, &result.provenance_to_json())?;
+        write_json(path, &result.provenance())?;
     }
     drop(progress);
-    if unbounded > 0 && !common.quiet {
-        remark(&format!(
-            "{} beside polygons bound nothing and are passed over",
-            text::count(unbounded, "segment")
-        ));
-    }
-    if !common.quiet {
-        result.warnings().iter().for_each(|warning| remark(warning));
-    }
-    if !result.is_valid_when_rounded() && !common.quiet {
-        remark("coordinates are rounded, and with them the polygons are not sound; --snap makes them so");
-    }
+    say_remarks(&answer.remarks, common);
     if common.json {
-        return print_json(&object);
+        return print_json(&answer);
     }
     if common.output.is_some() || verb.provenance.is_some() {
         return Ok(());
     }
-    print_text(&page(&result, &object))
+    print_text(&page(&answer))
 }
 
-fn page(result: &RegionBoolean, object: &Value) -> String {
+fn page(answer: &PlanarBooleanAnswer) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };
-    let [vertices, edges, polygons] = result.f_vector();
-    fact("area", text::number(result.area()), "");
+    let [vertices, edges, polygons] = answer.f_vector;
+    fact("area", text::number(answer.measure), "");
     fact("polygons", text::grouped(polygons), "");
-    fact("holes", text::grouped(result.hole_count()), "");
+    fact("holes", text::grouped(answer.holes), "");
     fact(
         "components",
-        text::grouped(result.component_count()),
+        text::grouped(answer.components),
         "parts that touch in points only are different ones",
     );
     fact("vertices", text::grouped(vertices), "");
     fact("edges", text::grouped(edges), "");
-    let pinches = result.pinches().len();
-    let manifold = match pinches {
+    let manifold = match answer.pinches {
         0 => "a curve everywhere".to_owned(),
-        _ => format!("pinched at {}", text::count(pinches, "vertex")),
+        pinches => format!("pinched at {}", text::count(pinches, "vertex")),
     };
     fact("boundary", manifold, "");
-    let rounding = &object["rounding"];
-    let value = match (rounding["exact"] == json!(true), rounding["valid"] == json!(true)) {
+    let value = match (answer.rounding.exact, answer.rounding.valid) {
         (true, _) => "none",
         (_, true) => "harmless",
         _ => "breaks polygons",

@@ -2,17 +2,17 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
-use crate::commands::arrange::{Rule, in_space, named, rounding, say_remarks};
+use crate::commands::arrange::{Rule, in_space, named, rounding};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, remark, write_json};
+use crate::output::{print_json, print_text, say_remarks, write_json};
 use crate::progress::Progress;
 use crate::target::{Target, write_seen};
 use clap::{Args, ValueEnum};
+use coface::answers::answer::{BoundaryVerdict, Remark, RemarkCode, SolidBooleanAnswer};
 use coface::answers::text;
 use coface::answers::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialScene};
 use coface::io;
 use coface::io::{Format, Model};
-use serde_json::{Value, json};
 use std::path::Path;
 
 /// Options of solids.
@@ -70,7 +70,7 @@ pub(super) fn run(
     request.split_pinches = matches!(verb.solids.pinches, Pinches::Split);
     request.keep_walls = verb.keep_walls;
     let result = SolidBoolean::of(&arrangement, &request)?;
-    let object = result.to_json()?;
+    let mut answer = result.answer()?;
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => {
@@ -84,66 +84,50 @@ pub(super) fn run(
         write_json(path, &result.provenance()?)?;
     }
     drop(progress);
-    if !common.quiet {
-        say_remarks(&object);
-        for file in object["files"].as_array().into_iter().flatten() {
-            if file["inside_by"] == json!("generalized_winding") {
-                let name = file["file"].as_str().unwrap_or_default();
-                remark(&format!("{name} is open: what is inside of it was decided in floating point"));
-            }
-        }
-        if output.is_some()
-            && result.faces_cut() > 0
-            && output.is_some_and(|(_, target)| target != Target::Model(Format::Json))
-        {
-            let count = text::count(result.faces_cut(), "face");
-            remark(&format!("{count} with holes or slits, which the format has not, written as triangles"));
-        }
+    if answer.faces_cut > 0 && output.is_some_and(|(_, target)| target != Target::Model(Format::Json)) {
+        let faces = text::count(answer.faces_cut, "face");
+        let message = format!("{faces} with holes or slits, which the format has not, written as triangles");
+        answer.remarks.push(Remark::new(RemarkCode::FacesTriangulated, message).at(answer.faces_cut, []));
     }
+    say_remarks(&answer.remarks, common);
     if common.json {
-        return print_json(&object);
+        return print_json(&answer);
     }
     if common.output.is_some() || verb.provenance.is_some() {
         return Ok(());
     }
-    print_text(&page(&result, &object))
+    print_text(&page(&answer))
 }
 
-fn page(result: &SolidBoolean<'_>, object: &Value) -> String {
+fn page(answer: &SolidBooleanAnswer) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };
-    let number = |value: &Value| value.as_u64().unwrap_or(0) as usize;
-    match result.volume() {
+    match answer.measure {
         Some(volume) => fact("volume", text::number(volume), ""),
         None => fact("volume", "infinite".to_owned(), "the exterior is in the result"),
     }
-    let [solids, voids] = result.part_counts();
-    fact("solids", text::grouped(solids), "parts that are connected through faces");
-    fact("voids", text::grouped(voids), "");
-    let [vertices, edges, faces] = result.f_vector();
-    let sort = if object["triangles"] == json!(true) { "triangles" } else { "polygons, holes included" };
+    fact("solids", text::grouped(answer.solids), "parts that are connected through faces");
+    fact("voids", text::grouped(answer.voids), "");
+    let [vertices, edges, faces] = answer.f_vector;
+    let sort = if answer.triangles { "triangles" } else { "polygons, holes included" };
     fact("vertices", text::grouped(vertices), "");
     fact("edges", text::grouped(edges), "");
     fact("faces", text::grouped(faces), sort);
-    fact("components", text::grouped(number(&object["components"])), "of the surface");
-    fact("area", text::number(object["area"].as_f64().unwrap_or(0.0)), "");
-    let pinches = &object["pinches"];
-    let (at_edges, at_vertices) = (number(&pinches["edge_count"]), number(&pinches["vertex_count"]));
-    let is_manifold = object["manifold"]["verdict"] == json!("yes");
-    let gloss = match (at_edges + at_vertices, object["manifold"]["witness"]["message"].as_str()) {
+    fact("components", text::grouped(answer.components), "of the surface");
+    fact("area", answer.area.map_or("too large".to_owned(), text::number), "");
+    let edges = text::count(answer.pinches.edge_count, "edge");
+    let vertices = text::count(answer.pinches.vertex_count, "vertex");
+    let gloss = match (answer.pinches.edge_count + answer.pinches.vertex_count, &answer.manifold.witness) {
         (0, _) => String::new(),
-        (_, None) => {
-            format!("split at {} and {}", text::count(at_edges, "edge"), text::count(at_vertices, "vertex"))
+        (_, None) => format!("split at {edges} and {vertices}"),
+        (_, Some(witness)) => {
+            format!("pinched at {edges} and {vertices}, so: {}; --pinches split makes copies", witness.message)
         }
-        (_, Some(witness)) => format!(
-            "pinched at {} and {}, so: {witness}; --pinches split makes copies",
-            text::count(at_edges, "edge"),
-            text::count(at_vertices, "vertex")
-        ),
     };
+    let is_manifold = answer.manifold.verdict == BoundaryVerdict::Yes;
     fact("manifold", if is_manifold { "yes" } else { "no" }.to_owned(), &gloss);
-    facts.push(rounding(object));
+    facts.push(rounding(&answer.rounding));
     text::facts("Boolean combination of solids", &facts)
 }

@@ -6,21 +6,19 @@ mod shape;
 mod space;
 
 use crate::arguments::{Common, format_of_name};
-use crate::commands::convert::remark_on_losses;
+use crate::commands::convert::losses_of;
 use crate::failure::Failure;
-use crate::output::{print_bytes, print_json, print_text};
+use crate::output::{print_bytes, print_json, print_text, say_remarks};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, Subcommand};
-use coface::answers::Producer;
+use coface::answers::answer::GenerateAnswer;
 use coface::answers::text;
 use coface::complexes::shapes::PlacedCells;
 use coface::complexes::simplicial::{SimplexSet, SimplicialComplex};
-use coface::geometry::Positions;
 use coface::io;
 use coface::io::{Format, Model};
 use construction::Construction;
-use serde_json::{Value, json};
 use shape::Shape;
 use space::Space;
 
@@ -151,11 +149,13 @@ impl Generate {
             made = made.skeleton(dimension)?;
         }
         let model = made.model()?;
+        let mut losses = Vec::new();
         match (target, format) {
             (Some(path), Some(format)) => {
                 progress.stage(format!("writing {}", path.display()));
                 io::write_path(&model, path, Some(format))?;
-                remark_on_losses(&model, format, common);
+                losses = losses_of(&model, format);
+                say_remarks(&losses, common);
                 if !common.json {
                     return Ok(());
                 }
@@ -165,59 +165,37 @@ impl Generate {
                 let mut bytes = Vec::new();
                 io::write(&model, &mut bytes, format)?;
                 drop(progress);
-                remark_on_losses(&model, format, common);
+                say_remarks(&losses_of(&model, format), common);
                 return print_bytes(|out| out.write_all(&bytes));
             }
             _ => {}
         }
         progress.stage("counting cells");
-        let bounds = bounding_box(model.positions());
-        let complex = Producer::of(model)?.into_chain_complex()?;
+        let mut answer = GenerateAnswer::of(model)?;
         drop(progress);
-        let (f_vector, euler) = (complex.f_vector(), complex.euler_characteristic());
+        if let (Some(path), Some(format)) = (target, format) {
+            answer = answer.written_to(path.display().to_string(), format.name());
+        }
+        answer.remarks = losses;
         if common.json {
-            let mut object = json!({
-                "f_vector": f_vector,
-                "euler_characteristic": euler,
-                "bounding_box": bounds.as_ref().map_or(Value::Null, |[low, high]| json!([low, high])),
-            });
-            if let (Some(path), Some(format)) = (target, format) {
-                object["output"] = json!(path.display().to_string());
-                object["output_format"] = json!(format.name());
-            }
-            return print_json(&object);
+            return print_json(&answer);
         }
         let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
+        let counts = words(answer.f_vector.iter().map(usize::to_string));
         let mut facts = vec![
-            fact("f-vector", words(f_vector.iter().map(usize::to_string)), "cells of dimension 0, 1, .."),
-            fact("alternating sum", euler.to_string(), "the Euler characteristic"),
+            fact("f-vector", counts, "cells of dimension 0, 1, .."),
+            fact("alternating sum", answer.euler_characteristic.to_string(), "the Euler characteristic"),
         ];
-        if let Some([low, high]) = bounds {
+        if let Some([low, high]) = &answer.bounding_box {
             facts.push(fact(
                 "bounding box",
-                format!("({}) to ({})", coordinates(&low), coordinates(&high)),
+                format!("({}) to ({})", coordinates(low), coordinates(high)),
                 "",
             ));
         }
         let page = text::facts("model (written with -o OUT or --to FORMAT)", &facts);
         print_text(&page)
     }
-}
-
-/// The least and the largest coordinates of all points.
-fn bounding_box(positions: &Positions) -> Option<[Vec<f64>; 2]> {
-    let space = positions.dimension();
-    if positions.is_empty() || space == 0 {
-        return None;
-    }
-    let mut bounds = [vec![f64::INFINITY; space], vec![f64::NEG_INFINITY; space]];
-    for point in positions.as_flat().chunks(space) {
-        for (k, &x) in point.iter().enumerate() {
-            bounds[0][k] = bounds[0][k].min(x);
-            bounds[1][k] = bounds[1][k].max(x);
-        }
-    }
-    Some(bounds)
 }
 
 fn coordinates(point: &[f64]) -> String {

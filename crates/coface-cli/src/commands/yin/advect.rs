@@ -8,10 +8,9 @@ use crate::input;
 use crate::output::{remark, write_file};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
-use coface::answers::PlanarSet;
+use coface::answers::MotionRequest;
 use coface::answers::text;
-use coface::yin::{Flow, RungeKutta, TrackingOptions, Verification, YinSet};
-use serde_json::{Value, json};
+use coface::yin::{Flow, RungeKutta, Verification};
 use std::path::{Path, PathBuf};
 
 /// Move a set with a velocity field: its knots are mapped, and splines fitted anew (MARS).
@@ -117,10 +116,7 @@ impl Advect {
         let output = self.options.output(common)?;
         let flow = self.flow()?;
         let progress = Progress::start(common.quiet);
-        let mut planar = self.options.read(&self.input, common, false, &progress)?;
-        let before = planar.set().area();
-        let [low, high] = planar.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
-        let spacing = self.spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
+        let planar = self.options.read(&self.input, common, false, &progress)?;
         let end = self.time.unwrap_or(match self.flow {
             Field::Vortex | Field::Deformation => self.period,
             Field::Rotation | Field::Translation => 1.0,
@@ -128,62 +124,33 @@ impl Advect {
         if !end.is_finite() {
             return Err(Failure::new(format!("--time {end}: there is no such time; give a finite one")));
         }
-        // Without time nothing moves, in steps of any length.
-        let step = self.step.unwrap_or(if end == 0.0 { 1.0 } else { end.abs() / 100.0 });
         let count = usize::from(self.frames);
         if self.repair.is_some() && self.verify == When::Never {
             return Err(Failure::new("--repair needs to know when: leave out --verify never"));
         }
-        let scheme = self.scheme();
-        let order = scheme.unwrap_or(RungeKutta::for_curves(planar.set().order())).order();
-        let (mut steps, mut added, mut removed) = (0, 0, 0);
-        let (mut vanished, mut repairs, mut frames) = (Vec::new(), Vec::new(), Vec::new());
-        // Nothing is written before all is done.
-        let mut sets: Vec<PlanarSet> = Vec::new();
-        // The number that each curve had at the beginning.
-        let mut origins: Vec<u32> = (0..planar.set().curve_count() as u32).collect();
-        for frame in 1..=count {
-            progress.stage(format!("moving, part {frame} of {count}"));
-            let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
-            tracking = tracking.start(end * (frame - 1) as f64 / count as f64);
-            tracking = tracking.scheme(scheme);
-            tracking = tracking.least_ratio(self.least_ratio);
-            tracking = tracking.most_turn(self.turn.map(f64::to_radians));
-            tracking = tracking.verification(match self.verify {
+        let request = MotionRequest::until(end)
+            .step(self.step)
+            .spacing(self.spacing)
+            .least_ratio(self.least_ratio)
+            .most_turn(self.turn.map(f64::to_radians))
+            .scheme(self.scheme())
+            .verification(match self.verify {
                 When::EachStep => Verification::EachStep,
                 When::End => Verification::End,
                 When::Never => Verification::Never,
-            });
-            tracking = tracking.repair(self.repair.map(Rule::inside));
-            let set: &YinSet = planar.set();
-            let moved = set.advected(|point, time| flow.velocity(point, time), &tracking);
-            let moved = moved.map_err(|error| named_rules(error).in_file(input::name(&self.input)))?;
-            let counts = moved.counts();
-            repairs.extend(moved.repairs().iter().map(|repair| {
-                json!({"step": steps + repair.step, "time": repair.time, "fault": repair.fault.to_string()})
-            }));
-            steps += counts.steps;
-            added += counts.added;
-            removed += counts.removed;
-            let origin = |curve: u32| origins[curve as usize];
-            vanished.extend(
-                moved
-                    .vanished()
-                    .iter()
-                    .map(|curve| json!({"time": curve.time, "curve": origin(curve.curve)})),
-            );
-            let curves = moved.curves().to_vec();
-            origins = curves.iter().map(|&curve| origin(curve)).collect();
-            let next = planar.followed_by(moved.into_set(), &curves);
-            if output.is_some() && frame > 1 {
-                sets.push(planar);
-            }
-            planar = next;
-        }
+            })
+            .repair(self.repair.map(Rule::inside))
+            .frames(count);
+        let name = input::name(&self.input);
+        let stage = |frame: usize| progress.stage(format!("moving, part {frame} of {count}"));
+        let motion = planar.moved(|point, time| flow.velocity(point, time), &request, stage);
+        let motion = motion.map_err(|error| named_rules(error).in_file(name.clone()))?;
+        // Nothing is written before all is done.
+        let mut frames = Vec::new();
         if let Some((path, format)) = output.filter(|_| count > 1) {
             progress.stage("writing");
             let mut texts = Vec::with_capacity(count);
-            for (number, set) in (1..).zip(sets.iter().chain([&planar])) {
+            for (number, set) in (1..).zip(motion.frames()) {
                 let path = numbered(path, number);
                 let mut text = Vec::new();
                 let written = self.options.write_to(set, &mut text, format, common);
@@ -193,36 +160,29 @@ impl Advect {
             // One that the format cannot hold leaves no others behind.
             for (path, text) in texts {
                 write_file(&path, &text)?;
-                frames.push(Value::from(path.display().to_string()));
+                frames.push(path.display().to_string());
             }
         }
-        if self.verify == When::Never
-            && let Err(error) = planar.to_json()
-        {
-            // What is no boundary any more has no components to be counted.
-            let fault = planar.set().validate().ok().flatten();
-            let fault = fault.map_or_else(|| error.to_string(), |fault| fault.to_string());
-            return Err(Failure::new(format!(
-                "{}: at time {end} the curves bound no set any more: {fault}; leave out --verify never, and repair the set by a fill rule: --repair nonzero, evenodd or positive",
-                input::name(&self.input)
-            )));
+        let planar = motion.last();
+        progress.stage("measuring");
+        let answer = match motion.answer(&name, frames) {
+            Err(error) if self.verify == When::Never => {
+                // What is no boundary any more has no components to be counted.
+                let fault = planar.set().validate().ok().flatten();
+                let fault = fault.map_or_else(|| error.to_string(), |fault| fault.to_string());
+                return Err(Failure::new(format!(
+                    "{name}: at time {end} the curves bound no set any more: {fault}; leave out --verify never, and repair the set by a fill rule: --repair nonzero, evenodd or positive"
+                )));
+            }
+            answer => answer?,
+        };
+        if motion.repair_count() > 0 && !common.quiet {
+            remark(&format!(
+                "the boundary was cut and pasted in {}",
+                text::count(motion.repair_count(), "step")
+            ));
         }
-        if !repairs.is_empty() && !common.quiet {
-            remark(&format!("the boundary was cut and pasted in {}", text::count(repairs.len(), "step")));
-        }
-        let more = vec![
-            ("file", Value::from(input::name(&self.input))),
-            ("time", end.into()),
-            ("steps", steps.into()),
-            ("scheme", order.into()),
-            ("added", added.into()),
-            ("removed", removed.into()),
-            ("vanished", vanished.into()),
-            ("repairs", repairs.into()),
-            ("area_before", json!(before)),
-            ("frames", frames.into()),
-        ];
-        give(&planar, "Moved set", more, &self.options, output, common, progress)
+        give(planar, "Moved set", answer, &self.options, output, common, progress)
     }
 
     fn scheme(&self) -> Option<RungeKutta> {

@@ -1,19 +1,19 @@
 //! Boolean combinations of sets.
 
-use super::{SetOptions, Several, say, told};
+use super::{SetOptions, Several, say};
 use crate::arguments::Common;
 use crate::commands::arrange::check_json;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::remark;
+use crate::output::say_remarks;
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::PlanarSet;
+use coface::answers::answer::{Place, Remark, RemarkCode, YinCombinationAnswer, to_json};
 use coface::answers::text;
 use coface::arrange::boolean::BooleanFormula;
 use coface::io::replace_file;
 use coface::yin::YinSet;
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// The named combinations.
@@ -74,30 +74,42 @@ pub(super) fn combined(
     progress.stage("combining");
     let operands: Vec<&YinSet> = sets.iter().map(PlanarSet::set).collect();
     let combination = YinSet::combine(&operands, formula)?;
-    let decisions: Vec<Value> = combination.report().iter().map(PlanarSet::decision_to_json).collect();
-    if !decisions.is_empty() && !common.quiet {
-        remark(&format!(
+    let decisions = PlanarSet::decisions(&combination);
+    let uncertified = (!decisions.is_empty()).then(|| {
+        let message = format!(
             "{} could not be certified at the resolution of the arithmetic; --json lists them",
             text::count(decisions.len(), "decision")
-        ));
-    }
+        );
+        Remark::new(RemarkCode::DecisionUncertified, message).at(decisions.len(), [])
+    });
+    say_remarks(uncertified.as_slice(), common);
     let files: Vec<String> = inputs.iter().map(|path| input::name(path)).collect();
-    let more = vec![("files", json!(files)), ("uncertified", Value::from(decisions))];
-    let sources = provenance.map(|path| (path, PlanarSet::provenance_to_json(&combination)));
+    let sources = provenance.map(|path| (path, PlanarSet::provenance(&combination)));
     let result = PlanarSet::of_combination(combination, &sets);
     progress.stage("measuring");
-    let object = told(&result, more)?;
+    let mut answer = YinCombinationAnswer::new(files, decisions, result.answer()?);
+    for (set, name) in sets.iter().zip(&answer.files) {
+        let of_file = |remark: &Remark| remark.clone().at(remark.count as usize, [Place::file(name)]);
+        answer.set.remarks.extend(set.remarks().iter().map(of_file));
+    }
+    answer.set.remarks.extend(uncertified);
     progress.stage("writing");
-    match sources {
+    let lost = match sources {
         None => options.write(&result, output, common)?,
         // Of two files none comes to be if the other cannot.
-        Some((path, sources)) => replace_file(path, |out| {
-            writeln!(out, "{sources}")?;
-            options.write(&result, output, common)
-        })?,
-    }
+        Some((path, sources)) => {
+            let mut lost = None;
+            replace_file(path, |out| {
+                writeln!(out, "{}", to_json(&sources))?;
+                lost = options.write(&result, output, common)?;
+                Ok(())
+            })?;
+            lost
+        }
+    };
+    answer.set.remarks.extend(lost);
     drop(progress);
-    say(title, &object, output.is_some(), common)
+    say(title, &answer, output.is_some(), common)
 }
 
 impl Formula {

@@ -7,10 +7,9 @@ use crate::input;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
-use coface::answers::PlanarSet;
+use coface::answers::CutCellsRequest;
+use coface::answers::answer::{CutCellAnswer, YinCutCellsAnswer};
 use coface::answers::text;
-use coface::yin::{CartesianGrid, Coverage, CutCells};
-use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -73,102 +72,59 @@ impl Cells {
         let planar = self.options.read(&self.input, common, false, &progress)?;
         progress.stage("cutting");
         let name = input::name(&self.input);
-        let (origin, spacing) = self.place(&planar);
-        let set = planar.set();
-        let grid = CartesianGrid::new(origin, spacing, self.grid)?;
-        let cells = CutCells::new(set, grid).map_err(|error| error.in_file(name.clone()))?;
-        progress.stage("measuring");
-        let report = planar.to_json()?;
-        let object = json!({
-            "file": name,
-            "grid": {"origin": origin, "spacing": spacing, "counts": self.grid},
-            "full": cells.count(Coverage::Full),
-            "cut": cells.count(Coverage::Cut),
-            "empty": cells.count(Coverage::Empty),
-            "area": cells.total_area(),
-            "length": cells.total_length(),
-            "area_of_set": report["area"],
-            "perimeter_of_set": report["perimeter"],
-        });
+        let request = CutCellsRequest::new(self.grid).origin(self.origin).spacing(self.spacing);
+        let mut answer = planar.cut_cells(&name, &request)?;
         if let Some(path) = &common.output {
             progress.stage("writing");
             match is_json(path) {
-                true => {
-                    let mut whole = object.clone();
-                    whole["cells"] = rows(&cells, self.grid)
-                        .map(|(column, row, coverage, area, length)| {
-                            json!({"column": column, "row": row, "coverage": coverage, "area": area, "length": length})
-                        })
-                        .collect();
-                    write_json(path, &whole)?;
-                }
-                false => {
-                    let mut table = "column,row,coverage,area,length\n".to_owned();
-                    for (column, row, coverage, area, length) in rows(&cells, self.grid) {
-                        let _ = writeln!(table, "{column},{row},{coverage},{area:?},{length:?}");
-                    }
-                    write_file(path, table.as_bytes())?;
-                }
+                true => write_json(path, &answer)?,
+                false => write_file(path, table(answer.cells.as_deref().unwrap_or_default()).as_bytes())?,
             }
         }
         drop(progress);
+        // Cells are listed in files only.
+        answer.cells = None;
         match (common.json, &common.output) {
-            (true, _) => print_json(&object),
+            (true, _) => print_json(&answer),
             (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&page(&object)),
+            (false, None) => print_text(&page(&answer)),
         }
     }
+}
 
-    /// The corner of the grid and the size of its cells.
-    fn place(&self, planar: &PlanarSet) -> ([f64; 2], [f64; 2]) {
-        let [low, high] = planar.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
-        let origin = self.origin.unwrap_or(low);
-        let spacing = self.spacing.unwrap_or_else(|| {
-            [0, 1].map(|axis| {
-                let extent = high[axis] - origin[axis];
-                if extent > 0.0 { extent / self.grid[axis] as f64 } else { 1.0 }
-            })
-        });
-        (origin, spacing)
+/// Cells as lines of comma-separated values.
+fn table(cells: &[CutCellAnswer]) -> String {
+    let mut table = "column,row,coverage,area,length\n".to_owned();
+    for cell in cells {
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            table,
+            "{},{},{},{:?},{:?}",
+            cell.column,
+            cell.row,
+            cell.coverage.word(),
+            cell.area,
+            cell.length
+        );
     }
+    table
 }
 
-/// Column, row, coverage, area and length of all cells that have something.
-fn rows<'a>(
-    cells: &'a CutCells<'_>,
-    [columns, row_count]: [usize; 2],
-) -> impl Iterator<Item = (usize, usize, &'static str, f64, f64)> + 'a {
-    (0..row_count).flat_map(move |row| (0..columns).map(move |column| (column, row))).filter_map(
-        |(column, row)| {
-            let cell = cells.cell(column, row);
-            let length = cell.map_or(0.0, |cell| cell.length());
-            let coverage = match cells.coverage(column, row) {
-                Coverage::Full => "full",
-                Coverage::Cut => "cut",
-                Coverage::Empty if cell.is_none() => return None,
-                Coverage::Empty => "empty",
-            };
-            Some((column, row, coverage, cells.area(column, row), length))
-        },
-    )
-}
-
-fn page(object: &Value) -> String {
-    let whole = |key: &str| text::grouped(object[key].as_u64().unwrap_or(0) as usize);
-    let real = |value: &Value| value.as_f64().map_or("infinite".to_owned(), text::number);
+fn page(answer: &YinCutCellsAnswer) -> String {
+    let real = |number: Option<f64>| number.map_or("infinite".to_owned(), text::number);
     let facts = [
-        ("full cells", whole("full"), String::new()),
-        ("cut cells", whole("cut"), String::new()),
-        ("empty cells", whole("empty"), String::new()),
+        ("full cells", text::grouped(answer.full), String::new()),
+        ("cut cells", text::grouped(answer.cut), String::new()),
+        ("empty cells", text::grouped(answer.empty), String::new()),
         (
             "area",
-            real(&object["area"]),
-            format!("of the set in the grid; of all {}", real(&object["area_of_set"])),
+            text::number(answer.area),
+            format!("of the set in the grid; of all {}", real(answer.area_of_set)),
         ),
         (
             "length",
-            real(&object["length"]),
-            format!("of the boundary; of all {}", real(&object["perimeter_of_set"])),
+            text::number(answer.length),
+            format!("of the boundary; of all {}", real(answer.perimeter_of_set)),
         ),
     ];
     let facts: Vec<(String, String, String)> =

@@ -7,9 +7,9 @@ use crate::input;
 use crate::progress::Progress;
 use clap::Args;
 use coface::VertexId;
+use coface::answers::answer::YinKinksAnswer;
 use coface::answers::{KinkRequest, PlanarSet};
 use coface::yin::KnotIndex;
-use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// The kinks of a set: list, insert, erase or reset them.
@@ -52,19 +52,9 @@ impl Kinks {
         progress.stage("fitting");
         let name = input::name(&self.input);
         self.change(&mut planar).map_err(|error| error.in_file(name.clone()))?;
-        let set = planar.set();
-        let points: Vec<Value> = set
-            .kinks()
-            .iter()
-            .map(|(at, vertex)| {
-                let point = set.curve(at.curve as usize).knot_point(at.knot as usize);
-                json!({"vertex": vertex.to_u32(), "curve": at.curve, "knot": at.knot, "point": point})
-            })
-            .collect();
-        let simplices: Vec<Value> = points.iter().map(|point| json!([point["vertex"]])).collect();
-        let more =
-            vec![("file", Value::from(name)), ("complex", simplices.into()), ("kink_points", points.into())];
-        give(&planar, "Kinks", more, &self.options, output, common, progress)
+        progress.stage("measuring");
+        let answer = YinKinksAnswer::new(name, planar.kink_points(), planar.answer()?);
+        give(&planar, "Kinks", answer, &self.options, output, common, progress)
     }
 
     fn change(&self, planar: &mut PlanarSet) -> Result<(), coface::Error> {

@@ -10,16 +10,19 @@ use crate::arguments::Common;
 use crate::commands::arrange::{Rule, output_format};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_json, print_text, remark};
+use crate::output::{print_json, print_text, remark, say_remarks};
 use crate::progress::Progress;
 use clap::{Args, Subcommand, ValueEnum};
+use coface::answers::answer::{
+    Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinInfoAnswer, YinKinkPoint, YinKinksAnswer, YinSetAnswer,
+};
 use coface::answers::{KinkRequest, PlanarSet, SetRequest};
 use coface::arrange::boolean::BooleanFormula;
 use coface::io;
 use coface::io::{Format, replace_file};
 use coface::pictures::{SetPicture, set_picture};
 use coface::yin::{EndCondition, KnotIndex, Order};
-use serde_json::Value;
+use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -213,8 +216,8 @@ impl SetOptions {
         progress.stage("checking");
         let set = PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name.clone()))?;
         if !common.quiet {
-            for sentence in set.remarks() {
-                remark(&format!("{name}: {sentence}"));
+            for one in set.remarks() {
+                remark(&format!("{name}: {}", one.message));
             }
         }
         Ok(set)
@@ -234,11 +237,12 @@ impl SetOptions {
         set: &PlanarSet,
         output: Option<(&Path, Format)>,
         common: &Common,
-    ) -> Result<(), coface::Error> {
-        let Some((path, format)) = output else { return Ok(()) };
+    ) -> Result<Option<Remark>, coface::Error> {
+        let Some((path, format)) = output else { return Ok(None) };
         replace_file(path, |out| self.write_to(set, out, format, common))?;
-        self.remark_on_kinks(set, format, common);
-        Ok(())
+        let lost = self.lost_kinks(set, format);
+        say_remarks(lost.as_slice(), common);
+        Ok(lost)
     }
 
     fn write_to(
@@ -255,51 +259,102 @@ impl SetOptions {
         }
     }
 
-    fn remark_on_kinks(&self, set: &PlanarSet, format: Format, common: &Common) {
-        let is_lost =
-            !matches!(format, Format::Json) && self.picture == Shown::Set && !set.set().kinks().is_empty();
-        if is_lost && !common.quiet {
-            remark(&format!("kinks are not kept by {}", format.title()));
-        }
+    /// That a file does not keep the kinks.
+    fn lost_kinks(&self, set: &PlanarSet, format: Format) -> Option<Remark> {
+        if self.picture == Shown::Set { lost_kinks(set, format) } else { None }
     }
 }
 
-/// A set as JSON, with more keys.
-fn told(set: &PlanarSet, more: Vec<(&str, Value)>) -> Result<Value, coface::Error> {
-    let mut object = set.to_json()?;
-    for (key, value) in more {
-        object[key] = value;
+/// That a file of this format does not keep the kinks of a set, where it has some.
+pub(super) fn lost_kinks(set: &PlanarSet, format: Format) -> Option<Remark> {
+    let count = set.set().kinks().len();
+    if format == Format::Json || count == 0 {
+        return None;
     }
-    Ok(object)
+    let message = format!("kinks are not kept by {}", format.title());
+    Some(Remark::new(RemarkCode::FormatKeepsLess, message).at(count, []))
+}
+
+/// What a verb of `yin` says about a set.
+trait SetReport: Serialize {
+    /// The set.
+    fn set(&self) -> &YinSetAnswer;
+
+    /// The set, to add to its remarks.
+    fn set_mut(&mut self) -> &mut YinSetAnswer;
+
+    /// The kinks that are listed one by one.
+    fn kink_points(&self) -> &[YinKinkPoint] {
+        &[]
+    }
+}
+
+impl SetReport for YinSetAnswer {
+    fn set(&self) -> &YinSetAnswer {
+        self
+    }
+
+    fn set_mut(&mut self) -> &mut YinSetAnswer {
+        self
+    }
+}
+
+macro_rules! set_reports {
+    ($($answer:ty),*) => {
+        $(impl SetReport for $answer {
+            fn set(&self) -> &YinSetAnswer {
+                &self.set
+            }
+
+            fn set_mut(&mut self) -> &mut YinSetAnswer {
+                &mut self.set
+            }
+        })*
+    };
+}
+
+set_reports!(YinInfoAnswer, YinCombinationAnswer, YinAdvectAnswer);
+
+impl SetReport for YinKinksAnswer {
+    fn set(&self) -> &YinSetAnswer {
+        &self.set
+    }
+
+    fn set_mut(&mut self) -> &mut YinSetAnswer {
+        &mut self.set
+    }
+
+    fn kink_points(&self) -> &[YinKinkPoint] {
+        &self.kink_points
+    }
 }
 
 /// Says on standard output what the command line asks for, once all files are written.
-fn say(title: &str, object: &Value, is_written: bool, common: &Common) -> Result<(), Failure> {
+fn say(title: &str, answer: &impl SetReport, is_written: bool, common: &Common) -> Result<(), Failure> {
     if common.json {
-        return print_json(object);
+        return print_json(answer);
     }
     if is_written {
         return Ok(());
     }
-    print_text(&page::of(title, object))
+    print_text(&page::of(title, answer.set(), answer.kink_points()))
 }
 
 /// Gives a set as the command line asks.
 fn give(
     set: &PlanarSet,
     title: &str,
-    more: Vec<(&str, Value)>,
+    mut answer: impl SetReport,
     options: &SetOptions,
     output: Option<(&Path, Format)>,
     common: &Common,
     progress: Progress,
 ) -> Result<(), Failure> {
-    progress.stage("measuring");
-    let object = told(set, more)?;
     progress.stage("writing");
-    options.write(set, output, common)?;
+    let lost = options.write(set, output, common)?;
+    answer.set_mut().remarks.extend(lost);
     drop(progress);
-    say(title, &object, output.is_some(), common)
+    say(title, &answer, output.is_some(), common)
 }
 
 impl Yin {
@@ -326,8 +381,10 @@ impl One {
         let output = self.options.output(common)?;
         let progress = Progress::start(common.quiet);
         let set = self.options.read(&self.input, common, false, &progress)?;
-        let file = vec![("file", Value::from(input::name(&self.input)))];
-        give(&set, &input::name(&self.input), file, &self.options, output, common, progress)
+        progress.stage("measuring");
+        let name = input::name(&self.input);
+        let answer = YinInfoAnswer::new(name.clone(), set.answer()?);
+        give(&set, &name, answer, &self.options, output, common, progress)
     }
 
     fn complement(&self, common: &Common) -> Result<(), Failure> {
@@ -340,6 +397,8 @@ impl One {
         let output = self.options.output(common)?;
         let progress = Progress::start(common.quiet);
         let set = self.options.read(&self.input, common, true, &progress)?;
-        give(&set, "Fitted splines", Vec::new(), &self.options, output, common, progress)
+        progress.stage("measuring");
+        let answer = set.answer()?;
+        give(&set, "Fitted splines", answer, &self.options, output, common, progress)
     }
 }

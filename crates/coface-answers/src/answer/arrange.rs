@@ -1,0 +1,212 @@
+//! What `arrange` answers: the cells that drawings cut the plane into, or surfaces space.
+
+use super::Remark;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The arrangement of drawings in the plane.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct PlanarArrangementAnswer {
+    /// The dimension of the space: 2.
+    pub dimension: usize,
+    /// The numbers of vertices, edges and bounded faces.
+    pub f_vector: [usize; 3],
+    /// The areas of the bounded faces, in the square of the unit of the inputs.
+    pub measures: Vec<f64>,
+    /// For each bounded face the inputs (or the regions, if features are inputs) that contain it, numbered from 0, rising.
+    pub inside: Vec<Vec<u32>>,
+    /// Whether the boundary of every boundary is zero, found by multiplying the matrices.
+    pub products_zero: bool,
+    /// The number of holes in bounded faces.
+    pub holes: usize,
+    /// The number of connected components of vertices and edges.
+    pub components: usize,
+    /// Vertices minus edges plus bounded faces.
+    pub euler_characteristic: i64,
+    /// The number of edges with one face on both sides.
+    pub bridges: usize,
+    /// The number of those bridges that are joined to the rest at one end, or at none.
+    pub dangling_edges: usize,
+    /// What rounding the coordinates does to the drawing.
+    pub rounding: PlanarRounding,
+    /// How many times coordinates were rounded and everything arranged again; null unless snapping was asked for.
+    pub snap_rounds: Option<usize>,
+    /// The inputs in their order.
+    pub inputs: Vec<DrawingInput>,
+    /// The names of the regions in their order.
+    pub regions: Vec<String>,
+    /// Sentences about what is odd in the inputs.
+    pub warnings: Vec<String>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// What rounding the coordinates of crossings does to an arrangement in the plane.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct PlanarRounding {
+    /// Whether no coordinate was rounded.
+    pub exact: bool,
+    /// Whether the drawing with rounded coordinates is the same complex.
+    pub valid: bool,
+    /// The number of vertices that have the rounded position of another one.
+    pub merged_vertices: usize,
+    /// The number of edges that cross others when they are drawn with rounded coordinates.
+    pub broken_edges: usize,
+    /// The number of vertices around which the order of the edges changes.
+    pub turned_vertices: usize,
+    /// The number of components that lie in another face.
+    pub moved_components: usize,
+}
+
+/// One drawing among the inputs.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct DrawingInput {
+    /// The name of the file.
+    pub file: String,
+    /// The number of segments it draws.
+    pub segments: usize,
+    /// The number of polygons it draws.
+    pub polygons: usize,
+}
+
+/// Where a vertex of a result in the plane comes from. A pair is an input and a number in it, both from 0.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum VertexOrigin {
+    /// It is this vertex of an input.
+    Vertex((usize, usize)),
+    /// It is the crossing of these two segments.
+    Segments([(usize, usize); 2]),
+}
+
+/// Where the cells of an arrangement in the plane come from. A segment is a pair: an input and a number in it, both from 0.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct PlanarArrangementProvenance {
+    /// The names of the inputs.
+    pub inputs: Vec<String>,
+    /// The names of the regions.
+    pub regions: Vec<String>,
+    /// The origin of each vertex.
+    pub vertices: Vec<VertexOrigin>,
+    /// The segments along each edge.
+    pub edges: Vec<Vec<(usize, usize)>>,
+    /// The regions around each bounded face.
+    pub faces: Vec<Vec<u32>>,
+}
+
+/// The arrangement of surfaces and solids in space.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SpatialArrangementAnswer {
+    /// The dimension of the space: 3.
+    pub dimension: usize,
+    /// The numbers of vertices, edges, faces and bounded cells.
+    pub f_vector: Vec<usize>,
+    /// The volumes of the bounded cells without their voids, in the cube of the unit of the inputs.
+    pub measures: Vec<f64>,
+    /// For each bounded cell the inputs that contain it, numbered from 0, rising; inputs that are open contain nothing.
+    pub inside: Vec<Vec<usize>>,
+    /// Whether the boundary of every boundary is zero, found by multiplying the matrices.
+    pub products_zero: bool,
+    /// The number of holes of faces: walks around faces beyond the first of each.
+    pub holes: usize,
+    /// The number of voids of cells: shells of cells beyond the first of each.
+    pub voids: usize,
+    /// The number of connected components of all faces.
+    pub components: usize,
+    /// Vertices minus edges plus faces minus bounded cells.
+    pub euler_characteristic: i64,
+    /// The number of faces with one cell, or the exterior, on both sides.
+    pub dangling_faces: usize,
+    /// The inputs in their order.
+    pub files: Vec<SpatialInput>,
+    /// The polygons without area, which are left out.
+    pub degenerate_polygons: DegeneratePolygons,
+    /// The polygons that were split because they are not planar.
+    pub split_polygons: SplitPolygons,
+    /// What was rounded.
+    pub rounding: SpatialRounding,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// Polygons that have no area.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct DegeneratePolygons {
+    /// How many there are.
+    pub count: usize,
+    /// The first hundred of them as pairs: an input and a polygon of it, both from 0.
+    pub listed: Vec<(u32, u32)>,
+}
+
+/// Polygons that were split into triangles because they are not planar.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SplitPolygons {
+    /// How many there are.
+    pub count: usize,
+    /// The largest distance of a vertex from the plane of its polygon, in the unit of the inputs.
+    pub largest_deviation: f64,
+}
+
+/// One surface or solid among the inputs.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SpatialInput {
+    /// The name of the file.
+    pub file: String,
+    /// The number of its polygons.
+    pub polygons: usize,
+    /// Whether every edge lies in an even number of its polygons.
+    pub closed: bool,
+    /// Whether its polygons agree in direction across every edge.
+    pub coherent: bool,
+    /// The number of edges along which it is open, or its polygons disagree.
+    pub rim_edges: usize,
+    /// The number of cells that it winds around less than zero times.
+    pub reversed_cells: usize,
+    /// The number of cells that it winds around more than once.
+    pub overlapping_cells: usize,
+    /// How cells inside of it were found; in Booleans only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inside_by: Option<InsideMethod>,
+}
+
+/// How the cells inside of a model are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InsideMethod {
+    /// By winding numbers, which are exact.
+    Winding,
+    /// By the parity of crossings, since polygons disagree in direction.
+    Parity,
+    /// By generalized winding numbers in floating point, since the model is open.
+    GeneralizedWinding,
+}
+
+/// What was rounded in space.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SpatialRounding {
+    /// Whether no coordinate was rounded.
+    pub exact: bool,
+    /// The number of vertices with a rounded coordinate.
+    pub rounded_vertices: usize,
+    /// How many times coordinates were rounded and everything arranged again.
+    pub rounds: usize,
+}
+
+/// Where the faces of an arrangement in space come from.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SpatialArrangementProvenance {
+    /// The names of the inputs.
+    pub files: Vec<String>,
+    /// For each face its sources: the input, the polygon in it, and 1 or -1 where that runs with the face or against it.
+    pub faces: Vec<Vec<[i64; 3]>>,
+}

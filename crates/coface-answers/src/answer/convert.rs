@@ -1,0 +1,170 @@
+//! What `convert` answers: the file that was written.
+
+use super::Remark;
+use crate::PlanarSet;
+use coface_complexes::surface::MeshRepair;
+use coface_io::Model;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A file written from another one.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ConvertAnswer {
+    /// The name of the file that was read.
+    pub file: String,
+    /// Its format; absent for sets of the plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub format: Option<String>,
+    /// The name of the file that was written.
+    pub output: String,
+    /// Its format.
+    pub output_format: String,
+    /// How much was written.
+    pub counts: ConvertCounts,
+    /// What was repaired; absent if no repair was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repair: Option<MeshRepairAnswer>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// How much a file holds.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ConvertCounts {
+    /// A set of the plane.
+    Set(SetCounts),
+    /// A model.
+    Model(ModelCounts),
+}
+
+/// How much of a set of the plane a file holds.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SetCounts {
+    /// The number of curves.
+    pub curves: usize,
+    /// The number of kinks.
+    pub kinks: usize,
+}
+
+/// How much of a model a file holds.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ModelCounts {
+    /// The number of vertices.
+    pub vertices: usize,
+    /// The number of polylines.
+    pub lines: usize,
+    /// The number of polygons.
+    pub polygons: usize,
+    /// The number of cells of dimension 3.
+    pub cells: usize,
+    /// The number of arrays of data on cells.
+    pub data: usize,
+}
+
+/// What was repaired, by the vertices and polygons of the input.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct MeshRepairAnswer {
+    /// The edges in more than two faces that were split, each by its ends.
+    pub edges_split: Vec<[usize; 2]>,
+    /// The vertices with several fans of faces that were split.
+    pub vertices_split: Vec<usize>,
+    /// The polygons whose direction was reversed.
+    pub faces_turned: Vec<usize>,
+    /// The new vertices, each with the vertex that it is a copy of.
+    pub copies: Vec<(usize, usize)>,
+}
+
+impl From<&MeshRepair> for MeshRepairAnswer {
+    fn from(repair: &MeshRepair) -> Self {
+        let sources = repair.vertex_sources().iter().enumerate();
+        Self {
+            edges_split: repair.edges_split().iter().map(|edge| edge.map(|end| end.index())).collect(),
+            vertices_split: repair.vertices_split().iter().map(|vertex| vertex.index()).collect(),
+            faces_turned: repair
+                .faces_turned()
+                .iter()
+                .map(|&face| repair.mesh().polygon_of_face(face))
+                .collect(),
+            copies: sources
+                .filter(|(copy, source)| *copy != source.index())
+                .map(|(copy, source)| (copy, source.index()))
+                .collect(),
+        }
+    }
+}
+
+impl ConvertAnswer {
+    /// A model written to a file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::{ConvertAnswer, ConvertCounts};
+    /// use coface_io::{Format, read};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = read(&b"v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let answer = ConvertAnswer::of_model("a.obj", "obj", "b.off", "off", &triangle);
+    /// assert!(matches!(answer.counts, ConvertCounts::Model(counts) if counts.vertices == 3 && counts.polygons == 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn of_model(file: &str, format: &str, output: &str, output_format: &str, model: &Model) -> Self {
+        let counts = ModelCounts {
+            vertices: model.vertex_count(),
+            lines: model.lines().len(),
+            polygons: model.polygons().len(),
+            cells: model.cells().len(),
+            data: model.data().len(),
+        };
+        Self::new(file, Some(format), output, output_format, ConvertCounts::Model(counts))
+    }
+
+    /// A set of the plane written to a file.
+    pub fn of_set(file: &str, output: &str, output_format: &str, set: &PlanarSet) -> Self {
+        let counts = SetCounts { curves: set.set().curve_count(), kinks: set.set().kinks().len() };
+        Self::new(file, None, output, output_format, ConvertCounts::Set(counts))
+    }
+
+    fn new(
+        file: &str,
+        format: Option<&str>,
+        output: &str,
+        output_format: &str,
+        counts: ConvertCounts,
+    ) -> Self {
+        Self {
+            file: file.to_owned(),
+            format: format.map(str::to_owned),
+            output: output.to_owned(),
+            output_format: output_format.to_owned(),
+            counts,
+            repair: None,
+            remarks: Vec::new(),
+        }
+    }
+
+    /// The same with what was repaired.
+    #[must_use]
+    pub fn with_repair(mut self, repair: Option<&MeshRepair>) -> Self {
+        self.repair = repair.map(MeshRepairAnswer::from);
+        self
+    }
+}
+
+/// The cells that triangles of a subdivision lie in, in the file of `convert --labels`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct CarriersAnswer {
+    /// For each vertex of the subdivision the cell that it is the middle of: a degree and a number.
+    pub carriers: Vec<(usize, usize)>,
+}
+
+impl CarriersAnswer {
+    /// These carriers.
+    pub fn new(carriers: Vec<(usize, usize)>) -> Self {
+        Self { carriers }
+    }
+}

@@ -1,0 +1,252 @@
+//! A set that moves with a velocity field.
+
+use super::PlanarSet;
+use crate::answer::{Remark, RemarkCode, VanishedAnswer, YinAdvectAnswer, YinRepairAnswer, YinSetAnswer};
+use crate::text;
+use coface_algebra::Error;
+use coface_arrange::boolean::InsideRule;
+use coface_yin::{RungeKutta, TrackingOptions, Verification};
+
+/// How a set moves.
+///
+/// # Examples
+/// ```
+/// let request = coface_answers::MotionRequest::until(2.0).frames(4).spacing(Some(0.1));
+/// assert_eq!((request.time, request.frames), (2.0, 4));
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct MotionRequest {
+    /// The time at the end; it may be negative.
+    pub time: f64,
+    /// The longest step of time; a hundredth of the time if none is given.
+    pub step: Option<f64>,
+    /// The greatest distance of neighboring knots; a hundredth of the box around the set if none is given.
+    pub spacing: Option<f64>,
+    /// The least distance of neighboring knots as a part of the spacing.
+    pub least_ratio: f64,
+    /// Knots are added where the polygon through them turns by more than this angle, in radians.
+    pub most_turn: Option<f64>,
+    /// The scheme that moves knots; that of the order of the set if none is given.
+    pub scheme: Option<RungeKutta>,
+    /// When the boundary is tested against itself.
+    pub verification: Verification,
+    /// The fill rule by which a boundary that meets itself is cut and pasted; without one that is an error.
+    pub repair: Option<InsideRule>,
+    /// The number of sets of the way, at equal times.
+    pub frames: usize,
+}
+
+impl MotionRequest {
+    /// One set at this time.
+    pub fn until(time: f64) -> Self {
+        Self {
+            time,
+            step: None,
+            spacing: None,
+            least_ratio: 0.1,
+            most_turn: None,
+            scheme: None,
+            verification: Verification::EachStep,
+            repair: None,
+            frames: 1,
+        }
+    }
+
+    /// The same with this longest step of time.
+    #[must_use]
+    pub fn step(mut self, step: Option<f64>) -> Self {
+        self.step = step;
+        self
+    }
+
+    /// The same with this greatest distance of neighboring knots.
+    #[must_use]
+    pub fn spacing(mut self, spacing: Option<f64>) -> Self {
+        self.spacing = spacing;
+        self
+    }
+
+    /// The same with this least distance of neighboring knots, as a part of the spacing.
+    #[must_use]
+    pub fn least_ratio(mut self, ratio: f64) -> Self {
+        self.least_ratio = ratio;
+        self
+    }
+
+    /// The same with knots where the polygon turns by more than this angle, in radians.
+    #[must_use]
+    pub fn most_turn(mut self, angle: Option<f64>) -> Self {
+        self.most_turn = angle;
+        self
+    }
+
+    /// The same with this scheme.
+    #[must_use]
+    pub fn scheme(mut self, scheme: Option<RungeKutta>) -> Self {
+        self.scheme = scheme;
+        self
+    }
+
+    /// The same with this time of tests.
+    #[must_use]
+    pub fn verification(mut self, verification: Verification) -> Self {
+        self.verification = verification;
+        self
+    }
+
+    /// The same with this rule of repairs.
+    #[must_use]
+    pub fn repair(mut self, rule: Option<InsideRule>) -> Self {
+        self.repair = rule;
+        self
+    }
+
+    /// The same with so many sets of the way.
+    #[must_use]
+    pub fn frames(mut self, count: usize) -> Self {
+        self.frames = count;
+        self
+    }
+}
+
+/// A set on its way: the sets at equal times, the last at the end.
+#[derive(Clone, Debug)]
+pub struct PlanarMotion {
+    frames: Vec<PlanarSet>,
+    time: f64,
+    scheme: u32,
+    counts: [usize; 3],
+    vanished: Vec<VanishedAnswer>,
+    repairs: Vec<YinRepairAnswer>,
+    area_before: Option<f64>,
+}
+
+impl PlanarSet {
+    /// Moves the set with a velocity field, which gives the velocity at a point and a time.
+    ///
+    /// `progress` is called with the number of each part before it begins, from 1.
+    ///
+    /// # Errors
+    /// Those of [`YinSet::advected`](coface_yin::YinSet::advected).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))";
+    /// let square = PlanarSet::of(&read_boundary(&text[..], Format::Wkt, &ReadOptions::default())?, &SetRequest::default())?;
+    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// assert_eq!(motion.frames().len(), 2);
+    /// assert_eq!(motion.frames()[1].bounding_box(), Some([[3.0, 0.0], [4.0, 1.0]]));
+    /// # Ok(()) }
+    /// ```
+    pub fn moved(
+        &self,
+        velocity: impl Fn([f64; 2], f64) -> [f64; 2] + Sync,
+        request: &MotionRequest,
+        mut progress: impl FnMut(usize),
+    ) -> Result<PlanarMotion, Error> {
+        let end = request.time;
+        // Without time nothing moves, in steps of any length.
+        let step = request.step.unwrap_or(if end == 0.0 { 1.0 } else { end.abs() / 100.0 });
+        let [low, high] = self.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
+        let spacing = request.spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
+        let scheme = request.scheme.unwrap_or(RungeKutta::for_curves(self.set().order()));
+        let mut motion = PlanarMotion {
+            frames: Vec::new(),
+            time: end,
+            scheme: scheme.order(),
+            counts: [0; 3],
+            vanished: Vec::new(),
+            repairs: Vec::new(),
+            area_before: self.set().area(),
+        };
+        // The number that each curve had at the beginning.
+        let mut origins: Vec<u32> = (0..self.set().curve_count() as u32).collect();
+        let count = request.frames.max(1);
+        for frame in 1..=count {
+            progress(frame);
+            let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
+            tracking = tracking.start(end * (frame - 1) as f64 / count as f64);
+            tracking = tracking.scheme(request.scheme);
+            tracking = tracking.least_ratio(request.least_ratio);
+            tracking = tracking.most_turn(request.most_turn);
+            tracking = tracking.verification(request.verification);
+            tracking = tracking.repair(request.repair);
+            let last = motion.frames.last().unwrap_or(self);
+            let moved = last.set().advected(&velocity, &tracking)?;
+            let counts = moved.counts();
+            let before = motion.counts[0];
+            motion.repairs.extend(moved.repairs().iter().map(|repair| YinRepairAnswer {
+                step: before + repair.step,
+                time: repair.time,
+                fault: repair.fault.to_string(),
+            }));
+            for (sum, count) in motion.counts.iter_mut().zip([counts.steps, counts.added, counts.removed]) {
+                *sum += count;
+            }
+            let origin = |curve: u32| origins[curve as usize];
+            motion.vanished.extend(
+                moved
+                    .vanished()
+                    .iter()
+                    .map(|curve| VanishedAnswer { time: curve.time, curve: origin(curve.curve) }),
+            );
+            let curves = moved.curves().to_vec();
+            origins = curves.iter().map(|&curve| origin(curve)).collect();
+            let next = last.followed_by(moved.into_set(), &curves);
+            motion.frames.push(next);
+        }
+        Ok(motion)
+    }
+}
+
+impl PlanarMotion {
+    /// The sets of the way, by time; the last is that at the end.
+    pub fn frames(&self) -> &[PlanarSet] {
+        &self.frames
+    }
+
+    /// The set at the end.
+    ///
+    /// # Panics
+    /// Never: there is at least one set.
+    pub fn last(&self) -> &PlanarSet {
+        self.frames.last().expect("there is at least one set")
+    }
+
+    /// The number of steps in which the boundary was cut and pasted.
+    pub fn repair_count(&self) -> usize {
+        self.repairs.len()
+    }
+
+    /// The motion as an answer; `files` are those that the sets of the way were written to.
+    ///
+    /// # Errors
+    /// Those of [`PlanarSet::answer`].
+    pub fn answer(&self, file: &str, files: Vec<String>) -> Result<YinAdvectAnswer, Error> {
+        let mut set: YinSetAnswer = self.last().answer()?;
+        if !self.repairs.is_empty() {
+            let count = self.repairs.len();
+            let message = format!("the boundary was cut and pasted in {}", text::count(count, "step"));
+            set.remarks.push(Remark::new(RemarkCode::TopologyRepaired, message).at(count, []));
+        }
+        let [steps, added, removed] = self.counts;
+        Ok(YinAdvectAnswer {
+            file: file.to_owned(),
+            time: self.time,
+            steps,
+            scheme: self.scheme,
+            added,
+            removed,
+            vanished: self.vanished.clone(),
+            repairs: self.repairs.clone(),
+            area_before: self.area_before,
+            frames: files,
+            set,
+        })
+    }
+}
