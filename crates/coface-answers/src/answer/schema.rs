@@ -49,23 +49,7 @@ macro_rules! answers {
 }
 
 answers! {
-    "arrange" => PlanarArrangementAnswer,
-    "arrange in space" => SpatialArrangementAnswer,
-    "batch" => BatchAnswer,
-    "boolean" => PlanarBooleanAnswer,
-    "boolean in space" => SolidBooleanAnswer,
-    "congruence" => CongruenceAnswer,
-    "convert" => ConvertAnswer,
-    "generate" => GenerateAnswer,
     "info" => InfoAnswer,
-    "render" => RenderAnswer,
-    "view" => ViewAnswer,
-    "yin advect" => YinAdvectAnswer,
-    "yin combine" => YinCombinationAnswer,
-    "yin cut-cells" => YinCutCellsAnswer,
-    "yin fit" => YinSetAnswer,
-    "yin info" => YinInfoAnswer,
-    "yin kinks" => YinKinksAnswer,
     "info FILES" => InfoReports,
     "homology" => HomologyAnswer,
     "merge" => HomologyAnswer,
