@@ -12,7 +12,7 @@ pub use picture::{
     gltf, matrix_picture, palette_color, pane_picture, vertex_colors,
 };
 pub use scene::{
-    LabelDocument, Layer, LayerDocument, PackedLists, PackedTriangles, Pane, PaneDocument, Scene, SceneDocument,
-    SceneReport,
+    LabelDocument, Layer, LayerDocument, PackedLists, PackedTriangles, Pane, PaneDocument, Scene,
+    SceneDocument, SceneReport,
 };
 pub use set_picture::{SetPicture, set_picture};

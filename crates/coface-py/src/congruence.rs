@@ -3,8 +3,8 @@
 use crate::answer::answer;
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::json::value_of;
 use crate::errors::invalid;
+use crate::json::value_of;
 use crate::memory::owned_matrix;
 use crate::model::{Model, source_of};
 use crate::work::run;

@@ -71,9 +71,9 @@ pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
 pub use simplices::SimplicesAnswer;
 pub use view::{LayerAnswer, ViewAnswer};
 pub use yin::{
-    CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer, YinCurve,
-    YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint, YinKinksAnswer, YinPieceSource, YinProvenance,
-    YinRepairAnswer, YinSetAnswer,
+    CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer,
+    YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint, YinKinksAnswer, YinPieceSource,
+    YinProvenance, YinRepairAnswer, YinSetAnswer,
 };
 
 use serde::Serialize;

@@ -6,8 +6,8 @@ use super::drawing::{Filling, PlanarDrawing};
 use super::outline::Outline;
 use super::walks::Walks;
 use crate::answer::{
-    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer, PlanarBooleanProvenance,
-    PolygonRounding, Remark, RemarkCode,
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer,
+    PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
 };
 use crate::text;
 use coface_algebra::RaggedArray;
@@ -280,7 +280,10 @@ impl RegionBoolean {
             count => remarks.push(
                 Remark::new(
                     RemarkCode::UnboundedSegments,
-                    format!("{} beside polygons bound nothing and are passed over", text::count(count, "segment")),
+                    format!(
+                        "{} beside polygons bound nothing and are passed over",
+                        text::count(count, "segment")
+                    ),
                 )
                 .at(count, []),
             ),

@@ -4,8 +4,8 @@ use super::inputs::Membership;
 use super::{InputState, OpenInputs, SceneArrangement};
 use crate::Labels;
 use crate::answer::{
-    BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, Place, Remark, RemarkCode, SolidBooleanAnswer,
-    SpatialInput,
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, Place, Remark, RemarkCode,
+    SolidBooleanAnswer, SpatialInput,
 };
 use crate::polygons::witness;
 use coface_algebra::chains::ChainComplex;

@@ -4,7 +4,8 @@ use super::arranged::Arranged;
 use super::inputs::Inputs;
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
-    DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput, SpatialRounding, SplitPolygons,
+    DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput, SpatialRounding,
+    SplitPolygons,
 };
 use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
@@ -181,7 +182,10 @@ impl SceneArrangement {
                 "{} is inside out, wholly or in part: it winds less than zero times around cells",
                 file.file
             );
-            remarks.push(Remark::new(RemarkCode::ReversedInput, message).at(file.reversed_cells, [Place::file(&file.file)]));
+            remarks.push(
+                Remark::new(RemarkCode::ReversedInput, message)
+                    .at(file.reversed_cells, [Place::file(&file.file)]),
+            );
         }
         remarks
     }

@@ -86,9 +86,8 @@ impl PlanarSet {
     pub fn provenance(combination: &Combination) -> YinProvenance {
         let set: &YinSet = combination.set();
         let mut sources = combination.sources().iter();
-        let of_curve = |curve: usize| {
-            sources.by_ref().take(set.curve(curve).piece_count()).map(piece_source).collect()
-        };
+        let of_curve =
+            |curve: usize| sources.by_ref().take(set.curve(curve).piece_count()).map(piece_source).collect();
         YinProvenance { sources: (0..set.curve_count()).map(of_curve).collect() }
     }
 

@@ -2,9 +2,9 @@
 
 use super::view::read_result;
 use crate::arguments::{Common, format_of_name};
+use crate::commands::yin::lost_kinks;
 use crate::failure::Failure;
 use crate::input;
-use crate::commands::yin::lost_kinks;
 use crate::output::{print_bytes, print_json, say_remarks, write_json};
 use crate::progress::Progress;
 use crate::target::unknown_extension;

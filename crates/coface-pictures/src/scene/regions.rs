@@ -1,7 +1,7 @@
 //! Regions of the plane: polygons with holes of drawings.
 
-use super::shading::triangulated_walks;
 use super::Layer;
+use super::shading::triangulated_walks;
 use coface_io::{GroupKind, Model};
 
 /// Of so many regions each has a layer of its own; more are one layer.

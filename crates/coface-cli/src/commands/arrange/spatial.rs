@@ -159,11 +159,7 @@ fn page(answer: &SpatialArrangementAnswer) -> String {
     fact("holes", text::grouped(answer.holes), "of faces");
     fact("voids", text::grouped(answer.voids), "of cells");
     fact("components", text::grouped(answer.components), "of faces");
-    fact(
-        "Euler char.",
-        answer.euler_characteristic.to_string(),
-        "vertices - edges + faces - bounded cells",
-    );
+    fact("Euler char.", answer.euler_characteristic.to_string(), "vertices - edges + faces - bounded cells");
     fact(
         "dangling faces",
         text::grouped(answer.dangling_faces),

@@ -123,7 +123,10 @@ fn page(answer: &SolidBooleanAnswer) -> String {
         (0, _) => String::new(),
         (_, None) => format!("split at {edges} and {vertices}"),
         (_, Some(witness)) => {
-            format!("pinched at {edges} and {vertices}, so: {}; --pinches split makes copies", witness.message)
+            format!(
+                "pinched at {edges} and {vertices}, so: {}; --pinches split makes copies",
+                witness.message
+            )
         }
     };
     let is_manifold = answer.manifold.verdict == BoundaryVerdict::Yes;

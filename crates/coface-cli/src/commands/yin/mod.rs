@@ -14,7 +14,8 @@ use crate::output::{print_json, print_text, remark, say_remarks};
 use crate::progress::Progress;
 use clap::{Args, Subcommand, ValueEnum};
 use coface::answers::answer::{
-    Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinInfoAnswer, YinKinkPoint, YinKinksAnswer, YinSetAnswer,
+    Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinInfoAnswer, YinKinkPoint, YinKinksAnswer,
+    YinSetAnswer,
 };
 use coface::answers::{KinkRequest, PlanarSet, SetRequest};
 use coface::arrange::boolean::BooleanFormula;
