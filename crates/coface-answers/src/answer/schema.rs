@@ -2,14 +2,14 @@
 
 use super::{
     CoverAnswer, CutAnswer, DoubleCoverAnswer, HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports,
-<<<<<<< HEAD
     PersistenceAnswer, Pi1Answer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
     PersistenceAnswer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
-=======
+<<<<<<< HEAD
     BatchAnswer, CongruenceAnswer, ConvertAnswer, GenerateAnswer, InfoAnswer, InfoReports,
     PlanarArrangementAnswer, PlanarBooleanAnswer, RenderAnswer, SolidBooleanAnswer, SpatialArrangementAnswer,
     ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer,
-    YinSetAnswer,>>>>>>> 638bed1 (fmt)
+    YinSetAnswer,=======
+>>>>>>> 9bca394 (fmt)
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
