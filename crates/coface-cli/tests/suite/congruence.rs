@@ -258,7 +258,6 @@ fn what_cannot_be_merged_is_refused() {
 #[cfg(feature = "arrow")]
 type Class = Option<(u32, i8)>;
 
-#[cfg(feature = "arrow")]
 #[test]
 fn two_outputs_appear_both_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
@@ -285,6 +284,17 @@ fn two_outputs_appear_both_or_not_at_all() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
 }
 
+#[cfg(not(feature = "arrow"))]
+#[test]
+fn a_build_without_arrow_names_the_feature() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = file(&folder, "a.obj", &separate_cubes(1));
+    let table = folder.path().join("classes.arrow");
+    let run = coface(&["congruence", argument(&input), "--tolerance", "0", "--classes", argument(&table)]);
+    assert!(run.fails_with(1).contains("--features arrow") && !table.exists());
+}
+
+#[cfg(feature = "arrow")]
 #[test]
 fn classes_are_a_table_of_arrow() {
     use arrow_array::Array;
