@@ -6,13 +6,13 @@
 //!
 //! [`schema()`] describes all of them as one JSON schema; the file `docs/answers.schema.json` is its output.
 
-mod cover;
-mod cut;
 mod arrange;
 mod batch;
 mod boolean;
 mod congruence;
 mod convert;
+mod cover;
+mod cut;
 mod generate;
 mod groups;
 mod homology;
