@@ -53,7 +53,6 @@ pub use boolean::{
 pub use congruence::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput};
 pub use convert::{CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts};
 pub use generate::GenerateAnswer;
-pub use groups::{HomologyGroup, WholeNumber};
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,
     ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
