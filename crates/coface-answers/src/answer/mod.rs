@@ -20,11 +20,13 @@ mod incidence;
 mod info;
 mod persistence;
 mod pi1;
+mod picture;
 mod remark;
 mod schema;
 mod shards;
 mod simplices;
 mod view;
+mod yin;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
@@ -35,10 +37,6 @@ pub use homology::{
     RealTerm, SequenceAnswer,
 };
 pub use incidence::IncidenceAnswer;
-mod picture;
-mod remark;
-mod schema;
-mod yin;
 
 pub use arrange::{
     DegeneratePolygons, DrawingInput, InsideMethod, PlanarArrangementAnswer, PlanarArrangementProvenance,

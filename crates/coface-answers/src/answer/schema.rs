@@ -1,15 +1,11 @@
 //! The JSON schema of all answers.
 
 use super::{
-    CoverAnswer, CutAnswer, DoubleCoverAnswer, HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports,
-    PersistenceAnswer, Pi1Answer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
-    PersistenceAnswer, ReduceAnswer, ShardAnswer, SimplicesAnswer, ViewAnswer,
-<<<<<<< HEAD
-    BatchAnswer, CongruenceAnswer, ConvertAnswer, GenerateAnswer, InfoAnswer, InfoReports,
-    PlanarArrangementAnswer, PlanarBooleanAnswer, RenderAnswer, SolidBooleanAnswer, SpatialArrangementAnswer,
-    ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer,
-    YinSetAnswer,=======
->>>>>>> 9bca394 (fmt)
+    BatchAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer, DoubleCoverAnswer, GenerateAnswer,
+    HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports, PersistenceAnswer, Pi1Answer,
+    PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, ShardAnswer, SimplicesAnswer,
+    SolidBooleanAnswer, SpatialArrangementAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
+    YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -75,4 +71,19 @@ answers! {
     "skeleton" => SimplicesAnswer,
     "incidence" => IncidenceAnswer,
     "view" => ViewAnswer,
+    "render" => RenderAnswer,
+    "convert" => ConvertAnswer,
+    "generate" => GenerateAnswer,
+    "batch" => BatchAnswer,
+    "congruence" => CongruenceAnswer,
+    "arrange (plane)" => PlanarArrangementAnswer,
+    "arrange (space)" => SpatialArrangementAnswer,
+    "boolean (plane)" => PlanarBooleanAnswer,
+    "boolean (space)" => SolidBooleanAnswer,
+    "yin info" => YinInfoAnswer,
+    "yin meet" => YinCombinationAnswer,
+    "yin fit" => YinSetAnswer,
+    "yin kinks" => YinKinksAnswer,
+    "yin cut-cells" => YinCutCellsAnswer,
+    "yin advect" => YinAdvectAnswer,
 }
