@@ -5,10 +5,8 @@ use coface::io::{Format, ReadOptions, read_with};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    let mut options = ReadOptions::default();
-    options.format = Some(Format::Svg);
     for flatten in [None, Some(1.0)] {
-        options.flatten = flatten;
+        let options = ReadOptions::default().format(Format::Svg).flatten(flatten);
         if let Ok(model) = read_with(bytes, &options) {
             model.check().expect("a reader gives sound models");
         }

@@ -1,4 +1,5 @@
 //! Random complexes for property tests, of this crate and of those above it (feature `samples`).
+#![allow(clippy::cast_possible_truncation, reason = "samples are small")]
 
 use crate::CellId;
 use crate::chains::ChainComplex;

@@ -440,7 +440,7 @@ mod tests {
         assert!(folded.faces()?.has_folds());
         keeps_the_contract("folded gluing table", &folded, true);
         let square = RaggedArray::from_lists([[0, 1, 2, 3]]);
-        let polygons = PolygonMesh::new(6, square.clone(), &[[4, 5]])?;
+        let polygons = PolygonMesh::new(6, square, &[[4, 5]])?;
         keeps_the_contract("polygon mesh", &polygons, true);
         keeps_the_contract("points", &PolygonMesh::new(3, RaggedArray::new(), &[])?, true);
         let torus = HalfedgeMesh::from_next(vec![2, 3, 1, 0])?;
@@ -467,7 +467,7 @@ mod tests {
         keeps_the_contract("placed points", &points, true);
         let segments = CuboidGrid::new(&[2])?.placed_cells(1)?;
         keeps_the_contract("product of cells", &product(&segments, &segments)?, true);
-        let mut voxels = vec![true; 12];
+        let mut voxels = [true; 12];
         voxels[5] = false;
         let bits = [voxels.iter().enumerate().fold(0, |bits, (i, &is_set)| bits | u64::from(is_set) << i)];
         keeps_the_contract(

@@ -10,7 +10,7 @@ pub struct Group {
     pub(crate) members: Vec<u32>,
 }
 
-/// What the members of a [`Group`] are, and what [`CellData`] are on.
+/// What the members of a [`Group`] are, and what [`CellData`](crate::CellData) are on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum GroupKind {
     /// Vertices.

@@ -57,7 +57,7 @@ impl SpatialPolygons {
     /// Checks that each polygon is simple, as an arrangement of them does.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] naming the first polygon whose sides cross, or touch other than in vertices, or
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput)
     /// which is not planar when that is refused.
     ///
     /// # Examples

@@ -417,7 +417,7 @@ impl CellMesh {
     /// The chain complex of vertices, edges, faces and cells in the order of their ids.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
+    /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for boundary matrices beyond 32 bits.
     ///
     /// # Examples
     /// ```

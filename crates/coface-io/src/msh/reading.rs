@@ -11,9 +11,9 @@ use std::io::Read;
 /// Reads a Gmsh mesh of version 2, 4.0 or 4.1, text or binary.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] and [`ErrorKind::InvalidInput`] with the line (the byte in a binary file): a number out of place,
+/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) and [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) with the line (the byte in a binary file): a number out of place,
 /// a node that is not there or stands twice, an element that repeats a node, a file that was cut short;
-/// [`ErrorKind::UnsupportedFormat`] for other versions and for types of elements that are not known here.
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) for other versions and for types of elements that are not known here.
 ///
 /// # Complexity
 /// Linear for node tags that are nearly dense, otherwise $O(n \log n)$ for n nodes.

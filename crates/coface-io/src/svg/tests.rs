@@ -1,4 +1,5 @@
 //! Tests of both directions.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use super::{read, read_flattened, write};
 use crate::{GroupKind, Model};

@@ -1,3 +1,6 @@
+//! Tests of both directions, with arrays of every encoding.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
 use super::tests::on_all_cells;
 use super::{XmlKind, read_xml, write_xml};
 use crate::samples::{Limits, meshes, with_data};

@@ -332,6 +332,7 @@ fn paint_line(canvas: &mut Canvas, line: &[[f64; 2]], is_closed: bool, width: f6
 }
 
 #[cfg(all(test, feature = "png"))]
+#[allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 mod tests {
     use super::*;
     use crate::picture::palette::of;

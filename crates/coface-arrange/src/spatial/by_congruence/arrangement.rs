@@ -35,7 +35,7 @@ pub struct CongruenceArrangement {
 /// the smallest distance of features that are different. Polygons that are nowhere wider are dropped and named.
 ///
 /// This is the pipeline of the source texts, arrangement by congruence, beside the exact
-/// [`SpatialArrangement`](super::SpatialArrangement).
+/// [`SpatialArrangement`](crate::spatial::SpatialArrangement).
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] unless there are three coordinates a point and a polygon for each walk;
