@@ -38,7 +38,10 @@ fn a_row_is_what_info_says() {
     let missing = models.join("missing.off");
     let run = coface(&["batch", argument(&models), argument(&missing), "-r", "-o", argument(&out), "--json"]);
     let errors = json!({"io": 1, "parse": 2});
-    assert_eq!(run.json(), json!({"output": argument(&out), "files": 7, "errors": errors, "resumed": 0}));
+    assert_eq!(
+        run.json(),
+        json!({"output": argument(&out), "files": 7, "errors": errors, "resumed": 0, "remarks": []})
+    );
     let found = rows(&out);
     let names = [
         "a torus.off",

@@ -53,7 +53,7 @@ fn counts_have_a_histogram() {
     assert_eq!(
         answer,
         json!({"file": "standard input", "operator": "FE", "kind": "shared vertices", "rows": 6, "columns": 12,
-               "entries_count": 48, "histogram": {"1": 24, "2": 24}})
+               "entries_count": 48, "histogram": {"1": 24, "2": 24}, "remarks": []})
     );
     assert_eq!(reading(&["--operator", "vv"], CUBE)["histogram"], json!({"1": 24, "3": 8}));
     assert_eq!(reading(&["--operator", "FF"], CUBE)["histogram"], json!({"2": 24, "4": 6}));

@@ -31,7 +31,7 @@ fn printed_answers_are_those_of_the_types() {
         ("pi1", &["--shortest"]),
         ("cut", &[]),
         ("cut", &["--simplify"]),
-        ("cover", &["--radius", "1"]),
+        ("cover", &["--copies", "1"]),
         ("cover --orientation", &["--orientation"]),
         ("star", vertex),
         ("closure", vertex),
