@@ -133,7 +133,18 @@ fn a_report_is_a_page_with_pictures() {
 fn ended_by(signal: &str, out: &std::path::Path, is_time: impl Fn() -> bool) -> std::process::ExitStatus {
     use std::process::{Command, Stdio};
     let mut child = Command::new(env!("CARGO_BIN_EXE_coface"))
-        .args(["generate", "torus", "--columns", "1800", "--rows", "1200", "--to", "obj", "-o", argument(out)])
+        .args([
+            "generate",
+            "torus",
+            "--columns",
+            "1800",
+            "--rows",
+            "1200",
+            "--to",
+            "obj",
+            "-o",
+            argument(out),
+        ])
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
