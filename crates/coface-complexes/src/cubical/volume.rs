@@ -15,12 +15,11 @@ use coface_algebra::{Error, ErrorKind, RaggedArray};
 /// Three by three voxels without the one in the middle make an annulus:
 /// ```
 /// use coface_complexes::cubical::CubicalVolume;
-/// use coface_topology::homology;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let ring = CubicalVolume::new(&[3, 3], &[false, false], |voxel| voxel != [1, 1])?;
 /// let complex = ring.chain_complex()?;
 /// assert_eq!(complex.f_vector(), [16, 24, 8]);
-/// assert_eq!(homology(&complex).betti_numbers(), [1, 1, 0]);
+/// assert_eq!(complex.euler_characteristic(), 0);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -14,10 +14,14 @@ use std::fmt::Write;
 /// # Examples
 /// ```
 /// use coface_pictures::matrix_picture;
-/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_algebra::SparseMatrix;
+/// use coface_algebra::chains::ChainComplex;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let triangle = SimplicialComplex::from_facets([[0, 1, 2]])?;
-/// let picture = matrix_picture("triangle", &triangle.chain_complex()?);
+/// let edges = [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1), (1, 2, -1), (2, 2, 1)];
+/// let face = [(0, 0, 1), (1, 0, -1), (2, 0, 1)];
+/// let matrices = vec![SparseMatrix::from_entries(3, 3, edges)?, SparseMatrix::from_entries(3, 1, face)?];
+/// let triangle = ChainComplex::new(matrices)?;
+/// let picture = matrix_picture("triangle", &triangle);
 /// assert!(picture.svg(None)?.contains("<title>triangle</title>"));
 /// assert!(picture.png([200, 100])?.starts_with(b"\x89PNG"));
 /// # Ok(()) }

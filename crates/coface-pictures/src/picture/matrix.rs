@@ -20,10 +20,14 @@ const SHADES: usize = 8;
 /// # Examples
 /// ```
 /// use coface_pictures::matrix_picture;
-/// use coface_complexes::simplicial::SimplicialComplex;
+/// use coface_algebra::SparseMatrix;
+/// use coface_algebra::chains::ChainComplex;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let triangle = SimplicialComplex::from_facets([[0, 1, 2]])?;
-/// let text = matrix_picture("triangle", &triangle.chain_complex()?).svg(None)?;
+/// let edges = [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1), (1, 2, -1), (2, 2, 1)];
+/// let face = [(0, 0, 1), (1, 0, -1), (2, 0, 1)];
+/// let matrices = vec![SparseMatrix::from_entries(3, 3, edges)?, SparseMatrix::from_entries(3, 1, face)?];
+/// let triangle = ChainComplex::new(matrices)?;
+/// let text = matrix_picture("triangle", &triangle).svg(None)?;
 /// assert!(text.contains("degree 1: 3 x 3, 6 entries") && text.contains("degree 2: 3 x 1, 3 entries"));
 /// # Ok(()) }
 /// ```

@@ -178,9 +178,9 @@ fn stages_come_in_order() {
 
 /// Runs work and stops it as soon as the stage has begun; once more where the work was faster than the look at it.
 fn stopped_in<T>(stage: &str, work: impl Fn() -> T) -> Result<T, Stopped> {
-    for _ in 0..100 {
+    let attempt = || {
         let (watch, is_done) = (Arc::new(Watch::new()), AtomicBool::new(false));
-        let ended = std::thread::scope(|scope| {
+        std::thread::scope(|scope| {
             scope.spawn(|| {
                 while !is_done.load(Ordering::Relaxed) {
                     if watch.stage().is_some_and(|now| now.name() == stage && now.done() > 0) {
@@ -193,12 +193,10 @@ fn stopped_in<T>(stage: &str, work: impl Fn() -> T) -> Result<T, Stopped> {
             let ended = watch.run(&work);
             is_done.store(true, Ordering::Relaxed);
             ended
-        });
-        if ended.is_err() {
-            return ended;
-        }
-    }
-    panic!("the work was never seen in the stage {stage:?}")
+        })
+    };
+    let stopped = (0..100).map(|_| attempt()).find(Result::is_err);
+    stopped.unwrap_or_else(|| panic!("the work was never seen in the stage {stage:?}"))
 }
 
 /// A watch that is asked to stop in the middle ends the work before it is done.
