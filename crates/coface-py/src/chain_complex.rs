@@ -32,7 +32,7 @@ use std::sync::Arc;
 /// >>> circle = coface.ChainComplex.from_boundaries([[[0]]])
 /// >>> circle.homology()
 /// Homology(Z, Z)
-/// >>> coface.Complex([[0, 1, 2]]).chain_complex()?.boundary(2).toarray().T
+/// >>> coface.Complex([[0, 1, 2]]).chain_complex().boundary(2).toarray().T
 /// array([[ 1, -1,  1]], dtype=int32)
 #[pyclass(frozen, module = "coface", name = "ChainComplex")]
 pub(crate) struct ChainComplex {
@@ -375,7 +375,7 @@ impl ChainComplex {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> edge = coface.Complex([[0, 1]]).chain_complex()?
+    /// >>> edge = coface.Complex([[0, 1]]).chain_complex()
     /// >>> edge.boundary(1).toarray()
     /// array([[-1],
     ///        [ 1]], dtype=int32)
@@ -431,7 +431,7 @@ impl ChainComplex {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> coface.generate("klein").chain_complex()?.homology("f2").betti_numbers
+    /// >>> coface.generate("klein").chain_complex().homology("f2").betti_numbers
     /// (1, 2, 1)
     #[pyo3(signature = (coefficients=None, *, generators=false, progress=None), text_signature = "($self, coefficients='z', *, generators=False, progress=None)")]
     fn homology(
@@ -475,7 +475,7 @@ impl ChainComplex {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> triangle = coface.Complex([[0, 1, 2]]).chain_complex()?
+    /// >>> triangle = coface.Complex([[0, 1, 2]]).chain_complex()
     /// >>> path = triangle.chain([(1, [0, 1]), (1, [1, 2])])
     /// >>> triangle.boundary_of(path).terms()
     /// [(-1, [0]), (1, [2])]

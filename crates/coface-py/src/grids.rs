@@ -34,7 +34,7 @@ use std::sync::Arc;
 /// >>> grid = coface.CuboidGrid((2, 3))
 /// >>> grid.f_vector
 /// (12, 17, 6)
-/// >>> grid.chain_complex()?.homology().betti_numbers
+/// >>> grid.chain_complex().homology().betti_numbers
 /// (1, 0, 0)
 #[pyclass(frozen, module = "coface", name = "CuboidGrid")]
 pub(crate) struct CuboidGrid {

@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// Examples
 /// --------
 /// >>> import coface
-/// >>> plane = coface.generate("rp2").chain_complex()?
+/// >>> plane = coface.generate("rp2").chain_complex()
 /// >>> plane.homology()
 /// Homology(Z, Z/2)
 /// >>> plane.homology()[1].torsion
@@ -328,7 +328,7 @@ impl Chain {
 /// The loop of the projective plane, twice which bounds a disk:
 ///
 /// >>> import coface
-/// >>> homology = coface.generate("rp2").chain_complex()?.homology(generators=True)
+/// >>> homology = coface.generate("rp2").chain_complex().homology(generators=True)
 /// >>> loop = homology[1].generators[0]
 /// >>> loop.order, loop.simplices.shape, loop.coefficients
 /// (2, (3, 2), array([ 1, -1,  1]))

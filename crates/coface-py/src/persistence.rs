@@ -26,7 +26,7 @@ use std::sync::Arc;
 /// A path that goes up to 2 and down to 1:
 ///
 /// >>> import coface
-/// >>> path = coface.Complex([[0, 1], [1, 2]]).chain_complex()?
+/// >>> path = coface.Complex([[0, 1], [1, 2]]).chain_complex()
 /// >>> coface._coface.persistence(path, vertex_values=[0.0, 2.0, 1.0]).diagram(0)
 /// array([[ 0., inf],
 ///        [ 1.,  2.]])

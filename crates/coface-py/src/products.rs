@@ -57,7 +57,7 @@ fn order_list<'py>(py: Python<'py>, orders: &[Option<Integer>]) -> PyResult<Boun
 /// Examples
 /// --------
 /// >>> import coface
-/// >>> ring = coface.Complex([[0, 1], [1, 2], [0, 2]]).chain_complex()?
+/// >>> ring = coface.Complex([[0, 1], [1, 2], [0, 2]]).chain_complex()
 /// >>> found, = coface._coface.classes(ring, [[(2, [0, 1]), (2, [1, 2]), (-2, [0, 2])]])
 /// >>> found["class"], found["bounds"], abs(found["value"])
 /// ([2], False, 2)

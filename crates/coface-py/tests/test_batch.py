@@ -31,7 +31,9 @@ def test_rows_are_reports(models: Path) -> None:
     assert [bad["error"]["kind"], missing["error"]["kind"]] == ["parse", "io"]
     assert bad["error"]["cure"] and bad["error"]["message"].startswith(str(models / "bad.off") + ":3:")
     report = coface.read(models / "torus.off").report().to_dict()
-    assert {key: torus[key] for key in report if key != "file"} == {key: report[key] for key in report if key != "file"}
+    # Rows name the file themselves, have one value a column, and no remarks.
+    keys = report.keys() - {"file", "remarks"}
+    assert {key: torus[key] for key in keys} == {key: report[key] for key in keys}
     assert (klein["name"], klein["error"], klein["bytes"]) == ("Klein bottle", None, (models / "klein.obj").stat().st_size)
     assert torus["seconds"] >= 0
     assert "seconds" not in coface.batch(str(models / "*.obj"), timings=False)[0]
