@@ -11,10 +11,10 @@ use crate::progress::{Progress, remove_at_end};
 use crate::workers::{Task, core_count, pool};
 use clap::Args;
 use coface::Error;
-use coface::scale::shards::{ReducedStep, ShardFolder};
+use coface::scale::shards::ShardFolder;
 use coface::scale::workers::{Limits, Loss, bytes_text, parse_bytes};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use coface::answers::answer::HomologyAnswer;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// Work in parts.
@@ -68,7 +68,7 @@ impl PartsOptions {
         }
         let progress = Progress::start(common.quiet);
         let work = WorkFolder::new(self.work.as_deref())?;
-        let runner = Runner::new(self, common, &work.path);
+        let runner = Runner::new(self, common, &work.path)?;
         let given = input;
         let input = work.standard_input(given)?;
         let name = (input != given).then(|| crate::input::name(given));
@@ -141,17 +141,87 @@ impl Drop for WorkFolder {
     }
 }
 
+/// What a worker is asked, a line each. Paths are text, since lines are.
+#[derive(Serialize, Deserialize)]
+enum Request {
+    /// Cut an input into shards.
+    Shard(ShardTask),
+    /// Reduce a part.
+    Reduce { folder: String, number: u32 },
+    /// Merge parts to one of this level.
+    Merge { folder: String, level: u32, number: u32 },
+    /// Say whether a level is the last.
+    Look { folder: String, level: u32 },
+    /// Answer a question about what is left.
+    Answer { folder: String, coefficients: String, cohomology: bool, generators: bool },
+}
+
+/// How an input is cut, and how it is read.
+#[derive(Serialize, Deserialize)]
+struct ShardTask {
+    folder: String,
+    input: String,
+    /// The name of the input in messages, where it is not that of the file.
+    name: Option<String>,
+    parts: Option<u32>,
+    /// In bytes, for this worker.
+    memory: Option<u64>,
+    fan_in: u32,
+    owners: Option<String>,
+    format: Option<String>,
+    /// In the unit of the input.
+    flatten: Option<f64>,
+    voxels: VoxelArguments,
+    grid: Option<Vec<u32>>,
+    simplicial: bool,
+}
+
+/// What a worker replies, a line each.
+#[derive(Serialize, Deserialize)]
+enum Reply {
+    /// The input is cut.
+    Sharded { parts: u32, fan_in: u32 },
+    /// A part is reduced, or parts are merged.
+    Done,
+    /// Whether the level is the last.
+    Looked { is_root: bool },
+    /// The answer, and the same as text for people.
+    Answered { object: Box<HomologyAnswer>, page: String },
+    /// The request cannot be served.
+    Error(String),
+}
+
+/// A line of a worker that is not the reply to what it was asked.
+fn unexpected() -> Failure {
+    Failure::new("a worker replied to another request; run the command again")
+}
+
+fn line(message: &impl Serialize) -> String {
+    serde_json::to_string(message).expect("requests and replies have texts as keys")
+}
+
+/// A path as text, which lines are.
+fn text(path: &Path) -> Result<String, Failure> {
+    path.to_str().map(str::to_owned).ok_or_else(|| {
+        Failure::new(format!(
+            "{}: the name is not valid UTF-8, so it cannot be sent to worker processes; rename it",
+            path.display()
+        ))
+    })
+}
+
 struct Runner<'a> {
     options: &'a PartsOptions,
     folder: &'a Path,
+    folder_text: String,
     workers: usize,
 }
 
 impl<'a> Runner<'a> {
-    fn new(options: &'a PartsOptions, common: &Common, folder: &'a Path) -> Self {
+    fn new(options: &'a PartsOptions, common: &Common, folder: &'a Path) -> Result<Self, Failure> {
         let threads = common.threads.map_or_else(core_count, usize::from);
         let fit = options.memory.map_or(usize::MAX, |memory| (memory / COMFORT).max(1) as usize);
-        Self { options, folder, workers: threads.min(fit) }
+        Ok(Self { options, folder, folder_text: text(folder)?, workers: threads.min(fit) })
     }
 
     /// Has shards made, unless they are there. Gives the number of parts and the fan-in.
@@ -170,30 +240,21 @@ impl<'a> Runner<'a> {
         {
             return Ok((folder.manifest().part_count, folder.manifest().fan_in));
         }
-        let text = |path: &Path| {
-            path.to_str().map(str::to_owned).ok_or_else(|| {
-                Failure::new(format!(
-                    "{}: a name that is no text cannot be handed to workers; rename it",
-                    path.display()
-                ))
-            })
-        };
-        let request = json!({
-            "task": "shard",
-            "folder": text(self.folder)?,
-            "input": text(input)?,
-            "name": name,
-            "parts": self.options.parts,
-            "memory": self.options.memory.map(|memory| memory / self.workers as u64),
-            "fan_in": self.options.fan_in,
-            "owners": self.options.owners.as_deref().map(text).transpose()?,
-            "format": common.format.map(|format| format.name()),
-            "flatten": common.flatten,
-            "voxels": common.voxels,
-            "grid": self.options.grid.grid,
-            "simplicial": self.options.grid.simplicial,
+        let request = Request::Shard(ShardTask {
+            folder: self.folder_text.clone(),
+            input: text(input)?,
+            name: name.map(str::to_owned),
+            parts: self.options.parts,
+            memory: self.options.memory.map(|memory| memory / self.workers as u64),
+            fan_in: self.options.fan_in,
+            owners: self.options.owners.as_deref().map(text).transpose()?,
+            format: common.format.map(|format| format.name().to_owned()),
+            flatten: common.flatten,
+            voxels: common.voxels.clone(),
+            grid: self.options.grid.grid.clone(),
+            simplicial: self.options.grid.simplicial,
         });
-        let answer = self.ask("cutting into shards", 1, 1, |_| request.to_string())?.remove(0);
+        let answer = self.ask("cutting into shards", 1, 1, |_| line(&request))?.remove(0);
         let answer = answer.map_err(|loss| {
             Failure::new(match loss {
                 Loss::Memory { .. } => format!(
@@ -203,13 +264,14 @@ impl<'a> Runner<'a> {
                 loss => format!("{}: it could not be cut into parts: {loss}; {}", input.display(), loss.cure()),
             })
         })?;
-        let number = |key: &str| answer[key].as_u64().unwrap_or(0) as u32;
-        Ok((number("parts"), number("fan_in")))
+        match answer {
+            Reply::Sharded { parts, fan_in } => Ok((parts, fan_in)),
+            _ => Err(unexpected()),
+        }
     }
 
     fn reduce(&self, part_count: u32) -> Result<(), Failure> {
-        let request =
-            |number: u32| json!({"task": "reduce", "folder": self.folder, "number": number}).to_string();
+        let request = |number: u32| line(&Request::Reduce { folder: self.folder_text.clone(), number });
         self.ask_all("reducing parts", part_count, request, |number, loss| match loss {
             Loss::Memory { limit } => format!(
                 "part {number} of {part_count} needs more than {} of memory; cut into more by --parts {}, or allow more",
@@ -229,14 +291,13 @@ impl<'a> Runner<'a> {
                 break;
             }
             width = width.div_ceil(fan_in);
-            let request = |number: u32| {
-                json!({"task": "merge", "folder": self.folder, "level": level, "number": number}).to_string()
-            };
+            let request =
+                |number: u32| line(&Request::Merge { folder: self.folder_text.clone(), level, number });
             let stage = format!("merging parts to level {level}");
             self.ask_all(&stage, width, request, |number, loss| match loss {
                 Loss::Memory { limit } => format!(
                     "merging to part {number} of level {level} needs more than {} of memory; merge fewer at once by --fan-in 2, or cut so that parts \
-                     have smaller walls: by --owners positions, or into fewer",
+                     have smaller common boundaries: by --owners positions, or into fewer",
                     limit.map_or("all".to_owned(), bytes_text)
                 ),
                 loss => format!("part {number} of level {level} could not be merged: {loss}; {}", loss.cure()),
@@ -246,31 +307,33 @@ impl<'a> Runner<'a> {
     }
 
     fn is_root(&self, level: u32) -> Result<bool, Failure> {
-        let request = |_| json!({"task": "look", "folder": self.folder, "level": level}).to_string();
+        let request = |_| line(&Request::Look { folder: self.folder_text.clone(), level });
         let answers = self.ask_all("looking at what is left", 1, request, |_, loss| {
             format!("what is left could not be looked at: {loss}; {}", loss.cure())
         })?;
-        Ok(answers[0]["is_root"] == true)
+        match answers.first() {
+            Some(Reply::Looked { is_root }) => Ok(*is_root),
+            _ => Err(unexpected()),
+        }
     }
 
     fn answer(&self, question: &Question) -> Result<Answer, Failure> {
-        let request = json!({
-            "task": "answer",
-            "folder": self.folder,
-            "coefficients": question.coefficients.to_string(),
-            "cohomology": question.cohomology,
-            "generators": question.generators.is_some(),
-        });
+        let request = Request::Answer {
+            folder: self.folder_text.clone(),
+            coefficients: question.coefficients.to_string(),
+            cohomology: question.cohomology,
+            generators: question.generators.is_some(),
+        };
         let answers = self.ask_all(
             "asking what is left",
             1,
-            |_| request.to_string(),
+            |_| line(&request),
             |_, loss| format!("what is left could not be asked: {loss}; {}", loss.cure()),
         )?;
-        let page = answers[0]["page"].as_str().unwrap_or_default().to_owned();
-        let object = serde_json::from_value(answers[0]["object"].clone())
-            .map_err(|error| Failure::new(format!("a worker gave what is no answer: {error}")))?;
-        Ok(Answer { object, page })
+        match answers.into_iter().next() {
+            Some(Reply::Answered { object, page }) => Ok(Answer { object: *object, page }),
+            _ => Err(unexpected()),
+        }
     }
 
     /// Asks workers side by side, and those requests again that need more memory than one has then, alone with all of it.
@@ -280,7 +343,7 @@ impl<'a> Runner<'a> {
         count: u32,
         request: impl Fn(u32) -> String + Sync,
         fault: impl Fn(u32, Loss) -> String,
-    ) -> Result<Vec<Value>, Failure> {
+    ) -> Result<Vec<Reply>, Failure> {
         let first = self.ask(stage, self.workers, count as usize, |number| request(number as u32))?;
         let mut answers = Vec::with_capacity(first.len());
         for (number, outcome) in (0..).zip(first) {
@@ -304,19 +367,19 @@ impl<'a> Runner<'a> {
         workers: usize,
         count: usize,
         request: impl Fn(usize) -> String + Sync,
-    ) -> Result<Vec<Result<Value, Loss>>, Failure> {
+    ) -> Result<Vec<Result<Reply, Loss>>, Failure> {
         let workers = workers.min(count).max(1);
         let limits = Limits { time: None, memory: self.options.memory.map(|memory| memory / workers as u64) };
         let mut answers = Vec::with_capacity(count);
         pool(Task::Shards, workers, 1, limits)?.run_in_order(stage, count, request, |_, outcome| {
             answers.push(match outcome {
                 Ok(answer) => {
-                    let value: Value = serde_json::from_str(&answer.line)
-                        .map_err(|error| Error::parse(format!("a worker said what is no JSON: {error}")))?;
-                    if let Some(message) = value["error"].as_str() {
+                    let reply: Reply = serde_json::from_str(&answer.line)
+                        .map_err(|error| Error::parse(format!("a worker gave no reply: {error}")))?;
+                    if let Reply::Error(message) = reply {
                         return Err(Error::invalid(message));
                     }
-                    Ok(value)
+                    Ok(reply)
                 }
                 Err(loss) => Err(loss),
             });
@@ -326,77 +389,70 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// What a worker says to a request: a line of JSON, with the key `error` where it cannot do it.
+/// What a worker replies to the line of a request.
 pub(crate) fn answer_request(request: &str) -> String {
-    match answered(request) {
-        Ok(value) => value.to_string(),
-        Err(Failure::Message(message)) => json!({ "error": message }).to_string(),
-        Err(_) => json!({"error": "the request could not be answered"}).to_string(),
-    }
+    line(&match answered(request) {
+        Ok(reply) => reply,
+        Err(Failure::Message(message)) => Reply::Error(message),
+        Err(_) => Reply::Error("the request could not be answered".to_owned()),
+    })
 }
 
-fn answered(request: &str) -> Result<Value, Failure> {
-    let request: Value = serde_json::from_str(request)
-        .map_err(|error| Failure::new(format!("a worker was asked what is no JSON: {error}")))?;
-    let text = |key: &str| request[key].as_str().unwrap_or_default();
-    let number = |key: &str| request[key].as_u64().unwrap_or(0) as u32;
-    let folder = Path::new(text("folder"));
-    match text("task") {
-        "shard" => shard(&request, folder),
-        "reduce" => Ok(step(&ShardFolder::open(folder)?.reduce(number("number"), false)?)),
-        "merge" => Ok(step(&ShardFolder::open(folder)?.merge(number("level"), number("number"), false)?)),
-        "look" => {
-            let folder = ShardFolder::open(folder)?;
-            Ok(json!({"is_root": folder.is_root(number("level"))?}))
+fn answered(request: &str) -> Result<Reply, Failure> {
+    let request: Request = serde_json::from_str(request)
+        .map_err(|error| Failure::new(format!("a worker was asked what it does not know: {error}")))?;
+    match request {
+        Request::Shard(task) => shard(&task),
+        Request::Reduce { folder, number } => {
+            ShardFolder::open(Path::new(&folder))?.reduce(number, false)?;
+            Ok(Reply::Done)
         }
-        "answer" => {
-            let folder = ShardFolder::open(folder)?;
+        Request::Merge { folder, level, number } => {
+            ShardFolder::open(Path::new(&folder))?.merge(level, number, false)?;
+            Ok(Reply::Done)
+        }
+        Request::Look { folder, level } => {
+            Ok(Reply::Looked { is_root: ShardFolder::open(Path::new(&folder))?.is_root(level)? })
+        }
+        Request::Answer { folder, coefficients, cohomology, generators } => {
+            let folder = ShardFolder::open(Path::new(&folder))?;
             let question = Question {
-                coefficients: crate::arguments::ring(text("coefficients")).map_err(Failure::new)?,
-                cohomology: request["cohomology"] == true,
-                generators: (request["generators"] == true).then_some(None),
+                coefficients: crate::arguments::ring(&coefficients).map_err(Failure::new)?,
+                cohomology,
+                generators: generators.then_some(None),
             };
             let answer = Answer::of(&folder, &question, false)?;
-            Ok(json!({"object": answer.object, "page": answer.page}))
+            Ok(Reply::Answered { object: Box::new(answer.object), page: answer.page })
         }
-        other => Err(Failure::new(format!("a worker was asked for {other:?}, which it does not know"))),
     }
 }
 
-fn step(step: &ReducedStep) -> Value {
-    json!({"is_new": step.is_new})
-}
-
-fn shard(request: &Value, folder: &Path) -> Result<Value, Failure> {
-    let text = |key: &str| request[key].as_str().map(str::to_owned);
-    let input = PathBuf::from(text("input").unwrap_or_default());
-    let lengths = request["grid"].as_array();
-    let lengths = lengths.map(|list| list.iter().map(|length| length.as_u64().unwrap_or(0) as u32).collect());
+fn shard(task: &ShardTask) -> Result<Reply, Failure> {
     let cut = Cut {
-        parts: request["parts"].as_u64().unwrap_or(0) as u32,
-        fan_in: request["fan_in"].as_u64().unwrap_or(8) as u32,
-        owners: text("owners").map(PathBuf::from),
-        grid: GridArguments { grid: lengths, simplicial: request["simplicial"] == true },
+        parts: task.parts.unwrap_or(0),
+        fan_in: task.fan_in,
+        owners: task.owners.as_ref().map(PathBuf::from),
+        grid: GridArguments { grid: task.grid.clone(), simplicial: task.simplicial },
     };
+    let format = task.format.as_deref().map(crate::arguments::format_of_name).transpose().map_err(Failure::new)?;
     let common = Common {
         json: true,
         quiet: true,
         threads: None,
         output: None,
-        format: text("format").and_then(|name| crate::arguments::format_of_name(&name).ok()),
-        flatten: request["flatten"].as_f64(),
-        voxels: VoxelArguments::deserialize(&request["voxels"])
-            .map_err(|error| Failure::new(format!("a worker was asked for voxels that are none: {error}")))?,
+        format,
+        flatten: task.flatten,
+        voxels: task.voxels.clone(),
     };
     let progress = Progress::start(true);
     let asked = CutRequest {
-        input: &input,
-        name: text("name"),
-        folder,
+        input: Path::new(&task.input),
+        name: task.name.clone(),
+        folder: Path::new(&task.folder),
         cut: &cut,
-        memory: request["memory"].as_u64(),
+        memory: task.memory,
         replaces: false,
     };
     let shards = cut_input(&asked, &common, &progress)?;
-    Ok(json!({"parts": shards.manifest().part_count, "fan_in": shards.manifest().fan_in}))
+    Ok(Reply::Sharded { parts: shards.manifest().part_count, fan_in: shards.manifest().fan_in })
 }
