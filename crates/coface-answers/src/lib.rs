@@ -13,19 +13,14 @@
 pub mod answer;
 mod cells;
 mod chains;
+mod cocycles;
 mod congruence;
-mod cycles;
 mod diagram;
 mod examination;
 mod facts;
 mod gluings;
 mod halfedges;
-mod json;
-mod labels;
-mod lookup;
 mod moments;
-mod ordered_simplices;
-mod pair;
 mod planar;
 mod polygons;
 mod problem;
@@ -40,20 +35,20 @@ mod triangulation;
 mod volume;
 mod yin;
 
+pub use cocycles::{
+    CocycleBasisMethod, CocyclesRequest, EdgeWeights, FoundCocycles, GivenCochain, SurfaceCocycles,
+    surface_harmonic_forms, tested_cochain,
+};
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
-pub use cycles::Term;
 pub use diagram::{DiagramFormat, write_diagram};
 pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
-pub use json::{groups_to_json, integer_to_json};
 pub use moments::Moment;
-pub use ordered_simplices::OrderedSimplices;
-pub use pair::Pair;
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
     is_planar,
 };
 pub use problem::{Problem, ProblemKind};
-pub use producer::Producer;
+pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{RepairRequest, repaired};
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{
@@ -69,4 +64,4 @@ pub use yin::{CutCellsRequest, KinkRequest, MotionRequest, PlanarMotion, PlanarS
 #[doc(hidden)]
 pub use yin::{SetPiece, set_pieces};
 
-use labels::Labels;
+use producer::Labels;

@@ -1,87 +1,10 @@
-//! Chains and cochains on the command line: as JSON, from files, as pictures.
+//! Chains and cochains on the command line, as text and from files.
 
 use crate::failure::Failure;
 use coface::algebra::Integer;
-use coface::algebra::chains::{Chain, ChainComplex};
-use coface::answers::answer::{ChainTerm, WholeNumber};
-use coface::answers::{Pair, Producer, Term};
-use coface::{CellId, Error};
+use coface::answers::Term;
 use serde_json::Value;
 use std::path::Path;
-
-/// Names the cells of a chain complex made from a model: those that a pair keeps, if there is one, shifted by one
-/// degree if the complex is augmented.
-pub(crate) struct Naming<'a> {
-    pub(crate) producer: &'a Producer,
-    /// If the complex is one relative to a subcomplex.
-    pub(crate) pair: Option<&'a Pair>,
-    /// How many degrees the complex stands above the model: 1 for an augmented one.
-    pub(crate) shift: usize,
-}
-
-impl Naming<'_> {
-    /// A chain or cochain as `[[coefficient,[vertices..]],..]`.
-    pub(crate) fn terms(&self, degree: usize, terms: &[(CellId, Integer)]) -> Vec<ChainTerm> {
-        let term = |(cell, coefficient): &(CellId, Integer)| {
-            let vertices = self.vertices(degree, cell.index()).into_iter().map(u64::from).collect();
-            (WholeNumber::from(coefficient), vertices)
-        };
-        terms.iter().map(term).collect()
-    }
-
-    /// The number in the model of a cell of the complex.
-    fn cell(&self, degree: usize, cell: usize) -> usize {
-        self.pair.map_or(cell, |pair| pair.cell(degree, cell))
-    }
-
-    /// The name of a cell of the complex.
-    pub(crate) fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
-        match degree.checked_sub(self.shift) {
-            Some(degree) => self.producer.cell_vertices(degree, self.cell(degree, cell)),
-            // The empty simplex, below all vertices.
-            None => Vec::new(),
-        }
-    }
-
-    /// The name of a cell of the complex, as people read it.
-    pub(crate) fn word(&self, degree: usize, cell: usize) -> String {
-        let vertices = self.vertices(degree, cell);
-        if self.producer.names_cells_by_vertices() || degree < self.shift {
-            let vertices: Vec<String> = vertices.iter().map(|vertex| format!("v{vertex}")).collect();
-            return format!("{{{}}}", vertices.join(" "));
-        }
-        format!("{{cell {}}}", vertices[0])
-    }
-
-    /// A chain of the complex as one of the model.
-    pub(crate) fn to_model(
-        &self,
-        whole: &ChainComplex,
-        degree: usize,
-        terms: &[(CellId, Integer)],
-    ) -> Result<Chain<Integer>, Error> {
-        let degree = degree - self.shift;
-        let in_model =
-            |(cell, x): &(CellId, Integer)| (CellId::new(self.cell(degree, cell.index())), x.clone());
-        Chain::new(whole, degree, terms.iter().map(in_model))
-    }
-
-    /// A chain of the model as one of the complex; cells that the pair leaves out vanish.
-    pub(crate) fn of_model(
-        &self,
-        complex: &ChainComplex,
-        chain: &Chain<Integer>,
-    ) -> Result<Chain<Integer>, Error> {
-        let kept = |(cell, x): &(CellId, Integer)| {
-            let position = match self.pair {
-                Some(pair) => pair.position(chain.degree(), cell.index())?,
-                None => cell.index(),
-            };
-            Some((CellId::new(position), x.clone()))
-        };
-        Chain::new(complex, chain.degree() + self.shift, chain.terms().iter().filter_map(kept))
-    }
-}
 
 /// A chain as the user gives it.
 pub(crate) struct GivenChain {

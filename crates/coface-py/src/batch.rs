@@ -104,11 +104,7 @@ pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timing
 /// A row in a line of JSON as a list of names and values, one a column, in a line of JSON.
 #[pyfunction]
 pub(crate) fn _flat_line(py: Python<'_>, line: &str, timings: bool) -> PyResult<String> {
-    let flat = || {
-        let row = serde_json::from_str(line).map_err(|error| Error::parse(format!("no row: {error}")))?;
-        coface::scale::batch::flat_row(&row, timings)
-    };
-    Ok(serde_json::json!(flat().or_raise(py)?).to_string())
+    coface::scale::batch::flat_line(line, timings).or_raise(py)
 }
 
 /// The files that words name: see `coface batch`.

@@ -1,6 +1,5 @@
 //! Surfaces: sides of faces and their mates, and what is asked about them.
 
-mod forms;
 mod opened;
 
 pub(crate) use opened::{Cocycles, Cover, Domain};
@@ -16,15 +15,16 @@ use crate::source::{Names, Naming, Source};
 use crate::work::run;
 use coface::algebra::chains::Cochain;
 use coface::algebra::{Integer, Sign};
-use coface::answers::{CutRequest, LayoutChoice, Producer, SurfaceModel, integer_to_json};
+use coface::answers::answer::WholeNumber;
+use coface::answers::{
+    CutRequest, EdgeWeights, LayoutChoice, Producer, SurfaceCocycles, SurfaceModel, surface_harmonic_forms,
+};
 use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::topology::{
-    ClosedWalk, CocycleBasis, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology,
-    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
-    shortest_loops,
+    ClosedWalk, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology, SurfaceHomotopy,
+    TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
 };
 use coface::{Error, ErrorKind, FaceId, HalfedgeId, VertexId};
-use forms::forms;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -432,38 +432,29 @@ impl Surface {
         if !matches!(method, "crossing" | "slicing") {
             return Err(invalid(py, format!("method is {method:?}"), "give \"crossing\" or \"slicing\""));
         }
-        if !matches!(weights, "auto" | "cotangent" | "uniform") {
-            return Err(invalid(
-                py,
-                format!("weights are {weights:?}"),
-                "give \"auto\", \"cotangent\" or \"uniform\"",
-            ));
-        }
-        let (basis, intersection, forms) = run(py, progress, || {
-            let map = self.map();
-            let lengths = self.lengths();
-            let trees = match &lengths {
-                Some(lengths) => TreeCotree::greedy(map, None, Some(lengths))?,
-                None => TreeCotree::new(map),
-            };
-            let homology = SurfaceHomology::new(map, &trees);
-            let is_plain = self.is_closed() && self.is_orientable();
-            let sliced = if is_plain || method == "slicing" {
-                Some(CocycleBasis::by_slicing(map, homology.loops())?)
-            } else {
-                None
-            };
-            let basis = match (method, &sliced) {
-                ("slicing", Some(sliced)) => sliced.dual()?,
-                _ => CocycleBasis::by_crossing(&homology),
-            };
-            let intersection = sliced.filter(|_| is_plain).map(|sliced| sliced.pairing().to_vec());
+        let weights = match weights {
+            "auto" => None,
+            "cotangent" => Some(EdgeWeights::Cotangent),
+            "uniform" => Some(EdgeWeights::Uniform),
+            _ => {
+                return Err(invalid(
+                    py,
+                    format!("weights are {weights:?}"),
+                    "give \"auto\", \"cotangent\" or \"uniform\"",
+                ));
+            }
+        };
+        let (found, forms) = run(py, progress, || {
+            let (map, lengths) = (self.map(), self.lengths());
+            let found = SurfaceCocycles::new(map, lengths.as_deref(), method == "slicing")?;
+            let cocycles = found.basis().cocycles();
             let forms = match harmonic {
-                true => Some(forms(map, basis.cocycles(), lengths.as_deref(), weights)?),
+                true => Some(surface_harmonic_forms(map, cocycles, lengths.as_deref(), weights)?),
                 false => None,
             };
-            Ok((basis, intersection, forms))
+            Ok((found, forms))
         })?;
+        let basis = found.basis();
         let naming = Arc::new(self.naming().unwrap_or_else(|| Naming::of(Names::Own)));
         let cell_count = self.map().skeleton().edge_count();
         let cochain = |cochain: &Cochain<Integer>| {
@@ -475,15 +466,15 @@ impl Surface {
             "rank": basis.cocycles().len(),
             "method": method,
             "pairing": basis.pairing(),
-            "determinant": basis.determinant().map(integer_to_json),
+            "determinant": basis.determinant().map(WholeNumber::from),
             "loops": basis.loops().iter().map(|walk| self.walk_numbers(walk)).collect::<Vec<_>>(),
-            "intersection": intersection,
-            "weights": forms.as_ref().map(|(weights, _)| *weights),
-            "closed_residuals": forms.as_ref().map(|(_, forms)| forms.iter().map(HarmonicForm::closed_residual).collect::<Vec<_>>()),
-            "coclosed_residuals": forms.as_ref().map(|(_, forms)| forms.iter().map(HarmonicForm::coclosed_residual).collect::<Vec<_>>()),
+            "intersection": found.intersection().map(|(matrix, _)| matrix),
+            "weights": forms.as_ref().map(|(weights, ..)| weights),
+            "closed_residuals": forms.as_ref().map(|(_, forms, _)| forms.iter().map(HarmonicForm::closed_residual).collect::<Vec<_>>()),
+            "coclosed_residuals": forms.as_ref().map(|(_, forms, _)| forms.iter().map(HarmonicForm::coclosed_residual).collect::<Vec<_>>()),
         });
         let forms =
-            forms.map(|(_, forms)| forms.iter().map(|form| form.values().as_slice().to_vec()).collect());
+            forms.map(|(_, forms, _)| forms.iter().map(|form| form.values().as_slice().to_vec()).collect());
         Ok(Cocycles { value, cocycles: chains, forms, edge_count: cell_count })
     }
 

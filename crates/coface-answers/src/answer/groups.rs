@@ -29,6 +29,15 @@ impl WholeNumber {
     }
 }
 
+impl std::fmt::Display for WholeNumber {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(number) => number.fmt(formatter),
+            Self::Digits(digits) => digits.fmt(formatter),
+        }
+    }
+}
+
 impl From<&Integer> for WholeNumber {
     fn from(integer: &Integer) -> Self {
         integer.to_i64().map_or_else(|| Self::Digits(integer.to_string()), Self::Number)

@@ -9,6 +9,7 @@
 mod arrange;
 mod batch;
 mod boolean;
+mod cocycles;
 mod congruence;
 mod convert;
 mod cover;
@@ -47,6 +48,9 @@ pub use batch::BatchAnswer;
 pub use boolean::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, Pinches, PlanarBooleanAnswer,
     PlanarBooleanProvenance, PolygonRounding, SolidBooleanAnswer, SolidBooleanProvenance,
+};
+pub use cocycles::{
+    CochainTestAnswer, CochainValue, CocyclesAnswer, HarmonicFormAnswer, LoopAnswer, LoopIntersections,
 };
 pub use congruence::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput};
 pub use convert::{CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts};

@@ -1,11 +1,11 @@
 //! The JSON schema of all answers.
 
 use super::{
-    BatchAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer, DoubleCoverAnswer, GenerateAnswer,
-    HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports, PersistenceAnswer, Pi1Answer,
-    PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, ShardAnswer, SimplicesAnswer,
-    SolidBooleanAnswer, SpatialArrangementAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
-    YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
+    BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
+    DoubleCoverAnswer, GenerateAnswer, HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports,
+    PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
+    ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, ViewAnswer, YinAdvectAnswer,
+    YinCombinationAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -63,6 +63,8 @@ answers! {
     "cut" => CutAnswer,
     "cover" => CoverAnswer,
     "cover --orientation" => DoubleCoverAnswer,
+    "cocycles" => CocyclesAnswer,
+    "cocycles --test" => CochainTestAnswer,
     "star" => SimplicesAnswer,
     "closure" => SimplicesAnswer,
     "link" => SimplicesAnswer,

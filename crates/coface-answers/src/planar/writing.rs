@@ -10,7 +10,7 @@ use coface_geometry::predicates::orientation;
 use coface_geometry::triangulation::triangulate;
 use coface_io as io;
 use coface_io::{CellData, Format, GroupKind, Model, geojson};
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 use std::io::Write;
 
 impl DrawingArrangement {
@@ -51,9 +51,9 @@ impl DrawingArrangement {
             let properties = |polygon: usize| {
                 let regions = self.regions_around(FaceId::new(polygon)).iter();
                 let inside: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
-                object(json!({"face": polygon, "area": areas[polygon], "inside": inside}))
+                FaceProperties { face: polygon, area: areas[polygon], inside }
             };
-            return write_drawing(&outline, positions, &loose, out, format, &properties);
+            return write_drawing(&outline, positions, &loose, out, format, properties);
         }
         let model = mesh(&outline, &positions, &loose)?;
         io::write(&model, out, format)
@@ -99,9 +99,9 @@ impl RegionBoolean {
             let properties = |polygon: usize| {
                 let regions = self.regions_of_polygon(polygon).iter();
                 let regions: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
-                object(json!({"polygon": polygon, "area": self.polygon_areas()[polygon], "regions": regions}))
+                PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions }
             };
-            return write_drawing(&self.outline, positions, &[], out, format, &properties);
+            return write_drawing(&self.outline, positions, &[], out, format, properties);
         }
         io::write(&mesh(&self.outline, &positions, &[])?, out, format)
     }
@@ -120,21 +120,32 @@ fn is_drawing(format: Format) -> bool {
     matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
 }
 
-fn object(value: Value) -> Map<String, Value> {
-    match value {
-        Value::Object(map) => map,
-        _ => Map::new(),
-    }
+/// What GeoJSON says of a face of an arrangement.
+#[derive(Serialize)]
+struct FaceProperties<'a> {
+    face: usize,
+    area: f64,
+    /// The names of the inputs that the face is inside of.
+    inside: Vec<&'a str>,
+}
+
+/// What GeoJSON says of a polygon of a combination.
+#[derive(Serialize)]
+struct PolygonProperties<'a> {
+    polygon: usize,
+    area: f64,
+    /// The names of the inputs that the polygon is inside of.
+    regions: Vec<&'a str>,
 }
 
 /// Polygons with holes, then loose edges, then vertices that nothing uses.
-fn write_drawing(
+fn write_drawing<P: Serialize>(
     outline: &Outline,
     positions: Positions,
     loose: &[[u32; 2]],
     out: &mut dyn Write,
     format: Format,
-    properties: &dyn Fn(usize) -> Map<String, Value>,
+    properties: impl Fn(usize) -> P,
 ) -> Result<(), Error> {
     let (mut lines, mut polygons, mut rings) = (RaggedArray::new(), Vec::new(), Vec::new());
     let mut closed = Vec::new();
@@ -157,9 +168,7 @@ fn write_drawing(
         .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
     if format == Format::GeoJson {
         let count = outline.polygon_count();
-        return geojson::write_with(&model, out, &|shape| {
-            if shape < count { properties(shape) } else { Map::new() }
-        });
+        return geojson::write_with(&model, out, |shape| (shape < count).then(|| properties(shape)));
     }
     io::write(&model, out, format)
 }

@@ -7,8 +7,15 @@ use coface_geometry::Positions;
 use coface_io as io;
 use coface_io::{CellData, Format, GroupKind, Model, yin};
 use coface_yin::Order;
-use serde_json::{Map, json};
+use serde::Serialize;
 use std::io::Write;
+
+/// What GeoJSON says of a polygon of a set.
+#[derive(Serialize)]
+struct PieceProperties {
+    polygon: usize,
+    area: Option<f64>,
+}
 
 impl PlanarSet {
     /// Writes the set in a format.
@@ -69,11 +76,9 @@ impl PlanarSet {
             .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
             .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
         if format == Format::GeoJson {
-            return io::geojson::write_with(&model, out, &|polygon| {
-                let mut properties = Map::new();
-                properties.insert("polygon".to_owned(), json!(polygon));
-                properties.insert("area".to_owned(), json!(areas.get(polygon)));
-                properties
+            return io::geojson::write_with(&model, out, |polygon| PieceProperties {
+                polygon,
+                area: areas.get(polygon).copied(),
             });
         }
         io::write(&model, out, format)

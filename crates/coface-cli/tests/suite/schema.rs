@@ -33,6 +33,9 @@ fn printed_answers_are_those_of_the_types() {
         ("cut", &["--simplify"]),
         ("cover", &["--copies", "1"]),
         ("cover --orientation", &["--orientation"]),
+        ("cocycles", &[]),
+        ("cocycles", &["--method", "general"]),
+        ("cocycles", &["--harmonic"]),
         ("star", vertex),
         ("closure", vertex),
         ("link", vertex),
@@ -66,6 +69,33 @@ fn intersection_forms_and_sequences_are_typed() {
         b"[[0,1,2]]",
     );
     assert_typed("homology", &disk.json());
+}
+
+#[test]
+fn cocycles_and_tests_of_cochains_are_typed() {
+    let folder = tempfile::tempdir().expect("a folder for the test");
+    let rim = b"[[0,1],[1,2],[0,2],[0,3]]";
+    let found = coface_reading(&["cocycles", "-", "--json"], rim).json();
+    assert_eq!(found["rank"], 1);
+    assert_typed("cocycles", &found);
+    let file = folder.path().join("cochain.json");
+    for (cochain, more) in [
+        ("[[1,[0,1]]]", &[][..]),
+        ("[[1,[0,3]]]", &[]),
+        ("[[1.5,[0,1]]]", &["--tolerance", "0.25"]),
+        ("[[2.0,[0,3]]]", &["--tolerance", "0.25"]),
+    ] {
+        std::fs::write(&file, cochain).expect("the file can be written");
+        let arguments = [&["cocycles", "-", "--json", "--test", argument(&file)], more].concat();
+        let tested = coface_reading(&arguments, rim).json();
+        assert_eq!(tested["closed"], true, "{cochain}");
+        assert_typed("cocycles --test", &tested);
+    }
+    std::fs::write(&file, "[[1,[0,1]]]").expect("the file can be written");
+    let arguments = ["cocycles", "-", "--json", "--test", argument(&file)];
+    let open = coface_reading(&arguments, b"[[0,1,2]]").json();
+    assert_eq!((&open["closed"], &open["sum"]), (&Value::from(false), &Value::from(1)));
+    assert_typed("cocycles --test", &open);
 }
 
 #[test]

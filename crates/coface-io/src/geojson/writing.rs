@@ -4,6 +4,7 @@ use crate::Model;
 use crate::decimal::flush;
 use crate::drawing::{Features, Shape, closed, push_list, push_place, shapes, written_dimension};
 use coface_algebra::Error;
+use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::Write;
 
@@ -33,14 +34,28 @@ const LIST: [&[u8]; 3] = [b"[", b",", b"]"];
 /// # Ok(()) }
 /// ```
 pub fn write(model: &Model, output: impl Write) -> Result<(), Error> {
-    write_with(model, output, &|_| Map::new())
+    write_with(model, output, |_| ())
 }
 
-/// The same with more properties: those of the first shape of each feature.
-pub fn write_with(
+/// The same with more properties: those of the first shape of each feature, a struct or map, or nothing.
+///
+/// # Errors
+/// Those of [`write()`], and [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) if properties cannot be written as JSON.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = coface_io::wkt::read(&b"POINT (1 2)"[..])?;
+/// let mut written = Vec::new();
+/// let height = |shape: usize| std::collections::BTreeMap::from([("height", shape + 7)]);
+/// coface_io::geojson::write_with(&model, &mut written, height)?;
+/// assert!(String::from_utf8_lossy(&written).contains(r#""properties":{"height":7}"#));
+/// # Ok(()) }
+/// ```
+pub fn write_with<P: Serialize>(
     model: &Model,
     mut output: impl Write,
-    properties: &dyn Fn(usize) -> Map<String, Value>,
+    properties: impl Fn(usize) -> P,
 ) -> Result<(), Error> {
     let writer = Writer { model, dimension: written_dimension(model, "GeoJSON")? };
     let shapes = shapes(model);
@@ -52,7 +67,10 @@ pub fn write_with(
         if i > 0 {
             text.extend_from_slice(b",\n");
         }
-        let mut properties = properties(shape);
+        let mut properties = match serde_json::to_value(properties(shape)).map_err(std::io::Error::from)? {
+            Value::Object(properties) => properties,
+            _ => Map::new(),
+        };
         shape += feature.len();
         if let Some(group) = feature[0].1 {
             properties.insert("name".to_owned(), model.groups[group].name().into());

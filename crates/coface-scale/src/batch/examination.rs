@@ -2,8 +2,10 @@
 
 use coface_algebra::Error;
 use coface_answers::Report;
+use coface_complexes::cubical::CubicalVolume;
 use coface_io as io;
 use coface_io::{Format, Model, ReadOptions, VolumeReading, VoxelRule};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -43,16 +45,6 @@ pub struct Reading {
 const PLACES: usize = 100;
 
 impl Reading {
-    /// As the value in a request.
-    pub(crate) fn to_json(self) -> Value {
-        json!({
-            "format": self.format.map(Format::name),
-            "flatten": self.flatten,
-            "volume": volume_to_json(self.volume),
-            "all_places": self.all_places,
-        })
-    }
-
     fn options(self) -> ReadOptions {
         ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume)
     }
@@ -81,9 +73,8 @@ impl ReportRequest {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn to_line(&self) -> String {
-        let mut value = self.reading.to_json();
-        value["path"] = path_to_json(&self.path);
-        value.to_string()
+        let line = RequestLine { path: PathText::of(&self.path), reading: ReadingText::of(self.reading) };
+        serde_json::to_string(&line).expect("requests have texts as keys")
     }
 
     /// The request in a line.
@@ -100,68 +91,122 @@ impl ReportRequest {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn from_line(line: &str) -> Result<Self, Error> {
-        let fault = || Error::parse("this is no request for a report");
-        let value: Value = serde_json::from_str(line).map_err(|_| fault())?;
-        let path = path_from_json(&value["path"]).ok_or_else(fault)?;
-        let format = value["format"].as_str().map(Format::from_name).transpose()?;
-        let (flatten, all_places) = (value["flatten"].as_f64(), value["all_places"] == true);
-        let volume = volume_from_json(&value["volume"]).ok_or_else(fault)?;
-        Ok(Self { path, reading: Reading { format, flatten, volume, all_places } })
+        let line: RequestLine = serde_json::from_str(line)
+            .map_err(|error| Error::parse(format!("this is no request for a report: {error}")))?;
+        Ok(Self { path: line.path.into_path(), reading: line.reading.into_reading()? })
     }
 }
 
-/// Which voxels are set as JSON: a word with its bounds, and for each axis whether it is periodic.
-fn volume_to_json(volume: VolumeReading) -> Value {
-    let rule = match volume.rule {
-        VoxelRule::Nonzero => json!(["nonzero"]),
-        VoxelRule::AtLeast(bound) => json!(["at least", bound]),
-        VoxelRule::Below(bound) => json!(["below", bound]),
-        VoxelRule::Between(low, high) => json!(["between", low, high]),
-        VoxelRule::Equal(value) => json!(["equal", value]),
-    };
-    json!({"rule": rule, "periodic": volume.periodic})
+/// A request as a line.
+#[derive(Serialize, Deserialize)]
+struct RequestLine {
+    path: PathText,
+    #[serde(flatten)]
+    reading: ReadingText,
 }
 
-/// What [`volume_to_json`] made JSON; the default for null.
-fn volume_from_json(value: &Value) -> Option<VolumeReading> {
-    let mut volume = VolumeReading::default();
-    if value.is_null() {
-        return Some(volume);
-    }
-    let bound = |i: usize| value["rule"][i].as_f64();
-    volume.rule = match value["rule"][0].as_str()? {
-        "nonzero" => VoxelRule::Nonzero,
-        "at least" => VoxelRule::AtLeast(bound(1)?),
-        "below" => VoxelRule::Below(bound(1)?),
-        "between" => VoxelRule::Between(bound(1)?, bound(2)?),
-        "equal" => VoxelRule::Equal(bound(1)?),
-        _ => return None,
-    };
-    for (axis, told) in volume.periodic.iter_mut().zip(value["periodic"].as_array()?) {
-        *axis = told.as_bool()?;
-    }
-    Some(volume)
+/// How a file is read, in a line.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct ReadingText {
+    format: Option<String>,
+    flatten: Option<f64>,
+    #[serde(default)]
+    volume: VolumeText,
+    #[serde(default)]
+    all_places: bool,
 }
 
-/// A path as JSON: text, or a list of bytes where it is none.
-pub(crate) fn path_to_json(path: &Path) -> Value {
-    #[cfg(unix)]
-    if path.to_str().is_none() {
-        use std::os::unix::ffi::OsStrExt;
-        return path.as_os_str().as_bytes().into();
+impl ReadingText {
+    pub(crate) fn of(reading: Reading) -> Self {
+        Self {
+            format: reading.format.map(|format| format.name().to_owned()),
+            flatten: reading.flatten,
+            volume: VolumeText::of(reading.volume),
+            all_places: reading.all_places,
+        }
     }
-    path.to_string_lossy().into()
+
+    fn into_reading(self) -> Result<Reading, Error> {
+        Ok(Reading {
+            format: self.format.as_deref().map(Format::from_name).transpose()?,
+            flatten: self.flatten,
+            volume: self.volume.into_reading(),
+            all_places: self.all_places,
+        })
+    }
 }
 
-/// The path that [`path_to_json`] made JSON.
-pub(crate) fn path_from_json(value: &Value) -> Option<PathBuf> {
-    #[cfg(unix)]
-    if let Value::Array(bytes) = value {
-        use std::os::unix::ffi::OsStringExt;
-        let bytes = bytes.iter().map(|byte| u8::try_from(byte.as_u64()?).ok()).collect::<Option<_>>()?;
-        return Some(std::ffi::OsString::from_vec(bytes).into());
+#[derive(Default, Serialize, Deserialize)]
+struct VolumeText {
+    rule: RuleText,
+    periodic: [bool; CubicalVolume::MOST_AXES],
+}
+
+#[derive(Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum RuleText {
+    #[default]
+    Nonzero,
+    AtLeast(f64),
+    Below(f64),
+    Between(f64, f64),
+    Equal(f64),
+}
+
+impl VolumeText {
+    fn of(volume: VolumeReading) -> Self {
+        let rule = match volume.rule {
+            VoxelRule::Nonzero => RuleText::Nonzero,
+            VoxelRule::AtLeast(bound) => RuleText::AtLeast(bound),
+            VoxelRule::Below(bound) => RuleText::Below(bound),
+            VoxelRule::Between(low, high) => RuleText::Between(low, high),
+            VoxelRule::Equal(value) => RuleText::Equal(value),
+        };
+        Self { rule, periodic: volume.periodic }
     }
-    value.as_str().map(PathBuf::from)
+
+    fn into_reading(self) -> VolumeReading {
+        let rule = match self.rule {
+            RuleText::Nonzero => VoxelRule::Nonzero,
+            RuleText::AtLeast(bound) => VoxelRule::AtLeast(bound),
+            RuleText::Below(bound) => VoxelRule::Below(bound),
+            RuleText::Between(low, high) => VoxelRule::Between(low, high),
+            RuleText::Equal(value) => VoxelRule::Equal(value),
+        };
+        VolumeReading { rule, periodic: self.periodic }
+    }
+}
+
+/// A path in a line: as text, or as bytes if it is none.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum PathText {
+    Text(String),
+    Bytes(Vec<u8>),
+}
+
+impl PathText {
+    pub(crate) fn of(path: &Path) -> Self {
+        #[cfg(unix)]
+        if path.to_str().is_none() {
+            use std::os::unix::ffi::OsStrExt;
+            return Self::Bytes(path.as_os_str().as_bytes().to_vec());
+        }
+        Self::Text(path.to_string_lossy().into_owned())
+    }
+
+    pub(crate) fn into_path(self) -> PathBuf {
+        match self {
+            Self::Text(text) => text.into(),
+            #[cfg(unix)]
+            Self::Bytes(bytes) => {
+                use std::os::unix::ffi::OsStringExt;
+                std::ffi::OsString::from_vec(bytes).into()
+            }
+            #[cfg(not(unix))]
+            Self::Bytes(bytes) => String::from_utf8_lossy(&bytes).into_owned().into(),
+        }
+    }
 }
 
 /// Answers the [request](ReportRequest) for a report: an object with everything that `coface info --json` says, or one whose only key is
@@ -201,7 +246,7 @@ pub fn examine_with(request: &str, fetch: impl FnOnce(&Path) -> Option<Result<Ve
 ///
 /// # Errors
 /// What [`Report::of`] finds, in the file of this name.
-pub fn report_on(model: Model, name: &str, reading: Reading) -> Result<Value, Error> {
+pub(crate) fn report_on(model: Model, name: &str, reading: Reading) -> Result<Value, Error> {
     let format = model.format().unwrap_or(Format::Json);
     let report = Report::of(model).map_err(|error| error.in_file(name))?;
     let mut row = json!({"file": name, "format": format.name()});
@@ -217,7 +262,7 @@ pub fn report_on(model: Model, name: &str, reading: Reading) -> Result<Value, Er
 }
 
 /// An error as an object with `kind`, `message` (with its place) and `cure` (null where there is none).
-pub fn error_to_json(error: &Error) -> Value {
+pub(crate) fn error_to_json(error: &Error) -> Value {
     let whole = error.to_string();
     let message = match error.cure() {
         Some(cure) => whole.strip_suffix(&format!("; {cure}")).unwrap_or(&whole),

@@ -79,7 +79,7 @@ const COLUMNS: [(&str, &str, Form); 39] = [
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Columns {
+pub(crate) struct Columns {
     cells: usize,
     degrees: usize,
 }
@@ -99,7 +99,7 @@ impl Columns {
     /// assert!(columns.see(&serde_json::json!([])).is_err());
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn see(&mut self, row: &Value) -> Result<(), Error> {
+    pub(crate) fn see(&mut self, row: &Value) -> Result<(), Error> {
         if !row.is_object() {
             return Err(Error::parse("a row is no object"));
         }
@@ -120,7 +120,7 @@ impl Columns {
     /// assert_eq!(columns.names(false)[0], "path");
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn names(&self, timings: bool) -> Vec<String> {
+    pub(crate) fn names(&self, timings: bool) -> Vec<String> {
         let mut names = Vec::new();
         for (name, _, form) in columns(timings) {
             let numbered = |count: usize| (0..count).map(|i| format!("{name}_{i}")).collect();
@@ -146,7 +146,7 @@ impl Columns {
     /// assert_eq!(columns.values(&row, false).len(), columns.names(false).len());
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn values(&self, row: &Value, timings: bool) -> Vec<Value> {
+    pub(crate) fn values(&self, row: &Value, timings: bool) -> Vec<Value> {
         let mut values = Vec::new();
         for (_, pointer, form) in columns(timings) {
             let value = row.pointer(pointer).unwrap_or(&Value::Null);
@@ -195,27 +195,27 @@ fn text(value: &Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// A row as names and values, one a column: for tables of other programs, whose columns have one type each.
-///
-/// Cells are counted in `f_0`, `f_1`, ..; homology is `betti_0`, .. and `torsion_0`, .., orders with spaces between them; points have `_x`, `_y`,
-/// `_z`; lists are text.
+/// The table of one row: the line of a row in JSON lines as a line `[[name, value], ..]` with one value a column.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if the row is no object.
+/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if the line is no object in JSON.
 ///
 /// # Examples
 /// ```
-/// use serde_json::json;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let homology = json!([{"degree": 0, "betti": 1, "torsion": []}, {"degree": 1, "betti": 0, "torsion": [2, 4]}]);
-/// let flat = coface_scale::batch::flat_row(&json!({"path": "a.off", "homology": homology}), true)?;
-/// assert!(flat.contains(&("betti_0".into(), json!(1))) && flat.contains(&("torsion_1".into(), json!("2 4"))));
+/// let row = r#"{"path":"a.off","homology":[{"degree":0,"betti":1,"torsion":[2,4]}]}"#;
+/// let flat = coface_scale::batch::flat_line(row, true)?;
+/// assert!(flat.starts_with(r#"[["path","a.off"],"#));
+/// assert!(flat.contains(r#"["betti_0",1],["torsion_0","2 4"]"#));
 /// # Ok(()) }
 /// ```
-pub fn flat_row(row: &Value, timings: bool) -> Result<Vec<(String, Value)>, Error> {
+pub fn flat_line(row: &str, timings: bool) -> Result<String, Error> {
+    let row: Value = serde_json::from_str(row).map_err(|error| Error::parse(format!("no row: {error}")))?;
     let mut columns = Columns::default();
-    columns.see(row)?;
-    Ok(columns.names(timings).into_iter().zip(columns.values(row, timings)).collect())
+    columns.see(&row)?;
+    let values = columns.names(timings).into_iter().zip(columns.values(&row, timings));
+    let list: Vec<Value> = values.map(|(name, value)| Value::from(vec![Value::from(name), value])).collect();
+    Ok(Value::from(list).to_string())
 }
 
 #[cfg(test)]

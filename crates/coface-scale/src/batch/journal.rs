@@ -4,9 +4,9 @@
 //! between them. A line whose checksum is wrong is no line: whatever was being written when the run was cut short.
 
 use super::Row;
-use crate::batch::examination::{path_from_json, path_to_json};
+use crate::batch::examination::PathText;
 use coface_algebra::{Error, ErrorKind};
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -15,7 +15,7 @@ use std::time::UNIX_EPOCH;
 use xxhash_rust::xxh3::xxh3_64;
 
 /// The state of a file: its size and when it was changed.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Stamp(Option<(u64, String)>);
 
 impl Stamp {
@@ -32,10 +32,6 @@ impl Stamp {
     pub(crate) fn bytes(&self) -> Option<u64> {
         self.0.as_ref().map(|(bytes, _)| *bytes)
     }
-
-    fn to_json(&self) -> Value {
-        json!(self.0)
-    }
 }
 
 /// The rows of a batch that are finished.
@@ -46,7 +42,7 @@ pub(crate) struct Journal {
     /// Where the line of each file begins.
     lines: Vec<Option<u64>>,
     /// What lines say of each file.
-    names: Vec<Value>,
+    names: Vec<PathText>,
 }
 
 impl Journal {
@@ -81,7 +77,7 @@ impl Journal {
             }
         };
         let file = open().map_err(in_path)?;
-        let names = files.iter().map(|file| path_to_json(file)).collect();
+        let names = files.iter().map(|file| PathText::of(file)).collect();
         let mut journal = Self { path: path.clone(), file, length: 0, lines: vec![None; files.len()], names };
         let refused = journal.take(options, files, restart).map_err(in_path)?;
         Ok((journal, refused))
@@ -113,7 +109,7 @@ impl Journal {
             }
             if let Some((path, stamp)) = unsealed(&line).and_then(about)
                 && let Some(&place) = places.get(path.as_path())
-                && Stamp::of(&path).to_json() == stamp
+                && Some(Stamp::of(&path)) == stamp
             {
                 self.lines[place] = Some(start);
             }
@@ -135,13 +131,14 @@ impl Journal {
     /// Adds the row of a file.
     pub(crate) fn add(&mut self, place: usize, stamp: &Stamp, row: &Row) -> Result<(), Error> {
         let is_lasting = stamp.bytes().is_some() && row.error_kind().as_deref() != Some("killed");
-        let about = json!({
-            "path": self.names[place],
-            "head": row.head,
-            "microseconds": row.microseconds,
+        let about = About {
+            path: self.names[place].clone(),
+            head: row.head.clone(),
+            microseconds: row.microseconds,
             // What may be otherwise next time fits no file then.
-            "stamp": if is_lasting { stamp.to_json() } else { json!("none") },
-        });
+            stamp: is_lasting.then(|| stamp.clone()),
+        };
+        let about = serde_json::to_string(&about).expect("lines have texts as keys");
         let start = self.append(&format!("{about}\t{}", row.answer));
         self.lines[place] = Some(start.map_err(|error| error.in_file(self.path.display().to_string()))?);
         Ok(())
@@ -222,20 +219,26 @@ fn unsealed(line: &[u8]) -> Option<&str> {
     (u64::from_str_radix(sum, 16).ok()? == xxh3_64(text.as_bytes())).then_some(text)
 }
 
+/// What a line says before the answer.
+#[derive(Serialize, Deserialize)]
+struct About {
+    path: PathText,
+    head: String,
+    microseconds: Option<u64>,
+    /// The state of the file then; none where the row may be otherwise next time.
+    stamp: Option<Stamp>,
+}
+
 /// The file that a line is about, and its state then.
-fn about(text: &str) -> Option<(PathBuf, Value)> {
-    let mut about: Value = serde_json::from_str(text.split_once('\t')?.0).ok()?;
-    Some((path_from_json(&about["path"])?, about["stamp"].take()))
+fn about(text: &str) -> Option<(PathBuf, Option<Stamp>)> {
+    let about: About = serde_json::from_str(text.split_once('\t')?.0).ok()?;
+    Some((about.path.into_path(), about.stamp))
 }
 
 fn row_of(text: &str) -> Option<Row> {
     let (about, answer) = text.split_once('\t')?;
-    let about: Value = serde_json::from_str(about).ok()?;
-    Some(Row {
-        head: about["head"].as_str()?.to_owned(),
-        microseconds: about["microseconds"].as_u64(),
-        answer: answer.to_owned(),
-    })
+    let about: About = serde_json::from_str(about).ok()?;
+    Some(Row { head: about.head, microseconds: about.microseconds, answer: answer.to_owned() })
 }
 
 #[cfg(test)]

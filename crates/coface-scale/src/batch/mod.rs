@@ -11,15 +11,18 @@ mod journal;
 mod row;
 mod table;
 
-pub use examination::{Reading, ReportRequest, error_to_json, examine, examine_with, report_on};
+pub use examination::{Reading, ReportRequest, examine, examine_with};
 pub use files::find_files;
-pub use flat::{Columns, flat_row};
+pub use flat::flat_line;
 pub use row::Row;
 pub use table::{TableFormat, csv_of_lines};
 
 use crate::workers::{Outcome, WorkerPool};
 use coface_algebra::Error;
+use examination::ReadingText;
+use flat::Columns;
 use journal::{Journal, Stamp};
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -181,13 +184,24 @@ impl Batch {
     fn options(&self, pool: &WorkerPool) -> String {
         let limits = pool.limits();
         let milliseconds = limits.time.map(|time| time.as_millis() as u64);
-        serde_json::json!({
-            "journal": 1,
-            "program": env!("CARGO_PKG_VERSION"),
-            "reading": self.reading.to_json(),
-            "memory": limits.memory,
-            "milliseconds": milliseconds,
-        })
-        .to_string()
+        let options = Options {
+            journal: 2,
+            program: env!("CARGO_PKG_VERSION"),
+            reading: ReadingText::of(self.reading),
+            memory: limits.memory,
+            milliseconds,
+        };
+        serde_json::to_string(&options).expect("options have texts as keys")
     }
+}
+
+/// What the rows of a journal depend on.
+#[derive(Serialize)]
+struct Options {
+    /// The version of the journal.
+    journal: u32,
+    program: &'static str,
+    reading: ReadingText,
+    memory: Option<u64>,
+    milliseconds: Option<u64>,
 }

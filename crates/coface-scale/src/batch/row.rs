@@ -2,6 +2,7 @@
 
 use crate::workers::Outcome;
 use coface_algebra::Error;
+use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::time::Duration;
@@ -19,6 +20,17 @@ pub struct Row {
 
 /// What an answer begins with that is an error: no other has that key.
 const ERROR: &str = "{\"error\":";
+
+/// The answer of a worker on a file that it could not serve.
+#[derive(Deserialize)]
+struct Failed {
+    error: Fault,
+}
+
+#[derive(Deserialize)]
+struct Fault {
+    kind: String,
+}
 
 impl Row {
     /// What became of the request for a report on this file of so many bytes.
@@ -40,8 +52,8 @@ impl Row {
         if !self.answer.starts_with(ERROR) {
             return None;
         }
-        let value: Value = serde_json::from_str(&self.answer).unwrap_or_default();
-        Some(value["error"]["kind"].as_str().unwrap_or("unknown").to_owned())
+        let failed: Option<Failed> = serde_json::from_str(&self.answer).ok();
+        Some(failed.map_or_else(|| "unknown".to_owned(), |failed| failed.error.kind))
     }
 
     /// The row as one object in a line: `path`, `bytes`, `seconds` if timings are asked for, `error` (null or `kind`, `message`, `cure`), then
@@ -60,7 +72,7 @@ impl Row {
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if the worker did not answer with an object.
-    pub fn to_json(&self, timings: bool) -> Result<Value, Error> {
+    pub(crate) fn to_json(&self, timings: bool) -> Result<Value, Error> {
         serde_json::from_str(&self.to_line(timings))
             .map_err(|error| Error::parse(format!("a worker answered what is no object: {error}")))
     }

@@ -1,7 +1,8 @@
 //! What is said about a cycle that the user gives.
 
-use crate::chains::{GivenChain, Naming};
+use crate::chains::GivenChain;
 use coface::algebra::chains::ChainComplex;
+use coface::answers::CellNames;
 use coface::answers::answer::{CycleClass, WholeNumber};
 use coface::topology::{Bounding, HomologyBasis};
 
@@ -15,13 +16,13 @@ pub(super) struct Verdict {
 pub(super) fn verdict(
     given: &GivenChain,
     basis: &HomologyBasis<'_>,
-    naming: &Naming<'_>,
+    naming: &CellNames<'_>,
     whole: &ChainComplex,
 ) -> Result<Verdict, coface::Error> {
-    let chain = naming.producer.chain(whole, &given.terms, given.degree)?;
+    let chain = naming.producer().chain(whole, &given.terms, given.degree)?;
     let cycle = naming.of_model(basis.complex(), &chain)?;
     if let Some((face, x)) = basis.complex().boundary(&cycle)?.terms().first() {
-        let name = naming.word(cycle.degree() - 1, face.index());
+        let name = naming.word(cycle.degree() - 1, *face);
         return Err(coface::Error::new(
             coface::ErrorKind::NotACycle,
             format!("this is no cycle: its boundary has the coefficient {x} on {name}"),

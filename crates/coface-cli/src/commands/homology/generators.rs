@@ -1,11 +1,11 @@
 //! Generators of homology and cohomology: as JSON, as a list, as a picture.
 
-use crate::chains::Naming;
 use crate::failure::Failure;
 use crate::output::write_json;
 use coface::CellId;
 use coface::algebra::Integer;
 use coface::algebra::chains::{Chain, ChainComplex};
+use coface::answers::CellNames;
 use coface::answers::answer::{GeneratorAnswer, GeneratorsFile, WholeNumber};
 use coface::io;
 use coface::io::Format;
@@ -15,11 +15,11 @@ use std::path::Path;
 /// The generators of each degree of the model, cycles or cocycles.
 pub(super) fn find(
     basis: &HomologyBasis<'_>,
-    naming: &Naming<'_>,
+    naming: &CellNames<'_>,
     coefficients: Coefficients,
     is_cohomology: bool,
 ) -> Vec<Vec<Found>> {
-    let degrees = naming.shift..basis.complex().degree_count();
+    let degrees = naming.shift()..basis.complex().degree_count();
     let of_degree = |degree| -> Vec<Found> {
         if is_cohomology {
             let cocycles = basis.cocycles_with(degree, coefficients).into_iter();
@@ -68,7 +68,7 @@ impl Found {
 
 /// The generators of each degree as `[{"order":0,"length":n,"chain":[[coefficient,[vertices..]],..]},..]`, with `"bounding"`
 /// where the order is finite.
-pub(super) fn answer(found: &[Vec<Found>], naming: &Naming<'_>) -> Vec<Vec<GeneratorAnswer>> {
+pub(super) fn answer(found: &[Vec<Found>], naming: &CellNames<'_>) -> Vec<Vec<GeneratorAnswer>> {
     let generator = |found: &Found| GeneratorAnswer {
         order: WholeNumber::of_order(found.order.as_ref()),
         length: WholeNumber::from(&found.length()),
@@ -79,7 +79,7 @@ pub(super) fn answer(found: &[Vec<Found>], naming: &Naming<'_>) -> Vec<Vec<Gener
 }
 
 /// One line for each generator, with its cells if they are few.
-pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &Naming<'_>) -> String {
+pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &CellNames<'_>) -> String {
     const MOST_CELLS: usize = 8;
     let what = if is_cohomology { "cocycle" } else { "cycle" };
     let mut page = String::new();
@@ -97,7 +97,7 @@ pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &Naming<'_
                         Some(-1) => "-".to_owned(),
                         _ => format!("{}{x} ", if x.signum() > 0 { "+" } else { "" }),
                     };
-                    format!("{sign}{}", naming.word(found.degree, cell.index()))
+                    format!("{sign}{}", naming.word(found.degree, *cell))
                 });
                 page += &format!(": {}", names.collect::<Vec<_>>().join(" "));
             }
@@ -111,7 +111,7 @@ pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &Naming<'_
 pub(super) fn save(
     place: &Path,
     found: &[Vec<Found>],
-    naming: &Naming<'_>,
+    naming: &CellNames<'_>,
     whole: &ChainComplex,
     generators: &[Vec<GeneratorAnswer>],
 ) -> Result<(), Failure> {
@@ -126,6 +126,6 @@ pub(super) fn save(
             named.push((format!("H{degree}_{i}_{order}"), chain));
         }
     }
-    let model = naming.producer.picture(&named)?;
+    let model = naming.producer().picture(&named)?;
     Ok(io::write_path(&model, place, None)?)
 }

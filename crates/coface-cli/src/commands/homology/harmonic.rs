@@ -1,10 +1,11 @@
 //! Harmonic cochains and Hodge decompositions.
 
-use crate::chains::{Naming, read_terms};
+use crate::chains::read_terms;
 use crate::failure::Failure;
 use coface::CellId;
 use coface::algebra::Sign;
 use coface::algebra::chains::{ChainComplex, Cochain};
+use coface::answers::CellNames;
 use coface::answers::answer::{HarmonicCochain, HodgeNorms, HodgeParts, RealTerm};
 use coface::topology::{HodgeSpace, HomologyBasis, MetricComplex};
 use serde_json::Value;
@@ -13,7 +14,7 @@ use std::path::Path;
 /// Harmonic cochains of all degrees, and a page that says how good they are.
 pub(super) fn cochains(
     basis: &HomologyBasis<'_>,
-    naming: &Naming<'_>,
+    naming: &CellNames<'_>,
 ) -> Result<(Vec<Vec<HarmonicCochain>>, String), Failure> {
     let metric = MetricComplex::new(basis.complex());
     let mut degrees = Vec::new();
@@ -42,13 +43,13 @@ pub(super) fn cochains(
 /// The three parts of a cochain from a file.
 pub(super) fn decomposition(
     complex: &ChainComplex,
-    naming: &Naming<'_>,
+    naming: &CellNames<'_>,
     file: &Path,
 ) -> Result<(HodgeParts, String), Failure> {
     let (degree, values) = read_terms(file, Value::as_f64)?;
     let in_file = |error: coface::Error| error.in_file(file.display().to_string());
     let lists = values.iter().map(|(_, vertices)| &vertices[..]);
-    let (degree, cells) = naming.producer.oriented_cells(complex, lists, degree).map_err(in_file)?;
+    let (degree, cells) = naming.producer().oriented_cells(complex, lists, degree).map_err(in_file)?;
     let signed = cells.into_iter().zip(&values).map(|((cell, sign), (value, _))| match sign {
         Sign::Plus => (cell, *value),
         Sign::Minus => (cell, -value),
@@ -74,7 +75,7 @@ pub(super) fn decomposition(
     Ok((object, page))
 }
 
-fn terms(cochain: &Cochain<f64>, naming: &Naming<'_>) -> Vec<RealTerm> {
-    let term = |&(cell, value): &(CellId, f64)| (value, naming.vertices(cochain.degree(), cell.index()));
+fn terms(cochain: &Cochain<f64>, naming: &CellNames<'_>) -> Vec<RealTerm> {
+    let term = |&(cell, value): &(CellId, f64)| (value, naming.vertices(cochain.degree(), cell));
     cochain.terms().iter().map(term).collect()
 }

@@ -9,7 +9,7 @@ mod products;
 mod sequence;
 
 use crate::arguments::{Common, ring};
-use crate::chains::{GivenChain, Naming};
+use crate::chains::GivenChain;
 use crate::commands::merge::Question;
 use crate::failure::Failure;
 use crate::input;
@@ -17,6 +17,7 @@ use crate::output::give;
 use crate::progress::Progress;
 use clap::Args;
 use coface::algebra::chains::ChainComplex;
+use coface::answers::CellNames;
 use coface::answers::answer::HomologyAnswer;
 use coface::answers::text;
 use coface::answers::{Pair, Producer, homology_of_volume};
@@ -111,7 +112,7 @@ impl Homology {
         let complex = pair.as_ref().map_or(&whole, Pair::chains);
         let augmented = if self.reduced { Some(complex.augmented()?) } else { None };
         let complex = augmented.as_ref().unwrap_or(complex);
-        let naming = Naming { producer: &producer, pair: pair.as_ref(), shift: usize::from(self.reduced) };
+        let naming = CellNames::of(&producer).within(pair.as_ref()).augmented(self.reduced);
         progress.stage("computing homology");
         let needs_basis = self.generators.is_some() || self.harmonic || !given.is_empty();
         let basis = needs_basis.then(|| HomologyBasis::new(complex));

@@ -11,9 +11,9 @@ use crate::progress::{Progress, remove_at_end};
 use crate::workers::{Task, core_count, pool};
 use clap::Args;
 use coface::Error;
+use coface::answers::answer::HomologyAnswer;
 use coface::scale::shards::ShardFolder;
 use coface::scale::workers::{Limits, Loss, bytes_text, parse_bytes};
-use coface::answers::answer::HomologyAnswer;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -434,7 +434,8 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         owners: task.owners.as_ref().map(PathBuf::from),
         grid: GridArguments { grid: task.grid.clone(), simplicial: task.simplicial },
     };
-    let format = task.format.as_deref().map(crate::arguments::format_of_name).transpose().map_err(Failure::new)?;
+    let format =
+        task.format.as_deref().map(crate::arguments::format_of_name).transpose().map_err(Failure::new)?;
     let common = Common {
         json: true,
         quiet: true,

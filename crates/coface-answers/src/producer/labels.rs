@@ -4,14 +4,14 @@ use coface_algebra::RaggedArray;
 
 /// The number in the file of each vertex `0..count`; facet lists may leave numbers out.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Labels {
+pub(crate) struct Labels {
     /// Rising; `None` when every vertex is its own label.
     numbers: Option<Vec<u32>>,
 }
 
 impl Labels {
     /// Renumbers the vertices of the lists to `0..count` in their order; gives the count along.
-    pub(super) fn compact(lists: &mut RaggedArray) -> (Self, usize) {
+    pub(crate) fn compact(lists: &mut RaggedArray) -> (Self, usize) {
         let mut numbers = lists.items().to_vec();
         numbers.sort_unstable();
         numbers.dedup();
@@ -26,12 +26,12 @@ impl Labels {
     }
 
     /// The number in the file of this vertex.
-    pub(super) fn of(&self, vertex: u32) -> u32 {
+    pub(crate) fn of(&self, vertex: u32) -> u32 {
         self.numbers.as_ref().map_or(vertex, |numbers| numbers[vertex as usize])
     }
 
     /// The numbers in the file of these vertices.
-    pub(super) fn of_all(&self, mut vertices: Vec<u32>) -> Vec<u32> {
+    pub(crate) fn of_all(&self, mut vertices: Vec<u32>) -> Vec<u32> {
         if self.numbers.is_some() {
             for vertex in &mut vertices {
                 *vertex = self.of(*vertex);

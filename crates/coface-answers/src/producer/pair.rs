@@ -1,7 +1,6 @@
 //! A model relative to a part of it.
 
-use super::Producer;
-use super::producer::Cells;
+use super::{Cells, Producer};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};

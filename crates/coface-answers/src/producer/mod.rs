@@ -1,7 +1,25 @@
-//! What makes the chain complex of a model.
+//! What makes the chain complex of a model, and the names of its cells.
+//!
+//! * A [`Producer`] is a model with the faces of its cells identified; it makes the chain complex.
+//! * [`CellNames`] names the cells of a complex that was made from it by the vertices of the file: in answers a chain
+//!   is a list of coefficients with such names. A [`Term`] is one of these as the user writes it.
+//! * A [`Pair`] is the complex relative to a subcomplex.
+//! * [`OrderedSimplices`] is the model as a delta complex, for products of cochains.
 
-use super::Labels;
-use super::volume::VolumeCells;
+mod cycles;
+mod labels;
+mod lookup;
+mod names;
+mod ordered_simplices;
+mod pair;
+
+pub use cycles::Term;
+pub(crate) use labels::Labels;
+pub use names::CellNames;
+pub use ordered_simplices::OrderedSimplices;
+pub use pair::Pair;
+
+use crate::volume::VolumeCells;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, TwoSkeleton};
@@ -33,14 +51,14 @@ use coface_io::{Model, ModelParts, Structure, segments};
 /// ```
 #[derive(Debug)]
 pub struct Producer {
-    pub(super) cells: Cells,
-    pub(super) labels: Labels,
-    pub(super) positions: Positions,
+    pub(crate) cells: Cells,
+    pub(crate) labels: Labels,
+    pub(crate) positions: Positions,
 }
 
 /// The structures that models become.
 #[derive(Debug)]
-pub(super) enum Cells {
+pub(crate) enum Cells {
     /// Polygons, edges and vertices.
     Polygons(PolygonMesh),
     /// 3-cells, faces, edges and vertices.

@@ -1,7 +1,6 @@
 //! Chains as the user writes and sees them: cells named by vertices of the file.
 
-use super::Producer;
-use super::producer::Cells;
+use super::{Cells, Producer};
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Error, VertexId};
 use coface_algebra::{Integer, Sign};

@@ -1,7 +1,6 @@
 //! Finding cells by their vertices.
 
-use super::Producer;
-use super::producer::Cells;
+use super::{Cells, Producer};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind};
 use std::collections::HashMap;

@@ -1,8 +1,7 @@
 //! Models as delta complexes, for products of cochains.
 
-use super::Producer;
-use super::producer::Cells;
-use super::simplices::{require_tetrahedra, require_triangles};
+use super::{Cells, Producer};
+use crate::simplices::{require_tetrahedra, require_triangles};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, FaceId};
 use coface_complexes::simplicial::{DeltaComplex, FrozenComplex};

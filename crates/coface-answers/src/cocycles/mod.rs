@@ -1,0 +1,373 @@
+//! First cohomology: a basis of integral cocycles dual to loops, harmonic forms, and the test of one cochain.
+//!
+//! * [`CocyclesRequest`] asks for a basis; [`FoundCocycles`] has it, makes the [`CocyclesAnswer`] and the model of the
+//!   edges with the values as data.
+//! * [`SurfaceCocycles`] is the part of it that needs a surface and nothing of its file, [`surface_harmonic_forms`] too.
+//! * [`tested_cochain`] says whether a [`GivenCochain`] is closed and exact.
+
+mod surface;
+mod testing;
+
+pub use surface::{SurfaceCocycles, surface_harmonic_forms};
+pub use testing::{GivenCochain, tested_cochain};
+
+use crate::answer::{CocyclesAnswer, HarmonicFormAnswer, LoopAnswer, LoopIntersections, Remark, WholeNumber};
+use crate::{CellNames, Producer, edge_lengths};
+use coface_algebra::chains::{Chain, ChainComplex, Cochain};
+use coface_algebra::progress::stage;
+use coface_algebra::{CellId, EdgeId, Error, ErrorKind, Integer, RaggedArray};
+use coface_complexes::surface::GeneralizedMap;
+use coface_io::{CellData, GroupKind, Model};
+use coface_topology::{HarmonicForm, HomologyBasis};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How cocycles are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CocycleBasisMethod {
+    /// By crossing the faces between loops, of a surface.
+    Crossing,
+    /// By slicing along loops, of a closed orientable surface.
+    Slicing,
+    /// By reduction of the chain complex, of any model.
+    General,
+}
+
+impl CocycleBasisMethod {
+    /// The word of the answer.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::CocycleBasisMethod::Slicing.name(), "slicing");
+    /// ```
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Crossing => "crossing",
+            Self::Slicing => "slicing",
+            Self::General => "general",
+        }
+    }
+}
+
+/// The weights of edges in the energy of harmonic forms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum EdgeWeights {
+    /// By the cotangents of the angles opposite to an edge, of triangles.
+    Cotangent,
+    /// 1 for each edge.
+    Uniform,
+}
+
+impl EdgeWeights {
+    /// The word of the answer.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::EdgeWeights::Cotangent.name(), "cotangent");
+    /// ```
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cotangent => "cotangent",
+            Self::Uniform => "uniform",
+        }
+    }
+}
+
+/// Asks for a basis of the first cohomology.
+///
+/// # Examples
+/// A triangle without its inside has one cocycle.
+/// ```
+/// use coface_answers::{CocyclesRequest, Producer};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+/// let found = CocyclesRequest::new().found(&rim)?;
+/// assert_eq!(found.answer("rim.json").rank, 1);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct CocyclesRequest {
+    method: Option<CocycleBasisMethod>,
+    is_harmonic: bool,
+    weights: Option<EdgeWeights>,
+}
+
+impl CocyclesRequest {
+    /// Asks for cocycles, by crossing on surfaces and in general elsewhere.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// How they are found; `None` is by crossing on surfaces, and in general elsewhere.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{CocycleBasisMethod, CocyclesRequest, Producer};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let disk = Producer::of(coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?)?;
+    /// let request = CocyclesRequest::new().method(Some(CocycleBasisMethod::General));
+    /// assert_eq!(request.found(&disk)?.method(), CocycleBasisMethod::General);
+    /// # Ok(()) }
+    /// ```
+    pub fn method(mut self, method: Option<CocycleBasisMethod>) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// Whether the harmonic form of each class is wanted.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let disk = Producer::of(coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().harmonic(true).found(&disk)?;
+    /// assert_eq!(found.answer("disk.json").edges.map(|edges| edges.len()), Some(3));
+    /// # Ok(()) }
+    /// ```
+    pub fn harmonic(mut self, is_harmonic: bool) -> Self {
+        self.is_harmonic = is_harmonic;
+        self
+    }
+
+    /// The weights of edges for harmonic forms; `None` is cotangents where they exist, with a remark where they do not.
+    pub fn weights(mut self, weights: Option<EdgeWeights>) -> Self {
+        self.weights = weights;
+        self
+    }
+
+    /// Finds the cocycles.
+    ///
+    /// # Errors
+    /// Those of [`Producer::two_skeleton`]; [`ErrorKind::NonManifold`] if a method of surfaces is asked for and the
+    /// model is none; [`ErrorKind::UnsupportedFormat`] if harmonic forms are asked for and the model is no surface.
+    pub fn found<'a>(&self, producer: &'a Producer) -> Result<FoundCocycles<'a>, Error> {
+        let skeleton = producer.two_skeleton()?;
+        let map = match (self.method, GeneralizedMap::new(skeleton)) {
+            (Some(CocycleBasisMethod::General), _) | (None, Err(_)) => None,
+            (_, Ok(map)) => Some(map),
+            (Some(_), Err(error)) => {
+                return Err(error.with_cure("take the method general, which serves for every model"));
+            }
+        };
+        let lengths = map.as_ref().and_then(|map| edge_lengths(map.skeleton(), producer.positions()));
+        let steps = stage("finding cocycles", 0);
+        let mut found = match &map {
+            Some(map) => {
+                let is_slicing = self.method == Some(CocycleBasisMethod::Slicing);
+                let on_surface = SurfaceCocycles::new(map, lengths.as_deref(), is_slicing)?;
+                FoundCocycles::of_surface(producer, map, &on_surface)
+            }
+            None => FoundCocycles::in_general(producer)?,
+        };
+        drop(steps);
+        if self.is_harmonic {
+            let _steps = stage("spreading harmonic forms", 0);
+            let Some(map) = &map else {
+                return Err(Error::new(
+                    ErrorKind::UnsupportedFormat,
+                    "harmonic one-forms with weights are for surfaces",
+                )
+                .with_cure(
+                    "ask for harmonic cochains of the complex: coface homology --cohomology --harmonic",
+                ));
+            };
+            let (weights, forms, remark) =
+                surface_harmonic_forms(map, &found.cocycles, lengths.as_deref(), self.weights)?;
+            let names = CellNames::of(producer);
+            let edges = (0..map.skeleton().edge_count()).map(CellId::new);
+            found.remarks.extend(remark);
+            found.harmonic =
+                Some(Harmonic { weights, edges: edges.map(|edge| names.vertices(1, edge)).collect(), forms });
+        }
+        Ok(found)
+    }
+}
+
+/// A basis of the first cohomology of a model.
+#[derive(Clone, Debug)]
+pub struct FoundCocycles<'a> {
+    producer: &'a Producer,
+    method: CocycleBasisMethod,
+    cocycles: Vec<Cochain<Integer>>,
+    loops: Vec<LoopAnswer>,
+    pairing: Vec<Vec<Integer>>,
+    determinant: Option<Integer>,
+    intersection: Option<(Vec<Vec<i64>>, Option<Integer>)>,
+    harmonic: Option<Harmonic>,
+    remarks: Vec<Remark>,
+}
+
+#[derive(Clone, Debug)]
+struct Harmonic {
+    weights: EdgeWeights,
+    edges: Vec<Vec<u32>>,
+    forms: Vec<HarmonicForm>,
+}
+
+impl<'a> FoundCocycles<'a> {
+    fn of_surface(producer: &'a Producer, map: &GeneralizedMap, found: &SurfaceCocycles) -> Self {
+        let names = CellNames::of(producer);
+        let basis = found.basis();
+        let walk = |walk: &coface_topology::ClosedWalk| {
+            let vertices = walk.vertices(map.skeleton());
+            LoopAnswer::Walk(vertices.into_iter().map(|vertex| names.vertex(vertex)).collect())
+        };
+        let row = |row: &Vec<i64>| row.iter().map(|&x| Integer::from(x)).collect();
+        Self {
+            producer,
+            method: if found.is_sliced() {
+                CocycleBasisMethod::Slicing
+            } else {
+                CocycleBasisMethod::Crossing
+            },
+            loops: basis.loops().iter().map(walk).collect(),
+            pairing: basis.pairing().iter().map(row).collect(),
+            determinant: basis.determinant().cloned(),
+            cocycles: basis.cocycles().to_vec(),
+            intersection: found
+                .intersection()
+                .map(|(matrix, determinant)| (matrix.to_vec(), determinant.cloned())),
+            harmonic: None,
+            remarks: Vec::new(),
+        }
+    }
+
+    /// The cocycles of a basis of homology, on the free loops of that basis.
+    fn in_general(producer: &'a Producer) -> Result<Self, Error> {
+        let complex = producer.chain_complex()?;
+        let mut found = Self {
+            producer,
+            method: CocycleBasisMethod::General,
+            cocycles: Vec::new(),
+            loops: Vec::new(),
+            pairing: Vec::new(),
+            determinant: Some(Integer::ONE),
+            intersection: None,
+            harmonic: None,
+            remarks: Vec::new(),
+        };
+        if complex.degree_count() < 2 {
+            return Ok(found);
+        }
+        let names = CellNames::of(producer);
+        let basis = HomologyBasis::new(&complex);
+        let free = basis.generators(1).iter().filter(|generator| generator.order().is_none());
+        let loops: Vec<&Chain<Integer>> = free.map(|generator| generator.chain()).collect();
+        let cocycles = basis.cocycles(1).into_iter().filter(|cocycle| cocycle.order().is_none());
+        found.cocycles = cocycles.map(|cocycle| cocycle.cochain().clone()).collect();
+        for cocycle in &found.cocycles {
+            let value = |chain: &&Chain<Integer>| Ok(cocycle.pairing(chain)?.unwrap_or_default());
+            found.pairing.push(loops.iter().map(value).collect::<Result<Vec<Integer>, Error>>()?);
+        }
+        let one = |i: usize, j: usize| if i == j { Integer::ONE } else { Integer::ZERO };
+        let mut rows = found.pairing.iter().enumerate();
+        let is_identity = found.pairing.len() == loops.len()
+            && rows.all(|(i, row)| row.iter().enumerate().all(|(j, x)| *x == one(i, j)));
+        found.determinant = is_identity.then_some(Integer::ONE);
+        found.loops = loops.iter().map(|chain| LoopAnswer::Cycle(names.terms(1, chain.terms()))).collect();
+        Ok(found)
+    }
+
+    /// How the cocycles were found.
+    pub fn method(&self) -> CocycleBasisMethod {
+        self.method
+    }
+
+    /// The cocycles.
+    pub fn cocycles(&self) -> &[Cochain<Integer>] {
+        &self.cocycles
+    }
+
+    /// What was assumed on the way.
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
+    }
+
+    /// The answer as plain data, with this name of the input.
+    pub fn answer(&self, file: &str) -> CocyclesAnswer {
+        let names = CellNames::of(self.producer);
+        let row = |row: &Vec<Integer>| row.iter().map(WholeNumber::from).collect();
+        let form = |form: &HarmonicForm| HarmonicFormAnswer {
+            values: form.values().as_slice().to_vec(),
+            closed_residual: form.closed_residual(),
+            coclosed_residual: form.coclosed_residual(),
+        };
+        let harmonic = self.harmonic.as_ref();
+        CocyclesAnswer {
+            file: file.to_owned(),
+            method: self.method,
+            rank: self.cocycles.len(),
+            pairing: self.pairing.iter().map(row).collect(),
+            determinant: self.determinant.as_ref().map(WholeNumber::from),
+            loops: self.loops.clone(),
+            cocycles: self.cocycles.iter().map(|cocycle| names.terms(1, cocycle.terms())).collect(),
+            intersection: self.intersection.as_ref().map(|(matrix, determinant)| LoopIntersections {
+                matrix: matrix.clone(),
+                determinant: determinant.as_ref().map(WholeNumber::from),
+            }),
+            weights: harmonic.map(|harmonic| harmonic.weights),
+            edges: harmonic.map(|harmonic| harmonic.edges.clone()),
+            harmonic: harmonic.map(|harmonic| harmonic.forms.iter().map(form).collect()),
+            remarks: self.remarks.clone(),
+        }
+    }
+
+    /// The model with all edges as lines and the values on them as data: `cocycle_1`, .. and `harmonic_1`, ..; a value
+    /// belongs to the direction of its line.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidArgument`] if the model has no positions, or a value is beyond 64 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let rim = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nl 3 1\n"[..], Format::Obj)?;
+    /// let rim = Producer::of(rim)?;
+    /// let model = CocyclesRequest::new().found(&rim)?.model()?;
+    /// assert_eq!(model.lines().len(), 3);
+    /// assert_eq!(model.data()[0].name(), "cocycle_1");
+    /// # Ok(()) }
+    /// ```
+    pub fn model(&self) -> Result<Model, Error> {
+        let producer = self.producer;
+        if producer.positions().is_empty() || !producer.names_cells_by_vertices() {
+            return Err(Error::invalid("the edges of the model have no positions to draw them at")
+                .with_cure("write the cocycles as .json"));
+        }
+        let complex = producer.chain_complex()?;
+        let mut model = Model::from_polygons(producer.positions().clone(), cells(producer, &complex, 2))?
+            .with_lines(cells(producer, &complex, 1))?;
+        let edge_count = model.lines().len();
+        for (cocycle, number) in self.cocycles.iter().zip(1..) {
+            let mut values = vec![0i64; edge_count];
+            for (edge, value) in cocycle.terms() {
+                values[edge.index()] = value.to_i64().ok_or_else(|| {
+                    Error::invalid(format!(
+                        "cocycle {number} has the value {value} on an edge, beyond 64 bits"
+                    ))
+                    .with_cure("write the cocycles as .json")
+                })?;
+            }
+            let name = format!("cocycle_{number}");
+            model = model.with_data(CellData::integers(name, GroupKind::Lines, 1, values)?)?;
+        }
+        let forms = self.harmonic.as_ref().map_or(&[][..], |harmonic| &harmonic.forms);
+        for (form, number) in forms.iter().zip(1..) {
+            let values = (0..edge_count).map(|edge| form.values()[EdgeId::new(edge)]).collect();
+            let name = format!("harmonic_{number}");
+            model = model.with_data(CellData::reals(name, GroupKind::Lines, 1, values)?)?;
+        }
+        Ok(model)
+    }
+}
+
+/// The cells of one degree, by their vertices.
+fn cells(producer: &Producer, complex: &ChainComplex, degree: usize) -> RaggedArray {
+    let count = if degree < complex.degree_count() { complex.cell_count(degree) } else { 0 };
+    RaggedArray::from_lists((0..count).map(|cell| producer.cell_vertices(degree, cell)))
+}
