@@ -59,7 +59,7 @@ pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3
         pure: Some(pure),
         components: mesh.components().count(),
         euler_characteristic: mesh.euler_characteristic(),
-        manifold: if verdict.is_manifold() { Answer::Yes } else { Answer::No },
+        manifold: Answer::of(verdict.to_bool()),
         closed: Some(verdict.is_closed()),
         witness: verdict.witness().map(|defect| witness(&mesh, defect)),
         orientable: orientation.is_orientable(),

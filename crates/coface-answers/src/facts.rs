@@ -52,6 +52,15 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// Yes, no, or unknown for `None`.
+    pub(crate) fn of(answer: Option<bool>) -> Self {
+        match answer {
+            Some(true) => Self::Yes,
+            Some(false) => Self::No,
+            None => Self::Unknown,
+        }
+    }
+
     /// `yes`, `no` or `unknown`.
     pub fn word(self) -> &'static str {
         match self {

@@ -4,9 +4,10 @@ use super::facts::{Answer, BoundaryPart, Report, Skin, Witness};
 use super::polygons::counted;
 use super::{Problem, ProblemKind};
 use crate::answer::{Remark, RemarkCode};
+use coface_algebra::CellId;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
-use coface_complexes::gluing::{FaceClasses, GluingOrientation, GluingTable, GluingVerdict, GluingWitness};
+use coface_complexes::gluing::{FaceClasses, GluingTable, GluingWitness};
 use coface_complexes::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
 use coface_topology::homology;
 
@@ -19,19 +20,19 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
     let mut problems = Vec::new();
     let verdict = table.manifold_verdict(faces)?;
     let witness = verdict.witness().map(|found| witness(found, faces));
-    if let (GluingVerdict::No(found), Some(witness)) = (&verdict, &witness) {
+    if let (Some(false), Some(found), Some(witness)) = (verdict.to_bool(), verdict.witness(), &witness) {
         problems.push(problem(found, witness, faces));
     }
     let orientation = table.orientation();
-    if let GluingOrientation::NonOrientable(chain) = &orientation {
-        problems.push(one_sided(table, faces, chain));
+    if let Some(cycle) = orientation.odd_cycle() {
+        problems.push(one_sided(table, faces, cycle.cells()));
     }
-    let components = table.components().into_iter().max().map_or(0, |last| last as usize + 1);
+    let components = table.components().count();
     let is_surface = table.dimension() == 2 && components > 0;
     let loops = if is_surface { Some(boundary_loops(table, faces)?) } else { None };
     // A table of triangles is a surface unless a side is glued to itself backwards.
     let surfaces = match is_surface {
-        true => GeneralizedMap::new(faces.two_skeleton()?).map_or(Vec::new(), |map| map.components()),
+        true => GeneralizedMap::new(faces.two_skeleton()?).map_or(Vec::new(), |map| map.surface_components()),
         false => Vec::new(),
     };
     let surface = match &surfaces[..] {
@@ -50,16 +51,12 @@ pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         shapes: shapes(table),
         components,
         euler_characteristic: chains.euler_characteristic(),
-        manifold: match &verdict {
-            GluingVerdict::Yes(_) => Answer::Yes,
-            GluingVerdict::No(_) => Answer::No,
-            _ => Answer::Unknown,
-        },
-        closed: Some(table.is_closed()),
+        manifold: Answer::of(verdict.to_bool()),
+        closed: Some(verdict.is_closed()),
         witness,
         boundary_loops: loops,
         skin: if table.dimension() == 3 && !table.is_closed() { Some(skin(table)?) } else { None },
-        orientable: (components > 0).then(|| orientation.is_orientable()),
+        orientable: orientation.is_orientable().filter(|_| components > 0),
         surface_type: surface,
         name: SurfaceComponent::names(&surfaces),
         surfaces,
@@ -120,9 +117,9 @@ fn boundary_loops(table: &GluingTable, faces: &FaceClasses) -> Result<Vec<Bounda
 /// The boundary surface of a table of tetrahedra: it is closed, and a surface before its vertices are identified.
 fn skin(table: &GluingTable) -> Result<Skin, Error> {
     let (boundary, triangles) = table.boundary_table()?;
-    let components = boundary.components().into_iter().max().map_or(0, |last| last as usize + 1);
+    let components = boundary.components().count();
     let euler_characteristic = boundary.faces()?.alternating_count();
-    let is_orientable = boundary.orientation().is_orientable();
+    let is_orientable = boundary.orientation().odd_cycle().is_none();
     let name = (components == 1).then(|| surface_type(euler_characteristic, is_orientable, 0).to_string());
     Ok(Skin { face_count: triangles.len(), components, euler_characteristic, is_manifold: true, name })
 }
@@ -150,12 +147,14 @@ fn problem(found: &GluingWitness, witness: &Witness, faces: &FaceClasses) -> Pro
 }
 
 /// A closed chain of simplices without orientation, each by its vertices and number.
-fn one_sided(table: &GluingTable, faces: &FaceClasses, chain: &[(usize, usize)]) -> Problem {
+fn one_sided(table: &GluingTable, faces: &FaceClasses, chain: &[CellId]) -> Problem {
     let message = format!(
         "no orientation can be chosen: a closed chain of {} comes back reversed",
         counted(chain.len(), "simplex", "simplices")
     );
-    let cells = RaggedArray::from_lists(chain.iter().map(|step| faces.vertices(table.dimension(), step.0)));
-    let tops = RaggedArray::from_lists(chain.iter().map(|step| [step.0 as u32]));
+    let cells = RaggedArray::from_lists(
+        chain.iter().map(|simplex| faces.vertices(table.dimension(), simplex.index())),
+    );
+    let tops = RaggedArray::from_lists(chain.iter().map(|simplex| [simplex.to_u32()]));
     Problem::new(ProblemKind::OneSidedChain, message, cells, tops, "cell")
 }

@@ -8,7 +8,7 @@ use coface_topology::homology;
 pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
     let complex = mesh.chain_complex().expect("a halfedge mesh has a chain complex");
     let map = mesh.two_skeleton().and_then(GeneralizedMap::new).expect("permutations are a surface");
-    let surfaces = map.components();
+    let surfaces = map.surface_components();
     let surface = match &surfaces[..] {
         [only] => only.surface(),
         _ => None,

@@ -125,7 +125,7 @@ fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels, exponent
         f_vector: mesh.f_vector(),
         shapes: polygon_shapes(mesh.polygons()),
         components: survey.components().count(),
-        manifold: if verdict.is_manifold() { Answer::Yes } else { Answer::No },
+        manifold: Answer::of(verdict.to_bool()),
         closed: Some(verdict.is_closed()),
         witness: verdict.witness().map(|defect| witness(mesh, defect, labels)),
         boundary_loops: Some(boundary_loops.collect()),

@@ -6,9 +6,7 @@ use super::{Problem, ProblemKind};
 use coface_algebra::Error;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{RaggedArray, UnionFind};
-use coface_complexes::simplicial::{
-    FrozenComplex, LinkFault, ManifoldVerdict, ManifoldWitness, Orientability, Simplex, orientability,
-};
+use coface_complexes::simplicial::{FrozenComplex, LinkFault, ManifoldWitness, Simplex, orientability};
 use coface_topology::homology;
 
 /// The report on a complex of dimension 3 or more.
@@ -20,31 +18,18 @@ pub(super) fn report(complex: &FrozenComplex) -> Result<Report, Error> {
     let dimension = complex.dimension().unwrap_or(0);
     let isolated = isolated(complex);
     let mut problems = Vec::new();
-    let (manifold, witness) = manifold(complex, &chains, &isolated, &mut problems)?;
-    let closed = !ridge_degrees(&chains, dimension).contains(&1);
-    let orientable = match orientability(&chains) {
-        Orientability::NonOrientable(cycle) => {
-            let facets: Vec<Vec<u32>> = cycle
-                .facets()
-                .iter()
-                .map(|&facet| complex.numbers(dimension, facet as usize).to_vec())
-                .collect();
-            let message = format!(
-                "no orientation can be chosen: a closed chain of {} comes back reversed",
-                counted(facets.len(), "facet", "facets")
-            );
-            let cells = RaggedArray::from_lists(facets);
-            problems.push(Problem::new(
-                ProblemKind::OneSidedChain,
-                message,
-                cells,
-                RaggedArray::new(),
-                "cell",
-            ));
-            Some(false)
-        }
-        other => other.to_bool(),
-    };
+    let (manifold, closed, witness) = manifold(complex, &chains, &isolated, &mut problems)?;
+    let orientation = orientability(&chains);
+    if let Some(cycle) = orientation.odd_cycle() {
+        let facets: Vec<Vec<u32>> =
+            cycle.cells().iter().map(|&facet| complex.numbers(dimension, facet.index()).to_vec()).collect();
+        let message = format!(
+            "no orientation can be chosen: a closed chain of {} comes back reversed",
+            counted(facets.len(), "facet", "facets")
+        );
+        let cells = RaggedArray::from_lists(facets);
+        problems.push(Problem::new(ProblemKind::OneSidedChain, message, cells, RaggedArray::new(), "cell"));
+    }
     let pure = maximal_dimensions_agree(&chains, dimension);
     if !isolated.is_empty() {
         problems.push(isolated_vertices(&isolated));
@@ -57,7 +42,7 @@ pub(super) fn report(complex: &FrozenComplex) -> Result<Report, Error> {
         manifold,
         closed: Some(closed),
         witness,
-        orientable,
+        orientable: orientation.is_orientable(),
         homology: homology(&chains).groups().to_vec(),
         problems,
         ..Report::of_nothing()
@@ -112,13 +97,13 @@ fn maximal_dimensions_agree(chains: &ChainComplex, dimension: usize) -> bool {
     (1..=dimension).all(|degree| !ridge_degrees(chains, degree).contains(&0))
 }
 
-/// The verdict on the complex without its isolated vertices, which do not count against it.
+/// The answer, whether there is no boundary, and the witness, for the complex without its isolated vertices, which do not count against it.
 fn manifold(
     complex: &FrozenComplex,
     chains: &ChainComplex,
     isolated: &[u32],
     problems: &mut Vec<Problem>,
-) -> Result<(Answer, Option<Witness>), Error> {
+) -> Result<(Answer, bool, Option<Witness>), Error> {
     let verdict = if isolated.is_empty() {
         complex.manifold_verdict_with(chains)
     } else {
@@ -128,12 +113,8 @@ fn manifold(
         }
         rest.manifold_verdict()?
     };
-    let answer = match &verdict {
-        ManifoldVerdict::Yes(_) => Answer::Yes,
-        ManifoldVerdict::No(_) => Answer::No,
-        _ => Answer::Unknown,
-    };
-    let Some(found) = verdict.witness() else { return Ok((answer, None)) };
+    let (answer, closed) = (Answer::of(verdict.to_bool()), verdict.is_closed());
+    let Some(found) = verdict.witness() else { return Ok((answer, closed, None)) };
     let witness = witness(found);
     if answer == Answer::No {
         let kind = match found.fault() {
@@ -151,7 +132,7 @@ fn manifold(
         }
         problems.push(Problem::new(kind, message, cells, RaggedArray::new(), "cell"));
     }
-    Ok((answer, Some(witness)))
+    Ok((answer, closed, Some(witness)))
 }
 
 fn witness(found: &ManifoldWitness) -> Witness {

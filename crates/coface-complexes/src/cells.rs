@@ -18,74 +18,94 @@ fn single_vertices(count: usize) -> Result<RaggedArray, Error> {
     RaggedArray::uniform(1, (0..count as u32).collect())
 }
 
+/// Methods of [`Cells`] that are the methods of the producer of the same name.
+macro_rules! own {
+    (@ chain_complex) => {
+        fn chain_complex(&self) -> Result<ChainComplex, Error> {
+            self.chain_complex()
+        }
+    };
+    (@ two_skeleton) => {
+        fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
+            self.two_skeleton()
+        }
+    };
+    (@ f_vector) => {
+        fn f_vector(&self) -> Result<Vec<usize>, Error> {
+            Ok(self.f_vector())
+        }
+    };
+    ($($method:ident),+) => {
+        $(own!(@ $method);)+
+    };
+}
+
+/// Methods of [`Cells`] that ask another producer, of which this one has the cells.
+macro_rules! through {
+    (@ chain_complex $producer:ident $cells:expr) => {
+        fn chain_complex(&self) -> Result<ChainComplex, Error> {
+            let $producer = self;
+            Cells::chain_complex($cells)
+        }
+    };
+    (@ two_skeleton $producer:ident $cells:expr) => {
+        fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
+            let $producer = self;
+            Cells::two_skeleton($cells)
+        }
+    };
+    (@ cell_vertices $producer:ident $cells:expr) => {
+        fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
+            let $producer = self;
+            Cells::cell_vertices($cells, degree)
+        }
+    };
+    (@ f_vector $producer:ident $cells:expr) => {
+        fn f_vector(&self) -> Result<Vec<usize>, Error> {
+            let $producer = self;
+            Cells::f_vector($cells)
+        }
+    };
+    ($($method:ident),+ : |$producer:ident| $cells:expr) => {
+        through!(@@ ($producer $cells) $($method)+);
+    };
+    (@@ $given:tt $($method:ident)+) => {
+        $(through!(@@@ $method $given);)+
+    };
+    (@@@ $method:ident ($producer:ident $cells:expr)) => {
+        through!(@ $method $producer $cells);
+    };
+}
+
 /// Vertices keep their names: the cell i of degree 0 is the vertex with the i-th name.
 impl Cells for FrozenComplex {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.two_skeleton()
-    }
+    own!(chain_complex, two_skeleton, f_vector);
 
     /// The vertices of each simplex, rising.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         RaggedArray::uniform(degree + 1, self.flat(degree).to_vec())
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 /// Simplices in lexicographic order; vertices keep their names.
 impl Cells for SimplicialComplex {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.freeze().two_skeleton()
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.freeze().cell_vertices(degree)
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
+    own!(chain_complex, f_vector);
+    through!(two_skeleton, cell_vertices: |producer| &producer.freeze());
 }
 
 impl Cells for DeltaComplex {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.two_skeleton()
-    }
+    own!(chain_complex, two_skeleton, f_vector);
 
     /// The vertices of each simplex in its order; one may stand several times.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         let cells = 0..self.simplex_count(degree);
         RaggedArray::uniform(degree + 1, cells.flat_map(|cell| self.vertices(degree, cell)).collect())
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 /// The classes of faces, or the simplices of the barycentric subdivision if a class is folded.
 impl Cells for FaceClasses {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.two_skeleton()
-    }
+    own!(chain_complex, two_skeleton);
 
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         if self.has_folds() {
@@ -105,31 +125,11 @@ impl Cells for FaceClasses {
 
 /// The cells are the [`FaceClasses`] of the table.
 impl Cells for GluingTable {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.faces()?.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.faces()?.two_skeleton()
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.faces()?.cell_vertices(degree)
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        self.faces()?.f_vector()
-    }
+    through!(chain_complex, two_skeleton, cell_vertices, f_vector: |producer| &producer.faces()?);
 }
 
 impl Cells for PolygonMesh {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.two_skeleton()
-    }
+    own!(chain_complex, two_skeleton, f_vector);
 
     /// Polygons with their corners in order.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
@@ -140,20 +140,10 @@ impl Cells for PolygonMesh {
             _ => Ok(RaggedArray::new()),
         }
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 impl Cells for HalfedgeMesh {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.two_skeleton()
-    }
+    own!(chain_complex, two_skeleton, f_vector);
 
     /// A face lists the sources of its halfedges.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
@@ -168,39 +158,16 @@ impl Cells for HalfedgeMesh {
             _ => Ok(RaggedArray::new()),
         }
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 /// The cells are those of [`GeneralizedMap::skeleton`].
 impl Cells for GeneralizedMap {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.skeleton().chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        Ok(self.skeleton().clone())
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.skeleton().cell_vertices(degree)
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
+    own!(f_vector);
+    through!(chain_complex, two_skeleton, cell_vertices: |producer| producer.skeleton());
 }
 
 impl Cells for CellMesh {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.two_skeleton()
-    }
+    own!(chain_complex, two_skeleton, f_vector);
 
     /// Cells with their corners as they were given.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
@@ -209,104 +176,45 @@ impl Cells for CellMesh {
             _ => self.skeleton().cell_vertices(degree),
         }
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 impl Cells for LarModel {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
+    own!(chain_complex, f_vector);
 
     /// Each list in the order that it was given in.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         Ok(self.cells(degree).into_owned())
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 impl Cells for CuboidGrid {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
+    own!(chain_complex, f_vector);
 
     /// The corners of each cell, rising.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         self.cells(degree)
     }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
-    }
 }
 
 /// The simplices of full dimension and all their faces, in lexicographic order.
 impl Cells for SimplicialGrid {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.to_frozen()?.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.to_frozen()?.two_skeleton()
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.to_frozen()?.cell_vertices(degree)
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.to_frozen()?.f_vector())
-    }
+    through!(chain_complex, two_skeleton, cell_vertices, f_vector: |producer| &producer.to_frozen()?);
 }
 
 /// The simplices, all their faces and all vertices, in lexicographic order.
 impl Cells for Extrusion {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.to_frozen()?.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.to_frozen()?.two_skeleton()
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.to_frozen()?.cell_vertices(degree)
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.to_frozen()?.f_vector())
-    }
+    through!(chain_complex, two_skeleton, cell_vertices, f_vector: |producer| &producer.to_frozen()?);
 }
 
 /// The cells are those of [`Prism::complex`].
 impl Cells for Prism {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
-
-    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        self.complex().two_skeleton()
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.complex().cell_vertices(degree)
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.complex().f_vector())
-    }
+    own!(chain_complex);
+    through!(two_skeleton, cell_vertices, f_vector: |producer| producer.complex());
 }
 
 /// The cells and all their faces, with all vertices.
 impl Cells for PlacedCells {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
+    own!(chain_complex);
 
     /// The lists of [`PlacedCells::skeleton`].
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
@@ -320,20 +228,12 @@ impl Cells for PlacedCells {
 
 /// The cells are those of [`ProductCells::into_placed_cells`], which refuses prisms over simplices.
 impl Cells for ProductCells {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.clone().into_placed_cells()?.chain_complex()
-    }
-
-    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
-        self.clone().into_placed_cells()?.cell_vertices(degree)
-    }
+    through!(chain_complex, cell_vertices: |producer| &producer.clone().into_placed_cells()?);
 }
 
 /// Voxels and all their faces, in the order of [`CubicalVolume::cell_ids`].
 impl Cells for CubicalVolume {
-    fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        self.chain_complex()
-    }
+    own!(chain_complex);
 
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         self.cell_vertices(degree)
@@ -352,72 +252,8 @@ mod tests {
     use crate::known_spaces;
     use crate::shapes::CellKind;
     use crate::simplicial::extrude;
+    use coface_algebra::samples::keeps_the_contract;
     use coface_geometry::Positions;
-    use std::collections::BTreeSet;
-
-    fn trimmed(counts: &[usize]) -> &[usize] {
-        let end = counts.iter().rposition(|&count| count > 0).map_or(0, |last| last + 1);
-        &counts[..end]
-    }
-
-    /// What holds for every producer. `has_paths`: the faces have paths around them.
-    fn keeps_the_contract(name: &str, cells: &dyn Cells, has_paths: bool) {
-        // Boundary of boundary is zero.
-        let chains = cells.chain_complex().unwrap();
-        ChainComplex::new(chains.boundary_matrices().to_vec())
-            .map(|again| assert_eq!(again, chains, "{name}"))
-            .unwrap_or_else(|_| assert!(chains.degree_count() <= 1, "{name}"));
-        let counts = cells.f_vector().unwrap();
-        assert_eq!(trimmed(&counts), trimmed(chains.f_vector()), "{name}");
-        let names = cells.cell_vertices(0).unwrap();
-        let lists: Vec<RaggedArray> =
-            (0..=counts.len()).map(|degree| cells.cell_vertices(degree).unwrap()).collect();
-        for (degree, lists) in lists.iter().enumerate() {
-            assert_eq!(lists.len(), chains.cell_count(degree), "{name} in degree {degree}");
-        }
-        for list in names.iter() {
-            assert_eq!(list.len(), 1, "{name}");
-        }
-        let set =
-            |degree: usize, cell: usize| lists[degree].list(cell).iter().copied().collect::<BTreeSet<u32>>();
-        for degree in 1..counts.len() {
-            for cell in 0..chains.cell_count(degree) {
-                let column = chains.boundary_matrix(degree).unwrap().column(cell);
-                // Facets that cancel, as of a loop, leave fewer in the boundary than there are.
-                for &facet in column.rows() {
-                    assert!(
-                        set(degree, cell).is_superset(&set(degree - 1, facet as usize)),
-                        "{name}: cell {cell}"
-                    );
-                }
-                if degree == 1 && column.rows().len() == 2 {
-                    let ends = lists[1]
-                        .list(cell)
-                        .iter()
-                        .map(|&end| names.items().iter().position(|&name| name == end).unwrap());
-                    let signs: Vec<i32> =
-                        ends.map(|end| chains.boundary_matrix(1).unwrap().entry(end, cell)).collect();
-                    assert_eq!(signs, [-1, 1], "{name}: edge {cell} runs from its source to its target");
-                }
-            }
-        }
-        let skeleton = cells.two_skeleton();
-        assert_eq!(skeleton.is_ok(), has_paths, "{name}");
-        let Ok(skeleton) = skeleton else { return };
-        let low = skeleton.chain_complex().unwrap();
-        for degree in 0..=2 {
-            assert_eq!(low.cell_count(degree), chains.cell_count(degree), "{name}");
-            if chains.cell_count(degree) > 0 {
-                assert_eq!(low.boundary_matrix(degree), chains.boundary_matrix(degree), "{name}");
-            }
-        }
-        for (face, list) in lists.get(2).into_iter().flat_map(|lists| lists.iter()).enumerate() {
-            let around = skeleton.cell_vertices(2).unwrap();
-            let around: BTreeSet<u32> =
-                around.list(face).iter().map(|&v| names.items()[v as usize]).collect();
-            assert_eq!(around, list.iter().copied().collect(), "{name}: face {face}");
-        }
-    }
 
     #[test]
     fn every_producer_keeps_the_contract() -> Result<(), Error> {

@@ -1,11 +1,12 @@
 //! Whether top cells agree, and whether they can be turned so that they do: one answer for faces, cells and facets.
 
-use coface_algebra::{Id, Sign};
+use coface_algebra::{CellId, Id, Sign};
 
 /// How the top cells of a complex are oriented and whether they can be oriented coherently.
 ///
 /// Two cells on a common facet agree when their boundaries run through it in opposite directions. The question is decided
-/// across the facets with exactly two cells; with a facet in three or more cells it has no answer.
+/// across the facets with exactly two cells; with a facet in three or more cells it has no answer. It is the one result for
+/// faces of surfaces, cells of meshes and of LAR models, facets of simplicial complexes and simplices of gluing tables.
 ///
 /// # Examples
 /// Two triangles that run through their common edge in the same direction:
@@ -22,11 +23,45 @@ use coface_algebra::{Id, Sign};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coherence<Cell, Facet> {
-    pub(crate) crowded_facet: Option<Facet>,
+    pub(crate) obstruction: Option<Obstruction<Cell, Facet>>,
     pub(crate) conflicts: Vec<Facet>,
     /// The sign of each cell that makes all agree; empty when all are plus, and when there is none.
     pub(crate) signs: Vec<Sign>,
     pub(crate) odd_cycle: Option<OddCycle<Cell, Facet>>,
+}
+
+/// Why the top cells of a complex have no orientation to ask for.
+///
+/// # Examples
+/// A book of three pages:
+/// ```
+/// use coface_algebra::CellId;
+/// use coface_complexes::{Obstruction, known_spaces};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let found = known_spaces::book(3)?.orientability()?;
+/// let (facet, cells) = (CellId::new(0), [0, 1, 2].map(CellId::new).to_vec());
+/// assert_eq!(found.obstruction(), Some(&Obstruction::CrowdedFacet { facet, cells }));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Obstruction<Cell, Facet> {
+    /// This facet lies in three top cells or more.
+    CrowdedFacet {
+        /// The facet.
+        facet: Facet,
+        /// All top cells that contain it, rising.
+        cells: Vec<Cell>,
+    },
+    /// This cell is maximal but not of the top dimension.
+    NotPure {
+        /// The dimension of the cell.
+        dimension: usize,
+        /// The cell.
+        cell: CellId,
+    },
+    /// The top cells have no facets, for the complex is empty or of dimension 0.
+    NoFacets,
 }
 
 /// A closed chain of top cells that cannot all agree: in a surface a Moebius band, possibly meeting itself in vertices.
@@ -86,8 +121,8 @@ impl<Cell, Facet> OddCycle<Cell, Facet> {
     }
 }
 
-impl<Cell: Id, Facet: Id> Coherence<Cell, Facet> {
-    /// Whether the cells can be turned so that all agree; `None` when a facet lies in three or more cells.
+impl<Cell: Id, Facet: Copy> Coherence<Cell, Facet> {
+    /// Whether the cells can be turned so that all agree; `None` with an [`Obstruction`].
     ///
     /// # Examples
     /// ```
@@ -100,10 +135,10 @@ impl<Cell: Id, Facet: Id> Coherence<Cell, Facet> {
     /// # Ok(()) }
     /// ```
     pub fn is_orientable(&self) -> Option<bool> {
-        self.crowded_facet.is_none().then_some(self.odd_cycle.is_none())
+        self.obstruction.is_none().then_some(self.odd_cycle.is_none())
     }
 
-    /// Whether all cells agree as they are listed; `None` when a facet lies in three or more cells.
+    /// Whether all cells agree as they are listed; `None` with an [`Obstruction`].
     ///
     /// # Examples
     /// ```
@@ -116,7 +151,7 @@ impl<Cell: Id, Facet: Id> Coherence<Cell, Facet> {
     /// # Ok(()) }
     /// ```
     pub fn is_coherent(&self) -> Option<bool> {
-        self.crowded_facet.is_none().then_some(self.conflicts.is_empty())
+        self.obstruction.is_none().then_some(self.conflicts.is_empty())
     }
 
     /// The first facet in three or more cells, for which the questions have no answer.
@@ -132,7 +167,24 @@ impl<Cell: Id, Facet: Id> Coherence<Cell, Facet> {
     /// # Ok(()) }
     /// ```
     pub fn crowded_facet(&self) -> Option<Facet> {
-        self.crowded_facet
+        match self.obstruction {
+            Some(Obstruction::CrowdedFacet { facet, .. }) => Some(facet),
+            _ => None,
+        }
+    }
+
+    /// Why the questions have no answer, where they have none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::{Obstruction, known_spaces};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = known_spaces::simplex_boundary(1)?;
+    /// assert_eq!(points.orientability()?.obstruction(), Some(&Obstruction::NoFacets));
+    /// # Ok(()) }
+    /// ```
+    pub fn obstruction(&self) -> Option<&Obstruction<Cell, Facet>> {
+        self.obstruction.as_ref()
     }
 
     /// The facets with exactly two cells that run through it in the same direction, rising.

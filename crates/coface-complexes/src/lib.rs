@@ -1,7 +1,7 @@
 //! Producers: cell complexes of every kind, and the chain complexes that they give.
 //!
 //! Every producer is a [`Cells`]: it has a chain complex, a 2-skeleton, the vertices of its cells and their counts. [`Coherence`]
-//! says whether the top cells agree, with an [`OddCycle`] where they cannot.
+//! says whether the top cells agree, with an [`OddCycle`] where they cannot; a [`Verdict`] says whether the space is a manifold.
 //!
 //! * [`simplicial`]: simplicial complexes of any dimension with star, closure, link and boundary; complexes with ordered simplices.
 //! * [`gluing`]: simplices with facets glued in pairs, and isomorphism signatures.
@@ -16,6 +16,7 @@
 pub mod cell_mesh;
 mod cells;
 mod coherence;
+mod components;
 pub mod cubical;
 pub mod gluing;
 pub mod grids;
@@ -24,6 +25,9 @@ pub mod lar;
 pub mod shapes;
 pub mod simplicial;
 pub mod surface;
+mod verdict;
 
 pub use cells::Cells;
-pub use coherence::{Coherence, OddCycle};
+pub use coherence::{Coherence, Obstruction, OddCycle};
+pub use components::Components;
+pub use verdict::{LinkFindings, Verdict};

@@ -8,10 +8,9 @@ use crate::model::Model;
 use crate::source::{Names, Naming};
 use crate::work::run;
 use coface::algebra::chains;
-use coface::algebra::{RaggedArray, Sign};
-use coface::complexes::simplicial::{
-    FrozenComplex, Orientability, Purity, Simplex, SimplexSet, SimplicialComplex, Verdict,
-};
+use coface::algebra::{CellId, RaggedArray};
+use coface::complexes::Obstruction;
+use coface::complexes::simplicial::{FrozenComplex, Purity, Simplex, SimplexSet, SimplicialComplex};
 use coface::io;
 use coface::io::Structure;
 use coface::{Error, VertexId};
@@ -362,7 +361,7 @@ impl Complex {
 
     /// The vertex sets of the connected components.
     fn components<'py>(&self, py: Python<'py>) -> Vec<Bound<'py, PyArray1<i64>>> {
-        let components = self.tree.components().into_iter();
+        let components = self.tree.components().members().into_iter();
         components.map(|part| arrays::id_array(py, part.into_iter().map(|vertex| vertex.to_u32()))).collect()
     }
 
@@ -415,16 +414,15 @@ impl Complex {
     #[pyo3(signature = (*, progress=None))]
     fn is_manifold(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<PyVerdict> {
         let verdict = run(py, progress, || Ok(self.frozen().manifold_verdict_with(self.chains()?)))?;
-        Ok(match verdict {
-            Verdict::Yes(certificate) => PyVerdict::yes(Some(certificate.is_closed())),
-            Verdict::No(ref witness) | Verdict::Unknown(ref witness) => PyVerdict {
+        Ok(match verdict.witness() {
+            None => PyVerdict::yes(Some(verdict.is_closed())),
+            Some(witness) => PyVerdict {
                 answer: verdict.to_bool(),
                 kind: Some(witness.fault().as_str().to_owned()),
                 message: Some(witness.message().to_owned()),
                 cells: witness.cells().iter().map(|simplex| simplex.numbers().to_vec()).collect(),
                 closed: None,
             },
-            _ => PyVerdict::unknown("undecided"),
         })
     }
 
@@ -449,36 +447,36 @@ impl Complex {
         let found = run(py, progress, || Ok(coface::complexes::simplicial::orientability(self.chains()?)))?;
         let frozen = self.frozen();
         let top = frozen.dimension().unwrap_or(0);
-        let name = |dimension: usize, cell: usize| frozen.numbers(dimension, cell).to_vec();
-        Ok(match found {
-            Orientability::Orientable(_) | Orientability::NoRidges => PyVerdict::yes(None),
-            Orientability::NonOrientable(cycle) => PyVerdict {
-                answer: Some(false),
-                kind: Some("odd_cycle".to_owned()),
-                message: Some(format!(
-                    "a closed chain of {} facets reverses orientation",
-                    cycle.facets().len()
-                )),
-                cells: cycle.facets().iter().map(|&facet| name(top, facet as usize)).collect(),
-                closed: None,
-            },
-            Orientability::Branching { ridge, facets } => PyVerdict {
-                answer: None,
-                kind: Some("branching_ridge".to_owned()),
-                message: Some(format!("a ridge lies in {} facets", facets.len())),
-                cells: std::iter::once(name(top - 1, ridge))
-                    .chain(facets.into_iter().map(|facet| name(top, facet)))
-                    .collect(),
-                closed: None,
-            },
-            Orientability::NotPure { dimension, cell } => PyVerdict {
-                answer: None,
-                kind: Some("not_pure".to_owned()),
-                message: Some(format!("a facet of dimension {dimension} is in no facet of dimension {top}")),
-                cells: vec![name(dimension, cell)],
-                closed: None,
-            },
-            _ => PyVerdict::unknown("undecided"),
+        let name = |dimension: usize, cell: CellId| frozen.numbers(dimension, cell.index()).to_vec();
+        let because = |answer: Option<bool>, kind: &str, message: String, cells: Vec<Vec<u32>>| PyVerdict {
+            answer,
+            kind: Some(kind.to_owned()),
+            message: Some(message),
+            cells,
+            closed: None,
+        };
+        if let Some(cycle) = found.odd_cycle() {
+            let message = format!("a closed chain of {} facets reverses orientation", cycle.cells().len());
+            let cells = cycle.cells().iter().map(|&facet| name(top, facet)).collect();
+            return Ok(because(Some(false), "odd_cycle", message, cells));
+        }
+        Ok(match found.obstruction() {
+            None | Some(Obstruction::NoFacets) => PyVerdict::yes(None),
+            Some(Obstruction::CrowdedFacet { facet, cells }) => {
+                let message = format!("a ridge lies in {} facets", cells.len());
+                let names = cells.iter().map(|&cell| name(top, cell));
+                because(
+                    None,
+                    "branching_ridge",
+                    message,
+                    std::iter::once(name(top - 1, *facet)).chain(names).collect(),
+                )
+            }
+            Some(&Obstruction::NotPure { dimension, cell }) => {
+                let message = format!("a facet of dimension {dimension} is in no facet of dimension {top}");
+                because(None, "not_pure", message, vec![name(dimension, cell)])
+            }
+            Some(_) => PyVerdict::unknown("undecided"),
         })
     }
 
@@ -495,13 +493,12 @@ impl Complex {
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyArray1<i64>>>> {
         let found = run(py, progress, || Ok(coface::complexes::simplicial::orientability(self.chains()?)))?;
-        Ok(match found {
-            Orientability::Orientable(orientation) => {
-                let signs = orientation.signs().iter().map(|sign: &Sign| i64::from(sign.to_i32())).collect();
-                Some(PyArray1::from_vec(py, signs))
-            }
-            _ => None,
-        })
+        Ok((found.is_orientable() == Some(true)).then(|| {
+            let frozen = self.frozen();
+            let count = frozen.dimension().map_or(0, |top| frozen.simplex_count(top));
+            let sign = |facet: usize| i64::from(found.sign(CellId::new(facet)).to_i32());
+            PyArray1::from_vec(py, (0..count).map(sign).collect())
+        }))
     }
 
     /// Both complexes side by side; vertices of the other get new numbers.

@@ -255,7 +255,7 @@ impl Surface {
     /// >>> coface.generate("moebius").surface().classify()[0]["name"]
     /// 'Moebius band'
     fn classify<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let components = self.map().components();
+        let components = self.map().surface_components();
         let dict = |component: &coface::complexes::surface::SurfaceComponent| {
             let surface = component.surface();
             let dict = PyDict::new(py);

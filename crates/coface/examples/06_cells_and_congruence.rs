@@ -35,7 +35,7 @@ fn main() -> Result<(), coface::Error> {
     let ring = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
     let edges = LarModel::new(8, vec![RaggedArray::from_lists(ring)])?.edge_boundaries()?;
     let face = oriented_boundary(&edges, &RaggedArray::from_lists([[0, 1, 2, 3, 4, 5, 6, 7]]))?;
-    assert_eq!(face.components(CellId::new(0)).len(), 2);
+    assert_eq!(face.boundary_components(CellId::new(0)).len(), 2);
 
     // A ball of tetrahedra, its surface, and what that encloses.
     let ball = shapes::ball(1.0, 8, CellKind::Simplex)?;

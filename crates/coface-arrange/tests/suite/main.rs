@@ -4,6 +4,7 @@ mod boolean_properties;
 mod booleans;
 mod congruence;
 mod congruence_rewrap;
+mod contract;
 #[cfg(feature = "graphblas-tests")]
 mod graphblas;
 mod planar_arrangements;

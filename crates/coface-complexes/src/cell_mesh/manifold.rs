@@ -5,24 +5,28 @@ use crate::surface::manifold::Scratch;
 use crate::surface::manifold::VertexCorners;
 use crate::surface::manifold::is_connected;
 use crate::surface::manifold::is_one_fan;
+use crate::verdict::{Decision, Verdict};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, EdgeId, FaceId, VertexId};
 use rayon::prelude::*;
 
-/// What the manifold test of a cell mesh found.
+/// Whether a cell mesh is a 3-manifold, with the faces, edges and vertices where it is none.
 ///
 /// A mesh is a 3-manifold, with or without boundary, when each face lies in one or two cells, the link of each edge is
 /// one path or cycle, and the link of each vertex that has an edge is a disk or a sphere. In dimension three this is
-/// decidable and the answer exact. Isolated vertices do not count against it.
+/// decidable and the answer exact. Isolated vertices do not count against it. The witness is the first of: a face in many
+/// cells, something loose, an edge, a vertex.
+pub type VolumeVerdict = Verdict<VolumeDefect, VolumeFindings>;
+
+/// The faces, edges and vertices that the manifold test of a cell mesh found.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VolumeVerdict {
+pub struct VolumeFindings {
     non_manifold_faces: Vec<FaceId>,
     loose_faces: Vec<FaceId>,
     loose_edges: Vec<EdgeId>,
     non_manifold_edges: Vec<EdgeId>,
     non_manifold_vertices: Vec<VertexId>,
     boundary_face_count: usize,
-    witness: Option<VolumeDefect>,
 }
 
 /// A place where a cell mesh is no 3-manifold.
@@ -66,40 +70,6 @@ pub enum VolumeDefect {
 }
 
 impl VolumeVerdict {
-    /// Whether the mesh is a 3-manifold, with or without boundary.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
-    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
-    /// let verdict = mesh.manifold_verdict();
-    /// assert!(verdict.is_manifold());
-    /// # Ok(()) }
-    /// ```
-    pub fn is_manifold(&self) -> bool {
-        self.witness.is_none()
-    }
-
-    /// Whether no face lies in exactly one cell, and nothing is loose.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
-    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
-    /// let verdict = mesh.manifold_verdict();
-    /// assert!(!verdict.is_closed());
-    /// # Ok(()) }
-    /// ```
-    pub fn is_closed(&self) -> bool {
-        self.boundary_face_count == 0 && self.loose_faces.is_empty() && self.loose_edges.is_empty()
-    }
-
     /// The faces in three or more cells, rising.
     ///
     /// # Examples
@@ -114,7 +84,7 @@ impl VolumeVerdict {
     /// # Ok(()) }
     /// ```
     pub fn non_manifold_faces(&self) -> &[FaceId] {
-        &self.non_manifold_faces
+        &self.findings.non_manifold_faces
     }
 
     /// The faces without a cell, rising.
@@ -131,7 +101,7 @@ impl VolumeVerdict {
     /// # Ok(()) }
     /// ```
     pub fn loose_faces(&self) -> &[FaceId] {
-        &self.loose_faces
+        &self.findings.loose_faces
     }
 
     /// The edges without a face, rising.
@@ -148,7 +118,7 @@ impl VolumeVerdict {
     /// # Ok(()) }
     /// ```
     pub fn loose_edges(&self) -> &[EdgeId] {
-        &self.loose_edges
+        &self.findings.loose_edges
     }
 
     /// The edges whose link is neither one path nor one cycle, rising; among them the sides of non-manifold and loose
@@ -166,7 +136,7 @@ impl VolumeVerdict {
     /// # Ok(()) }
     /// ```
     pub fn non_manifold_edges(&self) -> &[EdgeId] {
-        &self.non_manifold_edges
+        &self.findings.non_manifold_edges
     }
 
     /// The vertices whose link is neither a sphere nor a disk, rising; among them the ends of non-manifold edges.
@@ -183,7 +153,7 @@ impl VolumeVerdict {
     /// # Ok(()) }
     /// ```
     pub fn non_manifold_vertices(&self) -> &[VertexId] {
-        &self.non_manifold_vertices
+        &self.findings.non_manifold_vertices
     }
 
     /// The number of faces in exactly one cell.
@@ -200,25 +170,7 @@ impl VolumeVerdict {
     /// # Ok(()) }
     /// ```
     pub fn boundary_face_count(&self) -> usize {
-        self.boundary_face_count
-    }
-
-    /// The first place where the mesh is no manifold: a face in many cells, else something loose, else an edge, else a
-    /// vertex.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::cell_mesh::{CellMesh, CellShape};
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let corners = RaggedArray::from_lists([[0, 1, 2, 3]]);
-    /// let mesh = CellMesh::new(4, vec![CellShape::Tetrahedron], corners, &RaggedArray::new(), &[])?;
-    /// let verdict = mesh.manifold_verdict();
-    /// assert!(verdict.witness().is_none());
-    /// # Ok(()) }
-    /// ```
-    pub fn witness(&self) -> Option<&VolumeDefect> {
-        self.witness.as_ref()
+        self.findings.boundary_face_count
     }
 }
 
@@ -354,14 +306,17 @@ impl CellMesh {
                 has_boundary: on_boundary[vertex.index()],
             })
         };
-        VolumeVerdict {
-            non_manifold_faces,
-            loose_faces,
-            loose_edges,
-            non_manifold_edges,
-            non_manifold_vertices,
-            boundary_face_count,
-            witness,
+        Verdict {
+            decision: Decision::of(witness),
+            is_closed: boundary_face_count == 0 && loose_faces.is_empty() && loose_edges.is_empty(),
+            findings: VolumeFindings {
+                non_manifold_faces,
+                loose_faces,
+                loose_edges,
+                non_manifold_edges,
+                non_manifold_vertices,
+                boundary_face_count,
+            },
         }
     }
 

@@ -2,7 +2,8 @@
 
 use crate::cell_mesh::face_identification::{CellSides, FaceTable, identify_faces};
 use crate::cell_mesh::shape::CellShape;
-use crate::surface::{Components, PolygonMesh};
+use crate::components::Components;
+use crate::surface::PolygonMesh;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, FaceId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};

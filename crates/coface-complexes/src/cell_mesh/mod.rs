@@ -19,7 +19,7 @@ mod shape;
 mod two_skeleton;
 
 pub use boundary::{BoundarySurface, VolumeOrientation};
-pub use manifold::{VolumeDefect, VolumeVerdict};
+pub use manifold::{VolumeDefect, VolumeFindings, VolumeVerdict};
 pub use measure::{CellVolumes, cell_volumes};
 pub use mesh::CellMesh;
 pub use shape::CellShape;

@@ -116,18 +116,15 @@ impl GluingTable {
     /// ```
     pub fn isomorphism_signature(&self) -> Result<String, Error> {
         check_dimension(self.dimension())?;
-        let components = self.components();
-        let mut parts = vec![Vec::new(); components.iter().max().map_or(0, |&last| last as usize + 1)];
-        for (simplex, &component) in components.iter().enumerate() {
-            parts[component as usize].push(simplex as u32);
-        }
+        let parts = self.components().members();
         let orders: Vec<Vec<u8>> = (0..factorial(self.dimension() + 1))
             .map(|place| unrank(self.dimension() + 1, place).iter().map(|&image| image as u8).collect())
             .collect();
         let mut labeling = Labeling::new(self);
         let mut texts: Vec<Vec<u8>> = Vec::with_capacity(parts.len());
-        for part in &parts {
-            texts.extend(labeling.least_text(part, &orders));
+        for part in parts {
+            let part: Vec<u32> = part.into_iter().map(|simplex| simplex.to_u32()).collect();
+            texts.extend(labeling.least_text(&part, &orders));
         }
         texts.sort_unstable();
         if texts.is_empty() {

@@ -2,27 +2,16 @@
 
 use crate::gluing::faces::FaceClasses;
 use crate::gluing::table::GluingTable;
-use crate::simplicial::Verdict;
 use crate::simplicial::collapse::is_seen_as_ball;
 use crate::simplicial::collapse::is_seen_as_sphere;
 use crate::simplicial::manifold::homology_sizes;
+use crate::verdict::{Decision, LinkFindings, Verdict};
 use coface_algebra::Error;
 use std::fmt;
 
 /// Whether the space of a gluing table is a manifold, with or without boundary: yes if every vertex link is a sphere or a ball
 /// and no class is folded.
-pub type GluingVerdict = Verdict<GluingCertificate, GluingWitness>;
-
-/// What a table was seen to be when its space is a manifold.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct GluingCertificate {
-    /// The number of facets without gluing.
-    pub boundary_facet_count: usize,
-    /// How many links of dimension 3 and more were collapsed to show that they are spheres or balls; links of lower
-    /// dimension are told by their Euler characteristic.
-    pub collapsed_link_count: usize,
-}
+pub type GluingVerdict = Verdict<GluingWitness, LinkFindings>;
 
 /// What is wrong with a face class or its link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -101,14 +90,11 @@ struct LinkSurface {
 
 impl LinkSurface {
     fn of(table: &GluingTable) -> Result<Self, Error> {
-        let boundary_count = if table.is_closed() {
-            0
-        } else {
-            table.boundary_table()?.0.components().into_iter().max().map_or(0, |last| last as usize + 1)
-        };
+        let boundary_count =
+            if table.is_closed() { 0 } else { table.boundary_table()?.0.components().count() };
         Ok(Self {
             euler_characteristic: table.faces()?.alternating_count(),
-            is_orientable: table.orientation().is_orientable(),
+            is_orientable: table.orientation().odd_cycle().is_none(),
             boundary_count,
         })
     }
@@ -172,16 +158,23 @@ impl GluingTable {
     /// ```
     pub fn manifold_verdict(&self, faces: &FaceClasses) -> Result<GluingVerdict, Error> {
         self.check_faces(faces)?;
-        let mut certificate = GluingCertificate {
-            boundary_facet_count: self.boundary_facets().count(),
-            collapsed_link_count: 0,
-        };
+        let boundary_facet_count = self.boundary_facets().count();
+        let mut findings = LinkFindings { boundary_facet_count, collapsed_link_count: 0 };
+        let decision = self.decide(faces, &mut findings)?;
+        Ok(Verdict { decision, is_closed: boundary_facet_count == 0, findings })
+    }
+
+    fn decide(
+        &self,
+        faces: &FaceClasses,
+        findings: &mut LinkFindings,
+    ) -> Result<Decision<GluingWitness>, Error> {
         if self.dimension() <= 2 {
             // Vertex links are connected curves.
-            return Ok(GluingVerdict::Yes(certificate));
+            return Ok(Decision::Yes);
         }
         if let Some(degree) = (1..self.dimension()).find(|&degree| faces.folded(degree).next().is_some()) {
-            return Ok(GluingVerdict::No(folded(faces, degree)));
+            return Ok(Decision::No(folded(faces, degree)));
         }
         if self.dimension() == 3 {
             // A connected surface is a sphere or a disk when its Euler characteristic is that of one.
@@ -189,9 +182,9 @@ impl GluingTable {
             let found = link_euler_characteristics(faces);
             let ideal: Vec<usize> =
                 (0..found.len()).filter(|&vertex| found[vertex] != right(vertex)).collect();
-            let Some(&first) = ideal.first() else { return Ok(GluingVerdict::Yes(certificate)) };
+            let Some(&first) = ideal.first() else { return Ok(Decision::Yes) };
             let link = LinkSurface::of(self.vertex_links(faces)?[first].table())?;
-            return Ok(GluingVerdict::No(GluingWitness {
+            return Ok(Decision::No(GluingWitness {
                 fault: GluingFault::LinkNotASphere,
                 degree: 0,
                 message: format!(
@@ -204,7 +197,7 @@ impl GluingTable {
         let mut unknown = None;
         for (vertex, link) in links.iter().enumerate() {
             match recognize(link.table())? {
-                None => certificate.collapsed_link_count += 1,
+                None => findings.collapsed_link_count += 1,
                 Some((fault, message)) => {
                     let witness = GluingWitness {
                         fault,
@@ -213,13 +206,13 @@ impl GluingTable {
                         message: format!("the link of vertex {vertex} {message}"),
                     };
                     if fault != GluingFault::LinkNotRecognized {
-                        return Ok(GluingVerdict::No(witness));
+                        return Ok(Decision::No(witness));
                     }
                     unknown.get_or_insert(witness);
                 }
             }
         }
-        Ok(unknown.map_or(GluingVerdict::Yes(certificate), GluingVerdict::Unknown))
+        Ok(unknown.map_or(Decision::Yes, Decision::Unknown))
     }
 }
 
@@ -262,7 +255,7 @@ fn recognize(link: &GluingTable) -> Result<Option<(GluingFault, String)>, Error>
     let faces = link.faces()?;
     let dimension = link.dimension();
     let verdict = link.manifold_verdict(&faces)?;
-    if let GluingVerdict::No(witness) = &verdict {
+    if let Decision::No(witness) = &verdict.decision {
         return Ok(Some((GluingFault::LinkNotAManifold, format!("is no manifold: in it, {witness}"))));
     }
     let chains = faces.chain_complex()?;

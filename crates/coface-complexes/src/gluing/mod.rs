@@ -17,8 +17,8 @@ mod table;
 
 pub use faces::FaceClasses;
 pub use links::VertexLink;
-pub use manifold::{GluingCertificate, GluingFault, GluingVerdict, GluingWitness};
-pub use orientation::GluingOrientation;
+pub use manifold::{GluingFault, GluingVerdict, GluingWitness};
+pub use orientation::{GluedFacet, GluingOrientation};
 #[doc(hidden)]
 pub use table::different_rows;
 #[doc(hidden)]

@@ -1,25 +1,34 @@
 //! Orientation of gluing tables.
 
+use crate::coherence::{Coherence, OddCycle};
 use crate::gluing::table::GluingTable;
-use coface_algebra::Sign;
+use coface_algebra::{CellId, Sign};
 use std::collections::VecDeque;
 
 /// Whether the simplices of a gluing table can be oriented so that all gluings reverse the orientation of facets.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum GluingOrientation {
-    /// They can. Minus stands for the simplices whose vertex order 0, 1, ... is to be taken with an odd permutation; the
-    /// first simplex of each component has plus.
-    Orientable(Vec<Sign>),
-    /// They cannot: here is a closed chain of simplices along which the orientation comes back reversed. Each simplex
-    /// stands with the facet over which the next one, and after the last the first, is reached.
-    NonOrientable(Vec<(usize, usize)>),
-}
+///
+/// The sign minus stands for the simplices whose vertex order 0, 1, ... is to be taken with an odd permutation; the first
+/// simplex of each component has plus. A simplex of an odd cycle stands with its own facet over which the next is reached.
+pub type GluingOrientation = Coherence<CellId, GluedFacet>;
 
-impl GluingOrientation {
-    /// Whether an orientation was found.
-    pub fn is_orientable(&self) -> bool {
-        matches!(self, Self::Orientable(_))
-    }
+/// A facet of one simplex of a gluing table.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::CellId;
+/// use coface_complexes::gluing::{GluedFacet, GluingTable};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let mut band = GluingTable::unglued(2, 1)?;
+/// band.glue(0, 2, 0, &[1, 2, 0])?;
+/// assert_eq!(band.orientation().conflicts(), [GluedFacet { simplex: CellId::new(0), opposite: 0 }]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct GluedFacet {
+    /// The simplex.
+    pub simplex: CellId,
+    /// The number of the vertex of the simplex that is opposite to the facet.
+    pub opposite: usize,
 }
 
 impl GluingTable {
@@ -31,18 +40,29 @@ impl GluingTable {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::gluing::{GluingOrientation, GluingTable};
+    /// use coface_complexes::gluing::GluingTable;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let mut band = GluingTable::unglued(2, 1)?;
     /// band.glue(0, 2, 0, &[1, 2, 0])?;
-    /// assert_eq!(band.orientation(), GluingOrientation::NonOrientable(vec![(0, 0)]));
+    /// assert_eq!(band.orientation().odd_cycle().map(|cycle| cycle.cells().len()), Some(1));
     /// let mut cone = GluingTable::unglued(2, 1)?;
     /// cone.glue(0, 0, 0, &[1, 0, 2])?;
-    /// assert!(cone.orientation().is_orientable());
+    /// assert_eq!(cone.orientation().is_orientable(), Some(true));
     /// # Ok(()) }
     /// ```
     pub fn orientation(&self) -> GluingOrientation {
         let count = self.simplex_count();
+        let mut found =
+            Coherence { obstruction: None, conflicts: Vec::new(), signs: Vec::new(), odd_cycle: None };
+        for i in 0..count {
+            for f in 0..=self.dimension() {
+                let Some((j, images)) = self.neighbor(i, f) else { continue };
+                // Each gluing once, from its lower side.
+                if (i, f) <= (j, images[f] as usize) && permutation_sign(images) == Sign::Plus {
+                    found.conflicts.push(GluedFacet { simplex: CellId::new(i), opposite: f });
+                }
+            }
+        }
         let mut signs: Vec<Option<Sign>> = vec![None; count];
         // The simplex and facet from which each was reached.
         let mut parents: Vec<Option<(usize, usize)>> = vec![None; count];
@@ -64,15 +84,26 @@ impl GluingTable {
                             queue.push_back((j, across));
                         }
                         Some(known) if known != across => {
-                            return GluingOrientation::NonOrientable(self.closed_chain(&parents, (i, f), j));
+                            let chain = self.closed_chain(&parents, (i, f), j);
+                            found.odd_cycle = Some(OddCycle {
+                                cells: chain.iter().map(|&(simplex, _)| CellId::new(simplex)).collect(),
+                                facets: chain
+                                    .into_iter()
+                                    .map(|(simplex, opposite)| GluedFacet {
+                                        simplex: CellId::new(simplex),
+                                        opposite,
+                                    })
+                                    .collect(),
+                            });
+                            return found;
                         }
                         Some(_) => {}
                     }
                 }
             }
         }
-        let signs = signs.into_iter().map(|sign| sign.expect("every simplex was reached")).collect();
-        GluingOrientation::Orientable(signs)
+        found.signs = signs.into_iter().map(|sign| sign.expect("every simplex was reached")).collect();
+        found
     }
 
     /// The chain from where the tree paths to two simplices part, to the first, over its facet to the second, and back.

@@ -9,9 +9,9 @@
 //! see [`FaceClasses`]. A class may be identified with itself by another order of its vertices (an edge with its own
 //! reverse); it is **folded** then.
 
+use crate::components::Components;
 use crate::gluing::faces::FaceClasses;
-use coface_algebra::Permutation;
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::{CellId, Error, ErrorKind, Permutation, UnionFind, narrow};
 use std::fmt;
 
 /// The highest dimension of a gluing table.
@@ -369,11 +369,10 @@ impl GluingTable {
         !self.neighbors.contains(&NONE)
     }
 
-    /// The number of the connected component of each simplex; components are numbered in the order of their first
-    /// simplices. Two simplices are connected when facets are glued along a path between them.
+    /// The connected components of the simplices. Two simplices are connected when facets are glued along a path between them.
     ///
     /// # Complexity
-    /// Linear.
+    /// Nearly linear, by union-find over the gluings.
     ///
     /// # Examples
     /// ```
@@ -381,30 +380,17 @@ impl GluingTable {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let mut table = GluingTable::unglued(1, 3)?;
     /// table.glue(0, 0, 2, &[1, 0])?;
-    /// assert_eq!(table.components(), [0, 1, 0]);
+    /// assert_eq!(table.components().numbers(), [0, 1, 0]);
     /// # Ok(()) }
     /// ```
-    pub fn components(&self) -> Vec<u32> {
-        let mut components = vec![NONE; self.simplex_count()];
-        let (mut next, mut stack) = (0, Vec::new());
-        for root in 0..components.len() {
-            if components[root] != NONE {
-                continue;
+    pub fn components(&self) -> Components<CellId> {
+        let mut partition = UnionFind::new(self.simplex_count());
+        for i in 0..self.simplex_count() {
+            for (j, _) in (0..=self.dimension).filter_map(|f| self.neighbor(i, f)) {
+                partition.unite(narrow(i), narrow(j));
             }
-            components[root] = next;
-            stack.push(root);
-            while let Some(i) = stack.pop() {
-                for f in 0..=self.dimension {
-                    let Some((j, _)) = self.neighbor(i, f) else { continue };
-                    if components[j] == NONE {
-                        components[j] = next;
-                        stack.push(j);
-                    }
-                }
-            }
-            next += 1;
         }
-        components
+        Components::of_partition(partition)
     }
 
     /// The same table with its simplices and their vertices named anew: simplex i becomes `simplices.image(i)`, and its

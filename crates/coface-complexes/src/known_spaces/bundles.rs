@@ -56,7 +56,7 @@ pub fn sphere_bundle_over_circle(dimension: u32, vertex_count: u32) -> Result<Si
 /// let circle = known_spaces::circle(3)?;
 /// let bottle = known_spaces::mapping_torus(&circle, |v| VertexId::new((3 - v.index()) % 3))?;
 /// assert_eq!(bottle.f_vector(), [9, 27, 18]);
-/// assert_eq!(bottle.orientability()?.to_bool(), Some(false));
+/// assert_eq!(bottle.orientability()?.is_orientable(), Some(false));
 /// # Ok(()) }
 /// ```
 pub fn mapping_torus(

@@ -146,7 +146,7 @@ impl LarModel {
             (Some(cell), None) => Err(Error::invalid(format!(
                 "the boundary of {} has {} components, whose signs only positions relate",
                 self.cell_name(degree, cell.to_u32()),
-                cells.components(cell).len()
+                cells.boundary_components(cell).len()
             ))
             .with_cure("give the positions of the vertices")),
         }

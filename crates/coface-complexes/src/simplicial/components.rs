@@ -1,6 +1,7 @@
-//! Components: what hangs together, through vertices or through faces of a given dimension.
+//! Components: what is connected, through vertices or through faces of a given dimension.
 
 use super::{Simplex, SimplicialComplex};
+use crate::components::Components;
 use coface_algebra::UnionFind;
 use coface_algebra::VertexId;
 
@@ -19,7 +20,7 @@ impl Simplex {
 }
 
 impl SimplicialComplex {
-    /// The vertices of each connected component, rising; components are in the order of their least vertices.
+    /// The connected components, in the order of their least vertices.
     ///
     /// # Complexity
     /// Nearly linear in vertices and edges.
@@ -30,10 +31,11 @@ impl SimplicialComplex {
     /// use coface_complexes::simplicial::SimplicialComplex;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let complex = SimplicialComplex::from_facets([vec![0, 4], vec![1], vec![2, 3, 4]])?;
-    /// assert_eq!(complex.components(), [[0, 2, 3, 4].map(VertexId::new).to_vec(), vec![VertexId::new(1)]]);
+    /// let components = complex.components();
+    /// assert_eq!(components.members(), [[0, 2, 3, 4].map(VertexId::new).to_vec(), vec![VertexId::new(1)]]);
     /// # Ok(()) }
     /// ```
-    pub fn components(&self) -> Vec<Vec<VertexId>> {
+    pub fn components(&self) -> Components {
         let vertices: Vec<VertexId> = self.vertices().collect();
         let position = |v: u32| {
             vertices.binary_search(&VertexId::from_u32(v)).expect("ends of edges are vertices") as u32
@@ -42,7 +44,7 @@ impl SimplicialComplex {
         for edge in self.simplices(1) {
             partition.unite(position(edge.numbers()[0]), position(edge.numbers()[1]));
         }
-        classes(vertices, &mut partition)
+        Components::of_cells(vertices, partition)
     }
 
     /// The classes of the simplices of one dimension that chains of s-adjacent ones connect, each in lexicographic
@@ -145,7 +147,12 @@ mod tests {
             prop_assert_eq!(k.strong_components(), strong);
             let vertices: Vec<VertexId> = k.vertices().collect();
             let edge = |a: &VertexId, b: &VertexId| a == b || k.contains(&Simplex::new([*a, *b]).unwrap());
-            prop_assert_eq!(k.components(), spread(&vertices, edge));
+            let expected = spread(&vertices, edge);
+            let components = k.components();
+            prop_assert_eq!(components.members(), &expected[..]);
+            for (number, members) in expected.iter().enumerate() {
+                prop_assert!(members.iter().all(|&vertex| components.of(vertex) == number));
+            }
         }
     }
 }

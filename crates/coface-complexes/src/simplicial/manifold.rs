@@ -7,7 +7,8 @@
 
 use super::collapse::{is_seen_as_ball, is_seen_as_sphere};
 use super::orientation::maximal_below_top;
-use super::{FrozenComplex, Simplex, SimplicialComplex, Verdict};
+use super::{FrozenComplex, Simplex, SimplicialComplex};
+use crate::verdict::{Decision, LinkFindings, Verdict};
 use coface_algebra::Error;
 use coface_algebra::chains::{ChainComplex, MorseComplex};
 use coface_algebra::progress::stage;
@@ -16,28 +17,10 @@ use rayon::prelude::*;
 use std::fmt;
 
 /// Whether a complex is a combinatorial manifold, with or without boundary: yes if every link is a sphere or a ball.
-pub type ManifoldVerdict = Verdict<ManifoldCertificate, ManifoldWitness>;
+pub type ManifoldVerdict = Verdict<ManifoldWitness, LinkFindings>;
 
-/// What a complex was seen to be when it is a manifold.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct ManifoldCertificate {
-    /// The dimension; `None` for the empty complex, which is a manifold of every dimension.
-    pub dimension: Option<usize>,
-    /// The number of ridges (simplices one dimension below the top) in one facet only. The vertices of the boundary are
-    /// those of these ridges: they are the ones whose link is a ball.
-    pub boundary_ridge_count: usize,
-    /// How many links of dimension 3 and more were collapsed to show that they are spheres or balls; links of lower
-    /// dimension need no certificate.
-    pub collapsed_link_count: usize,
-}
-
-impl ManifoldCertificate {
-    /// Whether the manifold has no boundary.
-    pub fn is_closed(&self) -> bool {
-        self.boundary_ridge_count == 0
-    }
-}
+/// Why a test stops: no or unknown.
+type Refusal = Box<Decision<ManifoldWitness>>;
 
 /// What is wrong with a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -336,34 +319,42 @@ impl FrozenComplex {
     /// If `chains` has other numbers of cells than this complex.
     pub fn manifold_verdict_with(&self, chains: &ChainComplex) -> ManifoldVerdict {
         assert_eq!(chains.f_vector(), self.f_vector(), "the chain complex is that of this complex");
+        let mut findings = LinkFindings { boundary_facet_count: 0, collapsed_link_count: 0 };
+        // The empty complex is a manifold of every dimension.
         let Some(dimension) = self.dimension() else {
-            return ManifoldVerdict::Yes(ManifoldCertificate {
-                dimension: None,
-                boundary_ridge_count: 0,
-                collapsed_link_count: 0,
-            });
+            return Verdict { decision: Decision::Yes, is_closed: true, findings };
         };
-        match test(&Cells { complex: self, chains, dimension }) {
-            Ok(certificate) => ManifoldVerdict::Yes(certificate),
-            Err(verdict) => *verdict,
-        }
+        findings.boundary_facet_count = boundary_ridge_count(chains, dimension);
+        let decision = match test(&Cells { complex: self, chains, dimension }, &mut findings) {
+            Ok(()) => Decision::Yes,
+            Err(refusal) => *refusal,
+        };
+        Verdict { decision, is_closed: findings.boundary_facet_count == 0, findings }
     }
 }
 
-fn no(witness: ManifoldWitness) -> Box<ManifoldVerdict> {
-    Box::new(ManifoldVerdict::No(witness))
+/// The number of ridges in one facet only.
+fn boundary_ridge_count(chains: &ChainComplex, dimension: usize) -> usize {
+    let Some(boundary) = chains.boundary_matrix(dimension) else { return 0 };
+    let mut degrees = vec![0u8; boundary.row_count()];
+    for &ridge in boundary.rows() {
+        let degree = &mut degrees[ridge as usize];
+        *degree = degree.saturating_add(1);
+    }
+    degrees.iter().filter(|&&degree| degree == 1).count()
 }
 
-fn test(cells: &Cells<'_>) -> Result<ManifoldCertificate, Box<ManifoldVerdict>> {
+fn no(witness: ManifoldWitness) -> Refusal {
+    Box::new(Decision::No(witness))
+}
+
+fn test(cells: &Cells<'_>, findings: &mut LinkFindings) -> Result<(), Refusal> {
     let n = cells.dimension;
-    let mut certificate =
-        ManifoldCertificate { dimension: Some(n), boundary_ridge_count: 0, collapsed_link_count: 0 };
     if n == 0 {
-        return Ok(certificate);
+        return Ok(());
     }
     test_purity(cells)?;
     let ridges = Ridges::new(cells).map_err(|(ridge, count)| branching(cells, ridge, count))?;
-    certificate.boundary_ridge_count = ridges.boundary_count;
     if n >= 2 {
         test_connected_links(cells, &ridges, 2)?;
     }
@@ -394,15 +385,15 @@ fn test(cells: &Cells<'_>) -> Result<ManifoldCertificate, Box<ManifoldVerdict>> 
             }
             unknown.get_or_insert_with(|| links.witness(cells, degree, cell, LinkFault::LinkNotRecognized));
         }
-        certificate.collapsed_link_count += links.count();
+        findings.collapsed_link_count += links.count();
     }
     match unknown {
-        Some(witness) => Err(Box::new(ManifoldVerdict::Unknown(witness))),
-        None => Ok(certificate),
+        Some(witness) => Err(Box::new(Decision::Unknown(witness))),
+        None => Ok(()),
     }
 }
 
-fn test_purity(cells: &Cells<'_>) -> Result<(), Box<ManifoldVerdict>> {
+fn test_purity(cells: &Cells<'_>) -> Result<(), Refusal> {
     let Some((degree, maximal)) = maximal_below_top(cells.chains) else { return Ok(()) };
     let simplex = cells.named(degree, maximal[0]);
     Err(no(ManifoldWitness {
@@ -416,7 +407,7 @@ fn test_purity(cells: &Cells<'_>) -> Result<(), Box<ManifoldVerdict>> {
     }))
 }
 
-fn branching(cells: &Cells<'_>, ridge: usize, count: usize) -> Box<ManifoldVerdict> {
+fn branching(cells: &Cells<'_>, ridge: usize, count: usize) -> Refusal {
     let n = cells.dimension;
     let facets: Vec<u32> = (0..cells.facet_count() as u32)
         .filter(|&facet| (0..=n).any(|position| cells.face(n, facet as usize, position) == ridge))
@@ -434,11 +425,7 @@ fn branching(cells: &Cells<'_>, ridge: usize, count: usize) -> Box<ManifoldVerdi
 }
 
 /// Each star of a simplex of this codimension is connected through ridges.
-fn test_connected_links(
-    cells: &Cells<'_>,
-    ridges: &Ridges,
-    codimension: usize,
-) -> Result<(), Box<ManifoldVerdict>> {
+fn test_connected_links(cells: &Cells<'_>, ridges: &Ridges, codimension: usize) -> Result<(), Refusal> {
     let n = cells.dimension;
     let corners = subsets(n + 1, codimension);
     require_size(cells, corners.len())?;
@@ -488,11 +475,11 @@ fn test_connected_links(
 }
 
 /// More corners than a union-find holds cannot be told apart.
-fn require_size(cells: &Cells<'_>, corners_of_facet: usize) -> Result<(), Box<ManifoldVerdict>> {
+fn require_size(cells: &Cells<'_>, corners_of_facet: usize) -> Result<(), Refusal> {
     if cells.facet_count().saturating_mul(corners_of_facet) < 1 << 31 {
         return Ok(());
     }
-    Err(Box::new(ManifoldVerdict::Unknown(ManifoldWitness {
+    Err(Box::new(Decision::Unknown(ManifoldWitness {
         fault: LinkFault::TooLarge,
         cells: Vec::new(),
         count: 0,
@@ -505,7 +492,7 @@ fn require_size(cells: &Cells<'_>, corners_of_facet: usize) -> Result<(), Box<Ma
 }
 
 /// The links of codimension 3, which are connected surfaces by now, are spheres or disks.
-fn test_surface_links(cells: &Cells<'_>, ridges: &Ridges) -> Result<(), Box<ManifoldVerdict>> {
+fn test_surface_links(cells: &Cells<'_>, ridges: &Ridges) -> Result<(), Refusal> {
     let n = cells.dimension;
     let degree = n - 3;
     let mut euler_characteristic = vec![0i64; cells.chains.cell_count(degree)];
@@ -691,7 +678,7 @@ mod tests {
                 _ => Kind::Neither,
             };
         }
-        if !is_manifold(link, dimension) || link.components().len() != 1 {
+        if !is_manifold(link, dimension) || link.components().count() != 1 {
             return Kind::Neither;
         }
         let closed = vertex_kinds(link, dimension).all(|k| k == Kind::Sphere);
@@ -743,18 +730,20 @@ mod tests {
             let expected = complex.dimension().is_none_or(|n| is_manifold(&complex, n));
             let verdict = complex.manifold_verdict().unwrap();
             prop_assert_eq!(verdict.to_bool(), Some(expected), "{:?}", verdict);
-            match verdict {
-                ManifoldVerdict::Yes(certificate) => {
+            let boundary_facet_count = verdict.findings().boundary_facet_count();
+            prop_assert_eq!(verdict.is_closed(), boundary_facet_count == 0);
+            match &verdict.decision {
+                Decision::Yes => {
                     let boundary = complex.boundary_complex(&complex).unwrap();
-                    prop_assert_eq!(certificate.is_closed(), boundary.is_empty());
+                    prop_assert_eq!(verdict.is_closed(), boundary.is_empty());
                     if let Some(n) = boundary.dimension() {
-                        prop_assert_eq!(certificate.boundary_ridge_count, boundary.simplex_count(n));
+                        prop_assert_eq!(boundary_facet_count, boundary.simplex_count(n));
                         prop_assert!(boundary.boundary_complex(&boundary).unwrap().is_empty());
                         prop_assert_eq!(boundary.manifold_verdict().unwrap().to_bool(), Some(true));
                     }
                 }
-                ManifoldVerdict::No(witness) => check_witness(&complex, &witness),
-                ManifoldVerdict::Unknown(_) => prop_assert!(false),
+                Decision::No(witness) => check_witness(&complex, witness),
+                Decision::Unknown(_) => prop_assert!(false),
             }
         }
     }
@@ -769,7 +758,7 @@ mod tests {
             LinkFault::NotPure => assert!(link.is_empty() && first.dimension() < n),
             LinkFault::BranchingRidge => assert!(rest.len() == link.len() && rest.len() > 2),
             LinkFault::LinkNotConnected => {
-                let parts = link.components();
+                let parts = link.components().members();
                 assert!(parts.len() == rest.len() && rest.len() > 1);
                 for facet in rest {
                     let own = facet.difference(first).unwrap().vertices().next().unwrap();
@@ -812,14 +801,18 @@ mod tests {
     #[test]
     fn certificates_say_what_was_seen() {
         let verdict = |complex: SimplicialComplex| complex.manifold_verdict().unwrap();
-        let ManifoldVerdict::Yes(ball) = verdict(known_spaces::simplex(4).unwrap()) else { panic!("a ball") };
-        assert_eq!((ball.dimension, ball.boundary_ridge_count, ball.collapsed_link_count), (Some(4), 5, 5));
-        let ManifoldVerdict::Yes(empty) = verdict(SimplicialComplex::new()) else { panic!("empty") };
-        assert!(empty.is_closed() && empty.dimension.is_none());
-        let ManifoldVerdict::Yes(plane) = verdict(known_spaces::complex_projective_plane().unwrap()) else {
-            panic!("a 4-manifold")
-        };
-        assert!(plane.is_closed() && plane.collapsed_link_count == 9);
+        let ball = verdict(known_spaces::simplex(4).unwrap());
+        assert!(ball.is_manifold() && !ball.is_closed());
+        assert_eq!(ball.findings(), &LinkFindings { boundary_facet_count: 5, collapsed_link_count: 5 });
+        let empty = verdict(SimplicialComplex::new());
+        assert!(empty.is_manifold() && empty.is_closed());
+        let plane = verdict(known_spaces::complex_projective_plane().unwrap());
+        assert!(plane.is_manifold() && plane.is_closed());
+        assert_eq!(plane.findings().collapsed_link_count(), 9);
+        // Where the answer is no, the boundary is known all the same: a page has three free edges.
+        let book = verdict(known_spaces::book(3).unwrap());
+        assert_eq!((book.to_bool(), book.is_closed()), (Some(false), false));
+        assert_eq!(book.findings().boundary_facet_count(), 6);
     }
 
     /// The homology sphere of Poincare is no sphere; nothing here may say it is.

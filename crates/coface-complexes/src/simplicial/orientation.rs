@@ -5,8 +5,9 @@
 //! with a common (k-1)-face **agree** when they induce opposite orientations on it: ijk agrees with jil, not with ijl.
 
 use super::SimplicialComplex;
+use crate::coherence::{Coherence, Obstruction, OddCycle};
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{Error, VertexId};
+use coface_algebra::{CellId, Error, VertexId, narrow};
 use coface_algebra::{Sign, SparseMatrix, UnionFind};
 use std::collections::VecDeque;
 
@@ -81,101 +82,28 @@ fn permutation_sign(from: &[VertexId], to: &[VertexId]) -> Sign {
     Sign::power_of_minus_one(inversions)
 }
 
-/// Whether the facets of a complex can be oriented so that all neighbors agree.
-///
-/// Facets and ridges are given by their numbers: their places among the cells of their dimension, which for simplices are
-/// in lexicographic order.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Orientability {
-    /// They can; here is how.
-    Orientable(Orientation),
-    /// They cannot; here is a closed chain of facets along which the orientation comes back reversed.
-    NonOrientable(OddFacetCycle),
-    /// The question has no sense: this ridge lies in three facets or more.
-    Branching {
-        /// The number of the ridge.
-        ridge: usize,
-        /// The numbers of all facets that contain it, rising.
-        facets: Vec<usize>,
-    },
-    /// The question has no sense: this cell is maximal but not of the top dimension.
-    NotPure {
-        /// The dimension of the cell.
-        dimension: usize,
-        /// The number of the cell.
-        cell: usize,
-    },
-    /// The question has no sense: there are no ridges, for the complex is empty or of dimension 0.
-    NoRidges,
-}
-
-impl Orientability {
-    /// Yes, no, or `None` when the question has no sense.
-    pub fn to_bool(&self) -> Option<bool> {
-        match self {
-            Self::Orientable(_) => Some(true),
-            Self::NonOrientable(_) => Some(false),
-            _ => None,
-        }
-    }
-}
-
-/// A consistent orientation: a sign for each facet relative to its own order of vertices.
-///
-/// The lowest facet of each strongly connected component has the sign plus; the signs of a component may be reversed
-/// together and nothing else may change.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Orientation {
-    signs: Vec<Sign>,
-    components: Vec<u32>,
-    component_count: usize,
-}
-
-impl Orientation {
-    /// The sign of each facet.
-    pub fn signs(&self) -> &[Sign] {
-        &self.signs
-    }
-
-    /// The strongly connected component of each facet, numbered by their lowest facets.
-    pub fn components(&self) -> &[u32] {
-        &self.components
-    }
-
-    /// The number of strongly connected components.
-    pub fn component_count(&self) -> usize {
-        self.component_count
-    }
-}
-
-/// A closed chain of facets $f_0, r_0, f_1, r_1, \dots, f_0$ around which the orientation is reversed: why a complex is
-/// not orientable.
-///
-/// Ridge $r_i$ is common to $f_i$ and $f_{i+1}$; no facet is repeated, and two facets share a ridge only when they are
-/// neighbors in the chain. In dimension 2 its closure may be a Moebius band; see [`Self::is_embedded_moebius_band`].
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OddFacetCycle {
-    facets: Vec<u32>,
-    ridges: Vec<u32>,
-    embedded: Option<bool>,
-}
-
-impl OddFacetCycle {
-    /// The numbers of the facets, in order around the chain.
-    pub fn facets(&self) -> &[u32] {
-        &self.facets
-    }
-
-    /// The numbers of the ridges: each facet shares the ridge at its own position with the next facet.
-    pub fn ridges(&self) -> &[u32] {
-        &self.ridges
-    }
-
-    /// Whether the closure of the chain was found to be an embedded Moebius band: Euler characteristic 0 and one boundary
-    /// circle on a connected surface that is not orientable. `None` where this is not asked (dimensions other than 2).
-    pub fn is_embedded_moebius_band(&self) -> Option<bool> {
-        self.embedded
+impl OddCycle<CellId, CellId> {
+    /// Whether the closure of an odd cycle of faces of this 2-complex is an embedded Moebius band: a surface of Euler
+    /// characteristic 0 with one boundary circle. `None` for a complex of another dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let band = known_spaces::triangle_strip(5)?;
+    /// let found = band.orientability()?;
+    /// let cycle = found.odd_cycle().expect("a Moebius band is not orientable");
+    /// assert_eq!(cycle.is_embedded_moebius_band(&band.chain_complex()?), Some(true));
+    /// # Ok(()) }
+    /// ```
+    pub fn is_embedded_moebius_band(&self, complex: &ChainComplex) -> Option<bool> {
+        let (Some(2), Some(faces), Some(edges)) =
+            (complex.dimension(), complex.boundary_matrix(2), complex.boundary_matrix(1))
+        else {
+            return None;
+        };
+        let band: Vec<u32> = self.cells.iter().map(|&cell| narrow(cell.index())).collect();
+        Some(is_one_band(faces, edges, &band))
     }
 }
 
@@ -192,22 +120,21 @@ impl SimplicialComplex {
     /// # Examples
     /// ```
     /// use coface_complexes::known_spaces;
-    /// use coface_complexes::simplicial::Orientability;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let Orientability::NonOrientable(cycle) = known_spaces::triangle_strip(5)?.orientability()? else {
-    ///     panic!("a Moebius band is not orientable");
-    /// };
-    /// assert_eq!(cycle.facets().len(), 5);
-    /// assert_eq!(cycle.is_embedded_moebius_band(), Some(true));
+    /// let found = known_spaces::triangle_strip(5)?.orientability()?;
+    /// assert_eq!(found.is_orientable(), Some(false));
+    /// assert_eq!(found.odd_cycle().map(|cycle| cycle.cells().len()), Some(5));
     /// # Ok(()) }
     /// ```
-    pub fn orientability(&self) -> Result<Orientability, Error> {
+    pub fn orientability(&self) -> Result<Coherence<CellId, CellId>, Error> {
         Ok(orientability(&self.chain_complex()?))
     }
 }
 
 /// Whether the cells of the top dimension of a regular cell complex can be oriented consistently. Each row of the last
-/// boundary matrix that is in one column is boundary, each in two is to cancel; the entries are units.
+/// boundary matrix that is in one column is boundary, each in two is to cancel; the entries are units. Cells and facets are
+/// given by their places among the cells of their dimension; the lowest cell of each strongly connected component has the
+/// sign plus. In an odd cycle two cells share a facet only when they are neighbors in it.
 ///
 /// Breadth first over the facets from the lowest of each component. A neighbor met again with the wrong sign closes an
 /// odd cycle through the tree, which is then cut short along every ridge that joins two of its facets.
@@ -226,22 +153,15 @@ impl SimplicialComplex {
 ///     SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?,
 ///     SparseMatrix::from_entries(2, 2, [(0, 0, 1), (1, 0, -1), (0, 1, 1), (1, 1, -1)])?,
 /// ])?;
-/// assert_eq!(orientability(&sphere).to_bool(), Some(true));
+/// assert_eq!(orientability(&sphere).is_orientable(), Some(true));
 /// # Ok(()) }
 /// ```
-pub fn orientability(complex: &ChainComplex) -> Orientability {
-    let Some(dimension) = complex.dimension() else { return Orientability::NoRidges };
+pub fn orientability(complex: &ChainComplex) -> Coherence<CellId, CellId> {
+    let Some(dimension) = complex.dimension() else { return refused(Obstruction::NoFacets) };
     if let Some((dimension, cells)) = maximal_below_top(complex) {
-        return Orientability::NotPure { dimension, cell: cells[0] };
+        return refused(Obstruction::NotPure { dimension, cell: CellId::new(cells[0]) });
     }
-    let Some(boundary) = complex.boundary_matrix(dimension) else { return Orientability::NoRidges };
-    let mut result = orient_columns(boundary);
-    if let (Orientability::NonOrientable(cycle), 2, Some(edges)) =
-        (&mut result, dimension, complex.boundary_matrix(1))
-    {
-        cycle.embedded = Some(is_one_band(boundary, edges, &cycle.facets));
-    }
-    result
+    complex.boundary_matrix(dimension).map_or_else(|| refused(Obstruction::NoFacets), orient_columns)
 }
 
 /// The cells of the lowest dimension below the top in which some are a face of no other cell; none if the complex is pure.
@@ -309,37 +229,35 @@ fn is_one_band(faces: &SparseMatrix, edges: &SparseMatrix, band: &[u32]) -> bool
 }
 
 /// Orients the columns of a boundary matrix so that every row in two of them is cancelled.
-fn orient_columns(boundary: &SparseMatrix) -> Orientability {
+fn orient_columns(boundary: &SparseMatrix) -> Coherence<CellId, CellId> {
     let cofaces = boundary.transpose();
     if let Some(ridge) = cofaces.columns().position(|facets| facets.rows().len() > 2) {
-        let facets = cofaces.column(ridge).rows().iter().map(|&f| f as usize).collect();
-        return Orientability::Branching { ridge, facets };
+        let cells = cofaces.column(ridge).rows().iter().map(|&f| CellId::from_u32(f)).collect();
+        return refused(Obstruction::CrowdedFacet { facet: CellId::new(ridge), cells });
     }
+    let conflicting =
+        |&ridge: &usize| matches!(cofaces.column(ridge).entries(), [a, b] if a.signum() == b.signum());
+    let conflicts = (0..cofaces.column_count()).filter(conflicting).map(CellId::new).collect();
     let count = boundary.column_count();
-    let mut search = Search {
-        boundary,
-        cofaces: &cofaces,
-        signs: vec![Sign::Plus; count],
-        components: vec![NONE; count],
-        parents: vec![(NONE, NONE); count],
-    };
-    let mut component_count = 0;
-    for root in 0..count as u32 {
-        if search.components[root as usize] == NONE {
-            if let Err(closing) = search.component(root, component_count) {
-                return Orientability::NonOrientable(search.odd_cycle(closing));
-            }
-            component_count += 1;
+    let mut search =
+        Search { boundary, cofaces: &cofaces, signs: vec![None; count], parents: vec![None; count] };
+    let mut found = Coherence { obstruction: None, conflicts, signs: Vec::new(), odd_cycle: None };
+    for root in 0..narrow(count) {
+        if search.signs[root as usize].is_none()
+            && let Err(closing) = search.component(root)
+        {
+            found.odd_cycle = Some(search.odd_cycle(closing));
+            return found;
         }
     }
-    Orientability::Orientable(Orientation {
-        signs: search.signs,
-        components: search.components,
-        component_count: component_count as usize,
-    })
+    found.signs = search.signs.into_iter().map(|sign| sign.expect("every facet was met")).collect();
+    found
 }
 
-const NONE: u32 = u32::MAX;
+/// The result where the question has no answer.
+fn refused(obstruction: Obstruction<CellId, CellId>) -> Coherence<CellId, CellId> {
+    Coherence { obstruction: Some(obstruction), conflicts: Vec::new(), signs: Vec::new(), odd_cycle: None }
+}
 
 /// A step over a ridge from one facet to another.
 #[derive(Clone, Copy)]
@@ -352,10 +270,10 @@ struct Step {
 struct Search<'a> {
     boundary: &'a SparseMatrix,
     cofaces: &'a SparseMatrix,
-    signs: Vec<Sign>,
-    components: Vec<u32>,
-    /// For each facet met: the facet and the ridge it was met over.
-    parents: Vec<(u32, u32)>,
+    /// The sign of each facet that was met.
+    signs: Vec<Option<Sign>>,
+    /// For each facet met but the roots: the facet and the ridge it was met over.
+    parents: Vec<Option<(u32, u32)>>,
 }
 
 impl Search<'_> {
@@ -369,20 +287,21 @@ impl Search<'_> {
         Some((if a == facet { b } else { a }, product))
     }
 
-    fn component(&mut self, root: u32, number: u32) -> Result<(), Step> {
-        self.components[root as usize] = number;
-        let mut queue = VecDeque::from([root]);
-        while let Some(facet) = queue.pop_front() {
+    fn component(&mut self, root: u32) -> Result<(), Step> {
+        self.signs[root as usize] = Some(Sign::Plus);
+        let mut queue = VecDeque::from([(root, Sign::Plus)]);
+        while let Some((facet, here)) = queue.pop_front() {
             for &ridge in self.boundary.column(facet as usize).rows() {
                 let Some((other, crossing)) = self.across(facet, ridge) else { continue };
-                let sign = self.signs[facet as usize].times(crossing);
-                if self.components[other as usize] == NONE {
-                    self.components[other as usize] = number;
-                    self.signs[other as usize] = sign;
-                    self.parents[other as usize] = (facet, ridge);
-                    queue.push_back(other);
-                } else if self.signs[other as usize] != sign {
-                    return Err(Step { from: facet, ridge, to: other });
+                let sign = here.times(crossing);
+                match self.signs[other as usize] {
+                    None => {
+                        self.signs[other as usize] = Some(sign);
+                        self.parents[other as usize] = Some((facet, ridge));
+                        queue.push_back((other, sign));
+                    }
+                    Some(known) if known != sign => return Err(Step { from: facet, ridge, to: other }),
+                    Some(_) => {}
                 }
             }
         }
@@ -390,27 +309,27 @@ impl Search<'_> {
     }
 
     /// The tree path between the two ends of a closing step, closed by it, made chordless.
-    fn odd_cycle(&self, closing: Step) -> OddFacetCycle {
+    fn odd_cycle(&self, closing: Step) -> OddCycle<CellId, CellId> {
         let to_root = |mut facet: u32| {
-            let mut path = vec![(facet, NONE)];
-            while self.parents[facet as usize].0 != NONE {
-                let (parent, ridge) = self.parents[facet as usize];
-                path.last_mut().expect("a path has its start").1 = ridge;
-                path.push((parent, NONE));
+            // Each facet with the ridge to the next one; the root has none.
+            let mut path = Vec::new();
+            while let Some((parent, ridge)) = self.parents[facet as usize] {
+                path.push((facet, ridge));
                 facet = parent;
             }
-            path
+            (path, facet)
         };
-        let (mut up, mut down) = (to_root(closing.to), to_root(closing.from));
-        while up.len() > 1 && down.len() > 1 && up[up.len() - 2].0 == down[down.len() - 2].0 {
+        let ((mut up, mut meeting), (mut down, _)) = (to_root(closing.to), to_root(closing.from));
+        while let (Some(&(a, _)), Some(&(b, _))) = (up.last(), down.last())
+            && a == b
+        {
+            meeting = a;
             up.pop();
             down.pop();
         }
         // closing.to ... meeting, then down from the meeting to closing.from; each entry holds the ridge to the next.
-        let meeting = up.pop().expect("both paths end in the root").0;
         let mut facets: Vec<u32> = up.iter().map(|&(facet, _)| facet).collect();
         let mut ridges: Vec<u32> = up.iter().map(|&(_, ridge)| ridge).collect();
-        down.pop();
         facets.push(meeting);
         for &(facet, ridge) in down.iter().rev() {
             ridges.push(ridge);
@@ -421,7 +340,7 @@ impl Search<'_> {
     }
 
     /// Cuts an odd cycle along ridges between facets that are no neighbors in it, and keeps the odd part.
-    fn without_chords(&self, mut facets: Vec<u32>, mut ridges: Vec<u32>) -> OddFacetCycle {
+    fn without_chords(&self, mut facets: Vec<u32>, mut ridges: Vec<u32>) -> OddCycle<CellId, CellId> {
         'cut: loop {
             let n = facets.len();
             let mut places: Vec<(u32, usize)> = facets.iter().enumerate().map(|(i, &f)| (f, i)).collect();
@@ -454,7 +373,8 @@ impl Search<'_> {
                     continue 'cut;
                 }
             }
-            return OddFacetCycle { facets, ridges, embedded: None };
+            let ids = |numbers: Vec<u32>| numbers.into_iter().map(CellId::from_u32).collect();
+            return OddCycle { cells: ids(facets), facets: ids(ridges) };
         }
     }
 
@@ -532,20 +452,23 @@ mod tests {
             let sums = |signs: &dyn Fn(usize) -> i32| {
                 rows.columns().all(|row| row.rows().len() < 2 || row.iter().map(|(f, x)| signs(f) * x).sum::<i32>() == 0)
             };
-            match complex.orientability().unwrap() {
-                Orientability::Orientable(found) => {
-                    prop_assert!(sums(&|f| found.signs()[f].to_i32()));
-                    prop_assert_eq!(found.component_count(), complex.strong_components().len());
+            let found = complex.orientability().unwrap();
+            match (found.obstruction(), found.odd_cycle()) {
+                (None, None) => {
+                    prop_assert!(sums(&|f| found.sign(CellId::new(f)).to_i32()));
+                    let as_listed = found.is_coherent() == Some(true);
+                    prop_assert_eq!(as_listed, sums(&|_| 1));
+                    prop_assert_eq!(as_listed, (0..facets.len()).all(|f| found.sign(CellId::new(f)) == Sign::Plus));
                 }
-                Orientability::NonOrientable(cycle) => {
+                (None, Some(cycle)) => {
                     let sign = |mask: u32, f: usize| Sign::power_of_minus_one((mask >> f & 1) as usize).to_i32();
                     let none_works = (0u32..1 << facets.len()).all(|mask| !sums(&|f| sign(mask, f)));
                     prop_assert!(none_works);
-                    check_cycle(matrix, &cycle);
+                    check_cycle(matrix, cycle);
                 }
-                Orientability::Branching { ridge, facets } => {
-                    prop_assert_eq!(rows.column(ridge).rows().len(), facets.len());
-                    prop_assert!(facets.len() > 2);
+                (Some(Obstruction::CrowdedFacet { facet, cells }), None) => {
+                    prop_assert_eq!(rows.column(facet.index()).rows().len(), cells.len());
+                    prop_assert!(cells.len() > 2);
                 }
                 other => prop_assert!(false, "{other:?}"),
             }
@@ -553,20 +476,20 @@ mod tests {
     }
 
     /// A closed chain of different facets that is odd and has no chords.
-    fn check_cycle(matrix: &SparseMatrix, cycle: &OddFacetCycle) {
-        let n = cycle.facets().len();
-        assert_eq!(n, cycle.ridges().len());
+    fn check_cycle(matrix: &SparseMatrix, cycle: &OddCycle<CellId, CellId>) {
+        let (cells, facets) = (cycle.cells(), cycle.facets());
+        let n = cells.len();
+        assert_eq!(n, facets.len());
         let mut product = 1;
         for i in 0..n {
-            let (here, next, ridge) =
-                (cycle.facets()[i], cycle.facets()[(i + 1) % n], cycle.ridges()[i] as usize);
-            let signs = [here, next].map(|f| matrix.entry(ridge, f as usize));
+            let (here, next, ridge) = (cells[i], cells[(i + 1) % n], facets[i].index());
+            let signs = [here, next].map(|f| matrix.entry(ridge, f.index()));
             assert!(here != next && signs.iter().all(|&s| s != 0));
             product *= -signs[0] * signs[1];
             for j in i + 2..n {
                 if (i, j) != (0, n - 1) {
-                    let other = matrix.column(cycle.facets()[j] as usize);
-                    assert!(matrix.column(here as usize).rows().iter().all(|r| !other.rows().contains(r)));
+                    let other = matrix.column(cells[j].index());
+                    assert!(matrix.column(here.index()).rows().iter().all(|r| !other.rows().contains(r)));
                 }
             }
         }
@@ -581,23 +504,33 @@ mod tests {
             (known_spaces::projective_plane().unwrap(), 9),
             (known_spaces::klein_grid(30, 8).unwrap(), 70),
         ] {
-            let Orientability::NonOrientable(cycle) = surface.orientability().unwrap() else {
-                panic!("orientable")
-            };
-            check_cycle(surface.chain_complex().unwrap().boundary_matrix(2).unwrap(), &cycle);
-            assert!(cycle.facets().len() <= longest, "{}", cycle.facets().len());
-            assert!(cycle.is_embedded_moebius_band().is_some());
+            let (found, chains) = (surface.orientability().unwrap(), surface.chain_complex().unwrap());
+            let cycle = found.odd_cycle().expect("one-sided");
+            check_cycle(chains.boundary_matrix(2).unwrap(), cycle);
+            assert!(cycle.cells().len() <= longest, "{}", cycle.cells().len());
+            assert!(cycle.is_embedded_moebius_band(&chains).is_some());
         }
     }
 
     #[test]
     fn questions_without_sense() {
-        let complex =
-            |facets: &[&[u32]]| SimplicialComplex::from_facets(facets).unwrap().orientability().unwrap();
-        assert_eq!(complex(&[]), Orientability::NoRidges);
-        assert_eq!(complex(&[&[0], &[1]]), Orientability::NoRidges);
-        assert_eq!(complex(&[&[0, 1, 2], &[2, 3]]), Orientability::NotPure { dimension: 1, cell: 3 });
+        let complex = |facets: &[&[u32]]| {
+            SimplicialComplex::from_facets(facets)
+                .unwrap()
+                .orientability()
+                .unwrap()
+                .obstruction()
+                .cloned()
+                .unwrap()
+        };
+        assert_eq!(complex(&[]), Obstruction::NoFacets);
+        assert_eq!(complex(&[&[0], &[1]]), Obstruction::NoFacets);
+        assert_eq!(
+            complex(&[&[0, 1, 2], &[2, 3]]),
+            Obstruction::NotPure { dimension: 1, cell: CellId::new(3) }
+        );
         let book = complex(&[&[0, 1, 2], &[0, 1, 3], &[0, 1, 4]]);
-        assert_eq!(book, Orientability::Branching { ridge: 0, facets: vec![0, 1, 2] });
+        let (facet, cells) = (CellId::new(0), [0, 1, 2].map(CellId::new).to_vec());
+        assert_eq!(book, Obstruction::CrowdedFacet { facet, cells });
     }
 }

@@ -1,7 +1,8 @@
 //! Classification of compact surfaces: which one is each component.
 
 use super::dual_graph::contradictions;
-use super::{BoundaryLoop, Components, PolygonMesh, SurfaceOrientation, SurfaceVerdict};
+use super::{BoundaryLoop, PolygonMesh, SurfaceOrientation, SurfaceVerdict};
+use crate::components::Components;
 use coface_algebra::progress::{Steps, stage};
 use coface_algebra::{EdgeId, VertexId};
 use std::fmt;
@@ -402,7 +403,7 @@ impl PolygonMesh {
         orientation: &SurfaceOrientation,
         boundary_loops: &[BoundaryLoop],
     ) -> Vec<SurfaceComponent> {
-        let part_of = |vertex: u32| components.of_vertex(VertexId::from_u32(vertex));
+        let part_of = |vertex: u32| components.of(VertexId::from_u32(vertex));
         let empty = SurfaceComponent { f_vector: [0; 3], boundary_count: 0, surface: None };
         let mut parts = vec![empty; components.count()];
         if let [only] = &mut parts[..] {
@@ -423,7 +424,7 @@ impl PolygonMesh {
         }
         let mut is_surface: Vec<bool> = parts.iter().map(|part| part.f_vector[2] > 0).collect();
         for vertex in verdict.non_manifold_vertices() {
-            is_surface[components.of_vertex(*vertex)] = false;
+            is_surface[components.of(*vertex)] = false;
         }
         let non_orientable = self.non_orientable_parts(components, orientation);
         for (i, part) in parts.iter_mut().enumerate() {
@@ -439,7 +440,7 @@ impl PolygonMesh {
         let mut found = vec![false; components.count()];
         if orientation.odd_cycle().is_some() {
             for edge in contradictions(self) {
-                found[components.of_vertex(self.edge(EdgeId::new(edge))[0])] = true;
+                found[components.of(self.edge(EdgeId::new(edge))[0])] = true;
             }
         }
         found

@@ -3,7 +3,7 @@
 //! Nodes are top cells (faces of a surface, cells of a volume); their facets are the cells one degree lower. Two top cells
 //! on a facet agree when they induce opposite orientations on it.
 
-use crate::coherence::{Coherence, OddCycle};
+use crate::coherence::{Coherence, Obstruction, OddCycle};
 use coface_algebra::progress::stage_of_many;
 use coface_algebra::{Id, ParityUnion, ParityUnionFind, Sign};
 use rayon::prelude::*;
@@ -30,16 +30,19 @@ pub(crate) fn coherence<Cell: Id + Send, Facet: Id + Send>(graph: &impl DualGrap
     const BLOCK: usize = 1 << 14;
     let blocks = || (0..graph.facet_count().div_ceil(BLOCK)).into_par_iter();
     let range_of = |block: usize| block * BLOCK..((block + 1) * BLOCK).min(graph.facet_count());
-    let crowded_facet = blocks()
-        .find_map_first(|block| range_of(block).find(|&facet| graph.nodes_at(facet).len() > 2))
-        .map(Facet::new);
+    let crowded =
+        blocks().find_map_first(|block| range_of(block).find(|&facet| graph.nodes_at(facet).len() > 2));
+    let obstruction = crowded.map(|facet| Obstruction::CrowdedFacet {
+        facet: Facet::new(facet),
+        cells: graph.nodes_at(facet).iter().map(|&node| Cell::new((node >> 1) as usize)).collect(),
+    });
     let conflicts: Vec<Facet> = blocks()
         .flat_map_iter(|block| {
             let conflicting = |&facet: &usize| matches!(graph.nodes_at(facet), [f, g] if (f ^ g) & 1 == 0);
             range_of(block).filter(conflicting).map(Facet::new)
         })
         .collect();
-    let mut found = Coherence { crowded_facet, conflicts, signs: Vec::new(), odd_cycle: None };
+    let mut found = Coherence { obstruction, conflicts, signs: Vec::new(), odd_cycle: None };
     if found.conflicts.is_empty() {
         return found;
     }

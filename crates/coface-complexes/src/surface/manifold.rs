@@ -1,20 +1,24 @@
 //! The manifold test for surfaces: edges by their faces, vertices by their links.
 
 use super::PolygonMesh;
+use crate::verdict::{Decision, Verdict};
 use coface_algebra::{EdgeId, FaceId, VertexId};
 use rayon::prelude::*;
 
-/// What the manifold test of a mesh found.
+/// Whether a mesh is a surface, with the edges and vertices where it is none.
 ///
 /// A mesh is a surface when each edge lies in one or two faces and the link of each vertex that has an edge is one path
-/// or one cycle. The test is exact, so there is no "unknown". Isolated vertices do not count against it.
+/// or one cycle. The test is exact, so there is no "unknown". Isolated vertices do not count against it. The witness is
+/// the first of: an edge in many faces, a loose edge, a vertex.
+pub type SurfaceVerdict = Verdict<SurfaceDefect, SurfaceFindings>;
+
+/// The edges and vertices that the manifold test of a mesh found.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SurfaceVerdict {
+pub struct SurfaceFindings {
     non_manifold_edges: Vec<EdgeId>,
     loose_edges: Vec<EdgeId>,
     non_manifold_vertices: Vec<VertexId>,
     boundary_edge_count: usize,
-    witness: Option<SurfaceDefect>,
 }
 
 /// A place where a mesh is no surface.
@@ -76,38 +80,6 @@ impl LinkComponent {
 }
 
 impl SurfaceVerdict {
-    /// Whether the mesh is a surface, with or without boundary.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::surface::PolygonMesh;
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
-    /// let verdict = book.manifold_verdict();
-    /// assert!(!verdict.is_manifold());
-    /// # Ok(()) }
-    /// ```
-    pub fn is_manifold(&self) -> bool {
-        self.witness.is_none()
-    }
-
-    /// Whether no edge lies in exactly one face and none in no face.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::surface::PolygonMesh;
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
-    /// let verdict = book.manifold_verdict();
-    /// assert!(!verdict.is_closed());
-    /// # Ok(()) }
-    /// ```
-    pub fn is_closed(&self) -> bool {
-        self.boundary_edge_count == 0 && self.loose_edges.is_empty()
-    }
-
     /// The edges in three or more faces, rising.
     ///
     /// # Examples
@@ -121,7 +93,7 @@ impl SurfaceVerdict {
     /// # Ok(()) }
     /// ```
     pub fn non_manifold_edges(&self) -> &[EdgeId] {
-        &self.non_manifold_edges
+        &self.findings.non_manifold_edges
     }
 
     /// The edges without a face, rising.
@@ -137,7 +109,7 @@ impl SurfaceVerdict {
     /// # Ok(()) }
     /// ```
     pub fn loose_edges(&self) -> &[EdgeId] {
-        &self.loose_edges
+        &self.findings.loose_edges
     }
 
     /// The vertices whose link is neither one path nor one cycle, rising; among them the ends of non-manifold and loose
@@ -154,7 +126,7 @@ impl SurfaceVerdict {
     /// # Ok(()) }
     /// ```
     pub fn non_manifold_vertices(&self) -> &[VertexId] {
-        &self.non_manifold_vertices
+        &self.findings.non_manifold_vertices
     }
 
     /// The number of edges in exactly one face.
@@ -170,23 +142,7 @@ impl SurfaceVerdict {
     /// # Ok(()) }
     /// ```
     pub fn boundary_edge_count(&self) -> usize {
-        self.boundary_edge_count
-    }
-
-    /// The first place where the mesh is no surface: an edge in many faces, else a loose edge, else a vertex.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_algebra::RaggedArray;
-    /// use coface_complexes::surface::PolygonMesh;
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let book = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 1, 4]]), &[])?;
-    /// let verdict = book.manifold_verdict();
-    /// assert!(verdict.witness().is_some());
-    /// # Ok(()) }
-    /// ```
-    pub fn witness(&self) -> Option<&SurfaceDefect> {
-        self.witness.as_ref()
+        self.findings.boundary_edge_count
     }
 }
 
@@ -286,12 +242,15 @@ impl PolygonMesh {
                 .first()
                 .map(|&vertex| SurfaceDefect::SeveralFans { vertex, link: self.link_components(vertex) })
         };
-        SurfaceVerdict {
-            non_manifold_edges,
-            loose_edges,
-            non_manifold_vertices,
-            boundary_edge_count,
-            witness,
+        Verdict {
+            decision: Decision::of(witness),
+            is_closed: boundary_edge_count == 0 && loose_edges.is_empty(),
+            findings: SurfaceFindings {
+                non_manifold_edges,
+                loose_edges,
+                non_manifold_vertices,
+                boundary_edge_count,
+            },
         }
     }
 

@@ -33,7 +33,6 @@ mod two_skeleton;
 
 pub use boundary::BoundaryLoop;
 pub use classification::{SurfaceComponent, SurfaceSurvey, SurfaceType};
-pub use components::Components;
 #[cfg(any(test, feature = "samples"))]
 #[doc(hidden)]
 pub use generalized_map::samples;
@@ -42,7 +41,7 @@ pub use halfedge::{
     CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh,
     InnerHalfedges, Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
 };
-pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceVerdict};
+pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceFindings, SurfaceVerdict};
 pub use orientation::SurfaceOrientation;
 pub use polygon_mesh::PolygonMesh;
 pub use repair::{FacesAtEdge, MeshRepair};

@@ -55,7 +55,7 @@ impl PolygonMesh {
     /// ```
     pub fn oriented(&self) -> Result<Self, Error> {
         let orientation = self.orientation();
-        if let Some(edge) = orientation.crowded_facet {
+        if let Some(edge) = orientation.crowded_facet() {
             let [a, b] = self.edge(edge);
             return Err(Error::new(
                 ErrorKind::NonManifold,

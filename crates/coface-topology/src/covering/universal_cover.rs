@@ -5,7 +5,7 @@ use super::isometry::{Isometry, Point};
 use super::springs::Springs;
 use crate::curves::CutSurface;
 use crate::groups::{Ball, NormalForm, SurfaceGroup};
-use coface_algebra::chains::TwoSkeleton;
+use coface_algebra::chains::{Cells, ChainComplex, TwoSkeleton};
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{Integer, RaggedArray, Sign, UnionFind, Word};
@@ -55,6 +55,25 @@ pub struct UniversalCover {
     vertex_corners: Vec<[u32; 2]>,
     edge_sources: Vec<EdgeId>,
     is_complete: bool,
+}
+
+/// The cells are those of [`UniversalCover::skeleton`].
+impl Cells for UniversalCover {
+    fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        self.skeleton.chain_complex()
+    }
+
+    fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
+        Ok(self.skeleton.clone())
+    }
+
+    fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
+        self.skeleton.cell_vertices(degree)
+    }
+
+    fn f_vector(&self) -> Result<Vec<usize>, Error> {
+        Ok(self.skeleton.f_vector())
+    }
 }
 
 impl UniversalCover {

@@ -58,12 +58,12 @@ impl OrientedCells {
     /// let entries = ends.iter().enumerate().flat_map(|(j, &(a, b))| [(a, j, -1), (b, j, 1)]);
     /// let edges = SparseMatrix::from_entries(6, 6, entries)?;
     /// let face = oriented_boundary(&edges, &RaggedArray::from_lists([[0, 1, 2, 3, 4, 5]]))?;
-    /// let components = face.components(CellId::new(0));
+    /// let components = face.boundary_components(CellId::new(0));
     /// assert_eq!(components.len(), 2);
     /// assert_eq!(components[1][2], (CellId::new(5), Sign::Minus));
     /// # Ok(()) }
     /// ```
-    pub fn components(&self, cell: CellId) -> Vec<Vec<(CellId, Sign)>> {
+    pub fn boundary_components(&self, cell: CellId) -> Vec<Vec<(CellId, Sign)>> {
         let mut components = vec![Vec::new(); self.component_count(cell.index())];
         let column = self.boundary.column(cell.index());
         for (at, (facet, entry)) in column.iter().enumerate() {

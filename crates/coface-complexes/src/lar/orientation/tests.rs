@@ -166,7 +166,7 @@ fn pinched_faces_have_a_component_for_each_cycle() {
     let lower = edges(8, &ends);
     let facets = RaggedArray::from_lists([(0..10).collect::<Vec<u32>>(), vec![4, 5, 6], vec![7, 8, 9]]);
     let cells = oriented_boundary(&lower, &facets).unwrap();
-    let components = cells.components(CellId::new(0));
+    let components = cells.boundary_components(CellId::new(0));
     let lists: Vec<Vec<usize>> =
         components.iter().map(|c| c.iter().map(|(facet, _)| facet.index()).collect()).collect();
     assert_eq!(lists, [vec![0, 1, 2, 3], vec![4, 5, 6], vec![7, 8, 9]]);
@@ -274,7 +274,7 @@ proptest! {
             .count();
         match oriented_boundary(&lower, &RaggedArray::from_lists([&list])) {
             Ok(cells) => {
-                let components = cells.components(CellId::new(0));
+                let components = cells.boundary_components(CellId::new(0));
                 prop_assert_eq!(solutions, 1 << components.len(), "each component has a sign of its own");
                 for component in components {
                     prop_assert_eq!(component[0].1, Sign::Plus);

@@ -465,7 +465,7 @@ impl GeneralizedMap {
     /// # Ok(()) }
     /// ```
     pub fn surfaces(&self) -> Vec<SurfaceType> {
-        let components = self.components().into_iter();
+        let components = self.surface_components().into_iter();
         components.map(|component| component.surface().expect("a map is a surface")).collect()
     }
 
@@ -479,7 +479,7 @@ impl GeneralizedMap {
     /// assert_eq!(map.components()[0].euler_characteristic(), 0);
     /// # Ok(()) }
     /// ```
-    pub fn components(&self) -> Vec<SurfaceComponent> {
+    pub fn surface_components(&self) -> Vec<SurfaceComponent> {
         let orientation = self.orientation();
         let count = orientation.conflicts.len();
         let (mut f_vectors, mut holes) = (vec![[0; 3]; count], vec![0; count]);

@@ -1,6 +1,7 @@
 //! The halfedge mesh: its arrays, its cells and its counts.
 
-use super::super::{Components, SurfaceType};
+use super::super::SurfaceType;
+use crate::components::Components;
 use coface_algebra::Permutation;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, HalfedgeId, VertexId};
