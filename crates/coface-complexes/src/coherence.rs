@@ -177,9 +177,10 @@ impl<Cell: Id, Facet: Copy> Coherence<Cell, Facet> {
     ///
     /// # Examples
     /// ```
-    /// use coface_complexes::{Obstruction, known_spaces};
+    /// use coface_complexes::Obstruction;
+    /// use coface_complexes::simplicial::SimplicialComplex;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let points = known_spaces::simplex_boundary(1)?;
+    /// let points = SimplicialComplex::from_facets([[0], [1]])?;
     /// assert_eq!(points.orientability()?.obstruction(), Some(&Obstruction::NoFacets));
     /// # Ok(()) }
     /// ```

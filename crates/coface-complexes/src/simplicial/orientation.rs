@@ -486,9 +486,9 @@ mod tests {
             let signs = [here, next].map(|f| matrix.entry(ridge, f.index()));
             assert!(here != next && signs.iter().all(|&s| s != 0));
             product *= -signs[0] * signs[1];
-            for j in i + 2..n {
+            for (j, far) in cells.iter().enumerate().skip(i + 2) {
                 if (i, j) != (0, n - 1) {
-                    let other = matrix.column(cells[j].index());
+                    let other = matrix.column(far.index());
                     assert!(matrix.column(here.index()).rows().iter().all(|r| !other.rows().contains(r)));
                 }
             }

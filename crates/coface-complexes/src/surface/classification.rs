@@ -178,7 +178,7 @@ impl SurfaceComponent {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // Three loops, each between two monogons.
     /// let mesh = HalfedgeMesh::from_next((0..6).collect())?;
-    /// let components = GeneralizedMap::new(mesh.two_skeleton()?)?.components();
+    /// let components = GeneralizedMap::new(mesh.two_skeleton()?)?.surface_components();
     /// assert_eq!(SurfaceComponent::names(&components).as_deref(), Some("3 spheres"));
     /// # Ok(()) }
     /// ```

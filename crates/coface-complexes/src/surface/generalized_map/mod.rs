@@ -476,7 +476,7 @@ impl GeneralizedMap {
     /// use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let map = GeneralizedMap::new(HalfedgeMesh::from_next(vec![2, 3, 1, 0])?.two_skeleton()?)?;
-    /// assert_eq!(map.components()[0].euler_characteristic(), 0);
+    /// assert_eq!(map.surface_components()[0].euler_characteristic(), 0);
     /// # Ok(()) }
     /// ```
     pub fn surface_components(&self) -> Vec<SurfaceComponent> {
