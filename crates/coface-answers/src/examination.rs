@@ -61,10 +61,7 @@ impl Report {
         check_exponents(exponents)?;
         let kind = kind_of(&model);
         let mut model = model.into_parts();
-        let mut remarks: Vec<Remark> = std::mem::take(&mut model.warnings)
-            .into_iter()
-            .map(|warning| Remark::new(RemarkCode::InputReading, warning))
-            .collect();
+        let mut remarks = std::mem::take(&mut model.remarks);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
         // Nothing of a volume is made whole but its voxels.
         let volume = match model.structure.take() {
@@ -101,7 +98,7 @@ impl Report {
 
 /// The report on cells whose faces are identified.
 fn report_of(producer: Producer, kind: Kind, exponents: &[[u32; 3]]) -> Result<Report, Error> {
-    let Producer { cells, labels, positions } = producer;
+    let Producer { cells, labels, positions, .. } = producer;
     Ok(match cells {
         Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, exponents),
         Cells::Solids(mesh) => cells::report(*mesh, &positions, exponents),

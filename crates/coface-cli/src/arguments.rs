@@ -30,6 +30,12 @@ pub(crate) struct Common {
     #[arg(long, value_name = "LENGTH", global = true, help_heading = "Common options",
           allow_negative_numbers = true, value_parser = flatness)]
     pub(crate) flatten: Option<f64>,
+    /// Make everything that a reader assumes an error: a face that repeats a vertex, counts that differ, ..
+    #[arg(long, global = true, help_heading = "Common options")]
+    pub(crate) strict: bool,
+    /// Read a damaged file up to its first fault
+    #[arg(long, global = true, help_heading = "Common options")]
+    pub(crate) partial: bool,
     #[command(flatten)]
     pub(crate) voxels: VoxelArguments,
 }
@@ -101,7 +107,12 @@ fn periodic_axes(text: &str) -> Result<PeriodicAxes, String> {
 impl Common {
     /// How inputs are read.
     pub(crate) fn reading(&self) -> ReadOptions {
-        ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.voxels.reading())
+        ReadOptions::new()
+            .format(self.format)
+            .flatten(self.flatten)
+            .volume(self.voxels.reading())
+            .strict(self.strict)
+            .partial(self.partial)
     }
 }
 

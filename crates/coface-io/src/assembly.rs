@@ -7,6 +7,7 @@ use super::lists::Lists;
 use super::model::{Model, repeated_vertex};
 use super::scratch_mesh::ScratchMesh;
 use super::{Group, GroupKind};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
@@ -31,7 +32,7 @@ pub(crate) struct Assembly {
     is_inner: Vec<bool>,
     reduced_count: u64,
     data: Vec<CellData>,
-    pub(crate) warnings: Vec<String>,
+    pub(crate) remarks: Vec<Remark>,
     /// Where vertices and elements go instead of being kept.
     scratch: Option<ScratchMesh>,
 }
@@ -174,7 +175,7 @@ impl Assembly {
             cells: self.cells.into_ragged()?,
             lines: self.lines.into_ragged()?,
             points: self.points,
-            warnings: self.warnings,
+            remarks: self.remarks,
             ..Model::default()
         };
         if let Some(renumbered) = &renumbered {
@@ -182,7 +183,7 @@ impl Assembly {
                 *data = data.taken_from((0..renumbered.len()).filter(|&v| renumbered[v].is_some()));
             }
         }
-        model.data = without_repeated_names(self.data, &mut model.warnings);
+        model.data = without_repeated_names(self.data, &mut model.remarks);
         for ((kind, number), mut members) in self.groups {
             if let (GroupKind::Vertices, Some(renumbered)) = (kind, &renumbered) {
                 members = members.into_iter().filter_map(|v| renumbered[v as usize]).collect();
@@ -232,11 +233,11 @@ impl Assembly {
             }
         }
         self.coordinates.truncate(kept as usize * dimension);
-        self.warnings.push(format!(
+        self.remarks.push(Remark::new(RemarkCode::HigherOrder, format!(
             "{} elements of higher order were read by their corners; {} vertices inside their edges, faces and cells were left out",
             self.reduced_count,
             self.vertex_count - kept as usize
-        ));
+        )));
         self.vertex_count = kept as usize;
         Some(renumbered)
     }
@@ -314,8 +315,8 @@ mod tests {
         assert_eq!(model.points, [VertexId::new(2)]);
         assert_eq!(model.groups, [Group::new("9", GroupKind::Vertices, vec![2])]);
         assert!(
-            model.warnings[0].starts_with("1 elements of higher order")
-                && model.warnings[0].contains("2 vertices")
+            model.remarks[0].message.starts_with("1 elements of higher order")
+                && model.remarks[0].message.contains("2 vertices")
         );
         model.check().unwrap();
     }

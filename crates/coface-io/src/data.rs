@@ -2,6 +2,7 @@
 
 use super::GroupKind;
 use super::numbers::Numbers;
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use std::ops::Range;
 
@@ -286,14 +287,17 @@ impl CellData {
 /// The names of arrays as they are read, none twice on one kind of cells.
 ///
 /// The first of a name is kept; what is left out is said.
-pub(crate) fn without_repeated_names(data: Vec<CellData>, warnings: &mut Vec<String>) -> Vec<CellData> {
+pub(crate) fn without_repeated_names(data: Vec<CellData>, remarks: &mut Vec<Remark>) -> Vec<CellData> {
     let mut kept: Vec<CellData> = Vec::with_capacity(data.len());
     for array in data {
         if kept.iter().any(|other| other.kind == array.kind && other.name == array.name) {
-            warnings.push(format!(
-                "there are two arrays \"{}\" on {}; the second is left out",
-                array.name.escape_debug(),
-                array.kind
+            remarks.push(Remark::new(
+                RemarkCode::DataLeftOut,
+                format!(
+                    "there are two arrays \"{}\" on {}; the second is left out",
+                    array.name.escape_debug(),
+                    array.kind
+                ),
             ));
         } else {
             kept.push(array);

@@ -9,6 +9,7 @@ use super::lists::number_by_firsts;
 use super::numbers::Numbers;
 use super::{CellData, Model};
 use super::{Group, GroupKind};
+use crate::{Remark, RemarkCode};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_geometry::Positions;
@@ -75,7 +76,7 @@ pub(super) struct Drawing {
     flat_places: usize,
     surplus: usize,
     single_points: usize,
-    warnings: Vec<String>,
+    remarks: Vec<Remark>,
 }
 
 impl Drawing {
@@ -122,7 +123,7 @@ impl Drawing {
         self.lines.last().map_or(0, |line| line.end)
     }
 
-    /// Ends a line. One whose corners are all equal is kept as a point, and `place` names it in a warning; says whether it is
+    /// Ends a line. One whose corners are all equal is kept as a point, and `place` names it in a remark; says whether it is
     /// more than a point.
     pub(super) fn end_line(&mut self, place: impl FnOnce() -> String) -> bool {
         self.end(-1, -1, place)
@@ -184,7 +185,10 @@ impl Drawing {
                 self.points.push((corner, self.name));
                 self.single_points += 1;
                 if self.single_points <= LISTED {
-                    self.warnings.push(format!("{} is a single point and kept as one", place()));
+                    self.remarks.push(Remark::new(
+                        RemarkCode::SinglePoint,
+                        format!("{} is a single point and kept as one", place()),
+                    ));
                 }
                 false
             }
@@ -206,20 +210,31 @@ impl Drawing {
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 corners.
     pub(super) fn finish(mut self) -> Result<Model, Error> {
-        let warn = |warnings: &mut Vec<String>, count: usize, what: &str| {
+        let remark = |remarks: &mut Vec<Remark>, code: RemarkCode, count: usize, what: &str| {
             if count > 0 {
-                warnings.push(format!("{count} {what}"));
+                remarks.push(Remark::new(code, format!("{count} {what}")).at(count, []));
             }
         };
         let unlisted = self.single_points.saturating_sub(LISTED);
-        warn(&mut self.warnings, unlisted, "more lines or rings are single points and kept as such");
-        warn(
-            &mut self.warnings,
+        remark(
+            &mut self.remarks,
+            RemarkCode::SinglePoint,
+            unlisted,
+            "more lines or rings are single points and kept as such",
+        );
+        remark(
+            &mut self.remarks,
+            RemarkCode::DataLeftOut,
             self.surplus,
             "positions have numbers behind the third, which are passed over",
         );
         if self.heights {
-            warn(&mut self.warnings, self.flat_places, "positions without a height are at height 0");
+            remark(
+                &mut self.remarks,
+                RemarkCode::HeightsAssumed,
+                self.flat_places,
+                "positions without a height are at height 0",
+            );
         }
         let line_corners = self.corners.len();
         self.corners.extend(self.points.iter().map(|&(corner, _)| corner));
@@ -263,7 +278,7 @@ impl Drawing {
             points: points.into_iter().map(VertexId::from_u32).collect(),
             groups,
             data,
-            warnings: self.warnings,
+            remarks: self.remarks,
             ..Model::default()
         };
         debug_assert!(model.check().is_ok(), "what a drawing makes is sound");
@@ -556,8 +571,8 @@ mod tests {
         let model = drawing.finish().unwrap();
         assert_eq!(model.lines, RaggedArray::from_lists([vec![0, 1, 0], vec![2, 3]]));
         assert_eq!((model.points.len(), model.positions.dimension()), (2, 3));
-        assert!(model.warnings[0].starts_with("line 7 is a single point"), "{:?}", model.warnings);
-        assert_eq!(model.warnings[1], "7 positions without a height are at height 0");
+        assert!(model.remarks[0].message.starts_with("line 7 is a single point"), "{:?}", model.remarks);
+        assert_eq!(model.remarks[1].message, "7 positions without a height are at height 0");
     }
 
     proptest! {

@@ -43,6 +43,7 @@ pub mod off;
 mod output;
 pub mod ply;
 mod readers;
+mod remark;
 #[cfg(test)]
 mod samples;
 mod scanner;
@@ -72,6 +73,7 @@ pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
     read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
+pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use scratch_mesh::NO_VERTEX;
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};

@@ -165,7 +165,10 @@ mod tests {
         assert_eq!(*model.lines(), RaggedArray::from_lists([[0, 1], [1, 2], [0, 3]]));
         assert_eq!(model.points().len(), 1);
         assert_eq!(model.points()[0].index(), 2);
-        assert_eq!(model.warnings(), ["the segment in line 5 is a single point and kept as one"]);
+        assert_eq!(
+            model.remarks().iter().map(|remark| &remark.message[..]).collect::<Vec<_>>(),
+            ["the segment in line 5 is a single point and kept as one"]
+        );
         assert_eq!(read(&b"# nothing\n"[..]).unwrap().vertex_count(), 0);
     }
 

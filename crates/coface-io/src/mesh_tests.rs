@@ -137,7 +137,7 @@ proptest! {
         };
         prop_assert_eq!(points(&once), points(&model));
         // What has been welded stays as it is, but for vertices of triangles that were left out.
-        if once.warnings.is_empty() {
+        if once.remarks.is_empty() {
             let twice = stl::read(&written(|out| stl::write(&once, out, encoding))[..]).unwrap();
             prop_assert_eq!(twice, once);
         }
@@ -191,7 +191,7 @@ fn off_in_unusual_dress() {
     let model =
         read("COFF 3 1 0\n0 0 0 255 0 0 1\n1 0 0 0 1 0 1\n0 1 0\n\n3 0 1 2 0.5 0.5 x#\nmore\n").unwrap();
     assert_eq!(model.polygons.list(0), [0, 1, 2]);
-    assert_eq!(model.warnings.len(), 1);
+    assert_eq!(model.remarks.len(), 1);
 }
 
 #[test]
@@ -301,7 +301,7 @@ fn ply_in_unusual_dress() {
     assert_eq!(model.lines.list(0), [0, 1]);
     assert_eq!(model.polygons, RaggedArray::from_lists([[0, 1, 2], [2, 1, 3]]));
     assert_eq!(model.positions.as_flat(), [6.0, 5.0, 8.0, 7.0, 10.0, -9.0, 12.0, 11.0]);
-    assert_eq!(model.warnings.len(), 1);
+    assert_eq!(model.remarks.len(), 1);
     // A text may say what it wants in a column of bytes.
     let [quality] = model.data() else { panic!("{:?}", model.data()) };
     assert_eq!(
@@ -328,7 +328,11 @@ fn ply_properties_become_data() {
     assert_eq!(sorts.collect::<Vec<_>>(), [0, -7, 3]);
     assert_eq!(data("m_0", GroupKind::Polygons).integer_row(1), Some(vec![4_000_000_000]));
     assert_eq!(model.data().len(), 4);
-    assert_eq!(model.warnings(), ["there are two arrays \"red\" on vertices; the second is left out"]);
+    assert_eq!(
+        model.remarks()[0].message,
+        "there are two arrays \"red\" on vertices; the second is left out"
+    );
+    assert_eq!(model.remarks().len(), 1);
     let broken = text.replace("3 3 1 2 3 3 0", "3 3 1 2 3 x 0");
     let message = fault(ply::read(broken.as_bytes()));
     assert!(
@@ -409,8 +413,8 @@ fn stl_in_unusual_dress() {
     let model = stl::read(text.as_bytes()).unwrap();
     assert_eq!(model.polygons, RaggedArray::from_lists([[0, 1, 2], [3, 1, 2]]));
     assert_eq!(model.groups, [Group::new("one body", GroupKind::Polygons, vec![0])]);
-    assert!(model.warnings[0].starts_with("1 triangle repeats a vertex"), "{:?}", model.warnings);
-    assert!(model.warnings[0].ends_with("left out: 1 (counted from 0)"), "{:?}", model.warnings);
+    assert!(model.remarks[0].message.starts_with("1 triangle repeats a vertex"), "{:?}", model.remarks);
+    assert!(model.remarks[0].message.ends_with("left out: 1 (counted from 0)"), "{:?}", model.remarks);
     // A binary file whose header begins with the word of the text form.
     let mut bytes = b"solid but binary".to_vec();
     bytes.resize(80, b' ');
@@ -420,7 +424,7 @@ fn stl_in_unusual_dress() {
     );
     bytes.extend([0; 2]);
     let model = stl::read(&bytes[..]).unwrap();
-    assert_eq!((model.vertex_count, model.polygons.len(), model.warnings.len()), (3, 1, 0));
+    assert_eq!((model.vertex_count, model.polygons.len(), model.remarks.len()), (3, 1, 0));
     assert!(fault(stl::read(&bytes[..130])).starts_with("at byte 130: the header promises 1 triangles"));
     bytes[84 + 16..84 + 20].copy_from_slice(&f32::NAN.to_le_bytes());
     assert_eq!(stl::read(&bytes[..]).unwrap_err().byte(), Some(100));

@@ -2,6 +2,7 @@
 
 use super::numbers::Numbers;
 use super::{CellData, Format, Group, GroupKind};
+use crate::Remark;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, VertexId};
@@ -16,7 +17,7 @@ use coface_geometry::Positions;
 /// Every index is below the vertex count, no polygon or cell repeats a vertex, and coordinates are finite: the
 /// readers, and [`Model::check`], see to it. Vertices that nothing uses are kept: they are isolated vertices.
 ///
-/// Two models are equal when they hold the same; the format they came from and the warnings do not matter.
+/// Two models are equal when they hold the same; the format they came from and the remarks do not matter.
 #[derive(Clone, Debug, Default)]
 pub struct Model {
     pub(crate) format: Option<Format>,
@@ -30,7 +31,7 @@ pub struct Model {
     pub(crate) groups: Vec<Group>,
     pub(crate) data: Vec<CellData>,
     pub(crate) structure: Option<Structure>,
-    pub(crate) warnings: Vec<String>,
+    pub(crate) remarks: Vec<Remark>,
 }
 
 /// Everything that a [`Model`] is made of, for the crates that build one piece by piece.
@@ -48,7 +49,7 @@ pub struct ModelParts {
     pub groups: Vec<Group>,
     pub data: Vec<CellData>,
     pub structure: Option<Structure>,
-    pub warnings: Vec<String>,
+    pub remarks: Vec<Remark>,
 }
 
 impl ModelParts {
@@ -66,7 +67,7 @@ impl ModelParts {
             groups,
             data,
             structure,
-            warnings,
+            remarks,
         } = self;
         Model {
             format,
@@ -80,7 +81,7 @@ impl ModelParts {
             groups,
             data,
             structure,
-            warnings,
+            remarks,
         }
     }
 }
@@ -460,7 +461,7 @@ impl Model {
             groups,
             data,
             structure,
-            warnings,
+            remarks,
         } = self;
         ModelParts {
             format,
@@ -474,7 +475,7 @@ impl Model {
             groups,
             data,
             structure,
-            warnings,
+            remarks,
         }
     }
 
@@ -676,11 +677,11 @@ impl Model {
     /// use coface_io as io;
     /// use coface_io::Format;
     /// let model = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
-    /// assert!(model.warnings().is_empty());
+    /// assert!(model.remarks().is_empty());
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn warnings(&self) -> &[String] {
-        &self.warnings
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
     }
 }
 

@@ -13,6 +13,7 @@ use super::limits::require_mesh;
 use super::lists::Elements;
 use super::model::repeated_vertex;
 use super::scanner::{Scanner, parse_f64, parse_i64, quoted};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
 use std::io::{Read, Write};
@@ -251,11 +252,11 @@ fn read_text<R: Read>(blocks: Blocks<R>, header: Header) -> Result<Model, Error>
 
 fn model(header: Header, whole: Piece) -> Result<Model, Error> {
     let Elements { polygons, lines, points } = whole.elements;
-    let mut warnings = Vec::new();
+    let mut remarks = Vec::new();
     if whole.surplus > 0 {
-        warnings.push(format!(
-            "{} lines behind the last face that the header promises are left out",
-            whole.surplus
+        remarks.push(Remark::new(
+            RemarkCode::TrailingContent,
+            format!("{} lines behind the last face that the header promises are left out", whole.surplus),
         ));
     }
     let model = Model {
@@ -264,7 +265,7 @@ fn model(header: Header, whole: Piece) -> Result<Model, Error> {
         polygons: polygons.into_ragged()?,
         lines: lines.into_ragged()?,
         points,
-        warnings,
+        remarks,
         ..Model::default()
     };
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");

@@ -3,8 +3,8 @@
 use super::counted_stream::{CountedStream, name_of, reading};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::{
-    Format, Model, Structure, VolumeReading, VolumeStream, container, detection, format, geojson, isosig,
-    json, lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
+    Format, Model, Remark, Structure, VolumeReading, VolumeStream, container, detection, format, geojson,
+    isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
 };
 use coface_algebra::{Error, ErrorKind};
 use std::fs::File;
@@ -57,6 +57,8 @@ pub struct ReadOptions {
     pub(crate) format: Option<Format>,
     pub(crate) flatten: Option<f64>,
     pub(crate) volume: VolumeReading,
+    pub(crate) strict: bool,
+    pub(crate) partial: bool,
 }
 
 impl ReadOptions {
@@ -132,6 +134,46 @@ impl ReadOptions {
         &self.volume
     }
 
+    /// Makes every assumption an error: what the reader would say in a [`Remark`] whose code is
+    /// [an assumption](crate::RemarkCode::is_assumption) is refused.
+    ///
+    /// # Examples
+    /// The file goes on behind the one triangle that its header states.
+    /// ```
+    /// use coface_io::{ReadOptions, read_with};
+    /// let text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n";
+    /// assert_eq!(read_with(text.as_bytes(), &ReadOptions::new())?.remarks().len(), 1);
+    /// assert!(read_with(text.as_bytes(), &ReadOptions::new().strict(true)).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn strict(mut self, strict: bool) -> Self {
+        self.strict = strict;
+        self
+    }
+
+    /// Reads what stands before the first fault of a file that is cut short, with a remark, instead of refusing it.
+    #[must_use]
+    pub fn partial(mut self, partial: bool) -> Self {
+        self.partial = partial;
+        self
+    }
+
+    /// Refuses the first assumption among these remarks if reading is strict.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] with the sentence of the remark.
+    #[doc(hidden)]
+    pub fn accept(&self, remarks: &[Remark]) -> Result<(), Error> {
+        match remarks.iter().find(|remark| self.strict && remark.code.is_assumption()) {
+            Some(remark) => {
+                Err(Error::invalid(format!("{}; strict reading assumes nothing", remark.message))
+                    .with_cure("read it without strict, or correct the file"))
+            }
+            None => Ok(()),
+        }
+    }
+
     fn check(&self) -> Result<(), Error> {
         match self.flatten {
             Some(tolerance) => yin::check_tolerance(tolerance),
@@ -185,7 +227,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
         };
         if format.is_volume() {
             drop(file);
-            return volume_model(VolumeStream::open(path, format)?, &options.volume, format);
+            return volume_model(VolumeStream::open(path, format)?, options, format);
         }
         read_started(&start, whole, &mut file, format, options)
     };
@@ -221,10 +263,11 @@ pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<
 }
 
 /// The model of a volume.
-fn volume_model(stream: VolumeStream<'_>, how: &VolumeReading, format: Format) -> Result<Model, Error> {
-    let (volume, warnings) = stream.read(how)?;
+fn volume_model(stream: VolumeStream<'_>, options: &ReadOptions, format: Format) -> Result<Model, Error> {
+    let (volume, remarks) = stream.read(&options.volume)?;
+    options.accept(&remarks)?;
     let mut model = Model::from_structure(Structure::Volume(volume));
-    model.warnings = warnings;
+    model.remarks = remarks;
     Ok(model.with_format(format))
 }
 
@@ -450,6 +493,7 @@ fn boundary_started(
         }
         _ => yin::drawing_of_model(&read_started(start, whole, rest, format, options)?)?,
     };
+    options.accept(drawing.remarks())?;
     Ok(drawing.with_format(format))
 }
 
@@ -645,8 +689,9 @@ fn read_started(
         Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
         Format::Container => container::read(input)?,
         Format::Npy | Format::Nrrd | Format::Nifti => {
-            return volume_model(VolumeStream::new(input, format)?, &options.volume, format);
+            return volume_model(VolumeStream::new(input, format)?, options, format);
         }
     };
+    options.accept(model.remarks())?;
     Ok(model.with_format(format))
 }

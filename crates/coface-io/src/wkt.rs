@@ -514,7 +514,7 @@ mod tests {
         }
         let measured = read(&b"LINESTRING M (0 0 5, 1 0 6)"[..]).unwrap();
         assert_eq!(measured.positions().dimension(), 2);
-        assert_eq!(measured.warnings().len(), 1);
+        assert_eq!(measured.remarks().len(), 1);
         assert_eq!(read(&b"POINT ZM (1 2 3 4)"[..]).unwrap().positions().as_flat(), [1., 2., 3.]);
     }
 

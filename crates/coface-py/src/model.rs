@@ -531,7 +531,7 @@ impl Model {
     /// What was odd about the file.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.model().warnings().to_vec()
+        self.model().remarks().iter().map(|remark| remark.message.clone()).collect()
     }
 
     /// The model with one more array of numbers on its cells.

@@ -31,7 +31,7 @@ use coface_complexes::lar::LarModel;
 use coface_complexes::simplicial::FrozenComplex;
 use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
 use coface_geometry::Positions;
-use coface_io::{Model, ModelParts, Structure, segments};
+use coface_io::{Model, ModelParts, Remark, Structure, segments};
 
 /// The cells of a model with their faces identified: what its chain complex is made from.
 ///
@@ -54,6 +54,7 @@ pub struct Producer {
     pub(crate) cells: Cells,
     pub(crate) labels: Labels,
     pub(crate) positions: Positions,
+    pub(crate) remarks: Vec<Remark>,
 }
 
 /// The structures that models become.
@@ -82,8 +83,17 @@ impl Producer {
     /// Those of the structure that fits the model: [`coface_algebra::ErrorKind::InvalidInput`] naming a cell that is none,
     /// [`coface_algebra::ErrorKind::TooLarge`] for what its numbers do not hold.
     pub fn of(model: Model) -> Result<Self, Error> {
-        let ModelParts { vertex_count, mut positions, polygons, shapes, cells, lines, structure, .. } =
-            model.into_parts();
+        let ModelParts {
+            vertex_count,
+            mut positions,
+            polygons,
+            shapes,
+            cells,
+            lines,
+            structure,
+            remarks,
+            ..
+        } = model.into_parts();
         let (cells, labels) = match structure {
             Some(Structure::Facets(facets)) => of_facets(facets)?,
             Some(Structure::Chains(complex)) => (Cells::Chains(complex), Labels::default()),
@@ -108,12 +118,17 @@ impl Producer {
                 (Cells::Polygons(mesh), Labels::default())
             }
         };
-        Ok(Self { cells, labels, positions })
+        Ok(Self { cells, labels, positions, remarks })
     }
 
     /// The positions of the vertices by their numbers in the file; empty when it has none.
     pub fn positions(&self) -> &Positions {
         &self.positions
+    }
+
+    /// What the reader of the model assumed, changed or left out.
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
     }
 
     /// The volume, where the cells are voxels with their faces.

@@ -118,9 +118,7 @@ impl PlanarSet {
             (None, true) => drawing.order().max(Order::CUBIC),
             (None, false) => drawing.order(),
         };
-        let warnings = drawing.warnings().iter();
-        let mut remarks: Vec<Remark> =
-            warnings.map(|sentence| Remark::new(RemarkCode::InputReading, sentence.clone())).collect();
+        let mut remarks = drawing.remarks().to_vec();
         if drawing.is_plane() || drawing.curves().is_empty() {
             let set = if drawing.is_plane() { YinSet::plane(order) } else { YinSet::empty(order) };
             check_listed(&set, request.kinks.as_ref())?;

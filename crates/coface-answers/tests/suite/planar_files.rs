@@ -60,7 +60,7 @@ fn maps_are_what_the_manifest_says() {
         seen += 1;
         let model = io::read_path(data.join(name), None).unwrap();
         assert_eq!(model.format(), Some(Format::GeoJson), "{name}");
-        assert!(model.warnings().is_empty(), "{name}");
+        assert!(model.remarks().is_empty(), "{name}");
         let corners = record["ring_vertices"].as_u64().unwrap() as usize;
         let (polygons, rings) = match record["rings"].as_u64() {
             Some(rings) => (1, rings),

@@ -178,10 +178,10 @@ pub(crate) fn cut_input(
     {
         volumes_have_no_owners()?;
         progress.stage("cutting into shards");
-        let (shards, warnings) =
+        let (shards, remarks) =
             shard_volume_file(sort, input, format, reading.volume_reading(), folder, &request)?;
         if !common.quiet {
-            warnings.iter().for_each(|warning| remark(&format!("{name}: {warning}")));
+            remarks.iter().for_each(|one| remark(&format!("{name}: {}", one.message)));
         }
         return Ok(shards);
     }

@@ -50,7 +50,7 @@ fn a_collection_of_everything_is_read() {
         Group::new("17", GroupKind::Lines, vec![1, 2, 3]),
     ];
     assert_eq!(model.groups(), groups);
-    assert!(model.warnings().is_empty());
+    assert!(model.remarks().is_empty());
     assert_eq!(read(&written(&model)[..]).unwrap(), model);
 }
 
@@ -76,7 +76,7 @@ fn geometries_alone_and_bare_rings_are_read() {
 fn heights_are_kept() {
     let model = read(&br#"{"type":"LineString","coordinates":[[0,0,5],[1,0],[1,1,6,7]]}"#[..]).unwrap();
     assert_eq!(model.positions().as_flat(), [0., 0., 5., 1., 0., 0., 1., 1., 6.]);
-    assert_eq!(model.warnings().len(), 2);
+    assert_eq!(model.remarks().len(), 2);
     assert_eq!(read(&written(&model)[..]).unwrap(), model);
 }
 
@@ -157,7 +157,7 @@ proptest! {
         let model = read(text.as_bytes()).unwrap();
         model.check().unwrap();
         // A line that is a point may lie on points of other features, which then are in two groups.
-        prop_assume!(model.warnings().is_empty());
+        prop_assume!(model.remarks().is_empty());
         let again = read(&written(&model)[..]).unwrap();
         prop_assert_eq!(&again, &model);
         // WKT keeps all but the names, so that each line with one is a feature of its own there.

@@ -3,6 +3,7 @@
 use super::faults::Faults;
 use crate::scanner::quoted;
 use crate::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+use crate::{Remark, RemarkCode};
 use coface_algebra::Error;
 use coface_yin::{Curve, Order};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -73,20 +74,23 @@ impl CurveKeys {
                 return Err(Error::invalid(message).with_cure("keep to one of them"));
             }
             let mut drawing = BoundaryDrawing::plane(order);
-            warn_of_keys(&mut drawing, &self.others);
+            remark_unknown_keys(&mut drawing, &self.others);
             return Ok(drawing);
         }
         let mut drawing = BoundaryDrawing::new(order);
-        warn_of_keys(&mut drawing, &self.others);
+        remark_unknown_keys(&mut drawing, &self.others);
         let mut unknown = curves.iter().enumerate().filter_map(|(n, curve)| Some((n, curve.other.as_ref()?)));
         if let Some((number, key)) = unknown.next() {
             let more = match unknown.count() {
                 0 => String::new(),
                 count => format!(" (and other curves too: {count})"),
             };
-            drawing.warn(format!(
-                "the key {} of curve {number} says nothing{more}: known are {CURVE_KEYS}",
-                quoted(key.as_bytes())
+            drawing.remark(Remark::new(
+                RemarkCode::UnknownKey,
+                format!(
+                    "the key {} of curve {number} says nothing{more}: known are {CURVE_KEYS}",
+                    quoted(key.as_bytes())
+                ),
             ));
         }
         if let Some(next) = self.next_vertex {
@@ -194,17 +198,17 @@ impl RawCurve {
 }
 
 /// Says which keys beside the curves have no meaning: a word that is spelt wrong would else be passed over unseen.
-fn warn_of_keys(drawing: &mut BoundaryDrawing, keys: &[String]) {
+fn remark_unknown_keys(drawing: &mut BoundaryDrawing, keys: &[String]) {
     if keys.is_empty() {
         return;
     }
     let named: Vec<String> = keys.iter().take(LISTED_KEYS).map(|key| quoted(key.as_bytes())).collect();
     let (noun, verb) = if keys.len() == 1 { ("key", "says") } else { ("keys", "say") };
     let dots = if keys.len() > LISTED_KEYS { ", .." } else { "" };
-    drawing.warn(format!(
+    drawing.remark(Remark::new(RemarkCode::UnknownKey, format!(
         "the {noun} {}{dots} beside the curves {verb} nothing: known are order, plane, curves, next_vertex, name",
         named.join(", ")
-    ));
+    )));
 }
 
 /// The list of curves.

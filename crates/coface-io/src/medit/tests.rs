@@ -61,7 +61,7 @@ fn quadratic_elements_are_read_by_their_corners() {
     let model = read(text.as_bytes()).unwrap();
     assert_eq!((model.vertex_count(), model.polygons().list(0)), (3, &[0, 1, 2][..]));
     assert_eq!(model.positions().as_flat(), [0.0, 0.0, 2.0, 0.0, 0.0, 2.0]);
-    assert!(model.warnings()[0].contains("1 elements of higher order"));
+    assert!(model.remarks()[0].message.contains("1 elements of higher order"));
 }
 
 /// A binary file of this version: one triangle with the reference 5 and a section that is not known.

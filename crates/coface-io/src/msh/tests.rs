@@ -72,7 +72,7 @@ fn quadratic_elements_are_read_by_their_corners() {
                 $EndNodes\n$Elements\n1\n1 9 2 1 1 1 2 3 4 5 6\n$EndElements\n";
     let model = read(text.as_bytes()).unwrap();
     assert_eq!((model.vertex_count(), model.polygons().list(0)), (3, &[0, 1, 2][..]));
-    assert!(model.warnings()[0].contains("1 elements of higher order"));
+    assert!(model.remarks()[0].message.contains("1 elements of higher order"));
 }
 
 /// One triangle on nodes 4, 5, 6 in the group 7, in the binary form of a version.

@@ -8,6 +8,7 @@ use crate::lists::Elements;
 use crate::model::repeated_vertex;
 use crate::scanner::{Scanner, parse_f64};
 use crate::{CellData, GroupKind, Model};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
 use std::io::Read;
@@ -84,16 +85,15 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         }
     }
     if reader.has_more()? {
-        model
-            .warnings
-            .push("the file goes on behind the last element of its header; that is left out".to_owned());
+        let message = "the file goes on behind the last element of its header; that is left out";
+        model.remarks.push(Remark::new(RemarkCode::TrailingContent, message));
     }
     model.polygons = found.polygons.into_ragged()?;
     model.lines = found.lines.into_ragged()?;
     model.points = found.points;
     let arrays = |(kind, columns): (GroupKind, Columns)| columns.into_data(kind, model.count_of(kind));
     let data: Vec<CellData> = columns.into_iter().flat_map(arrays).collect();
-    model.data = without_repeated_names(data, &mut model.warnings);
+    model.data = without_repeated_names(data, &mut model.remarks);
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");
     Ok(model)
 }

@@ -6,6 +6,7 @@ use crate::decimal::is_blank;
 use crate::lists::Lists;
 use crate::scanner::{Scanner, quoted};
 use crate::{Group, GroupKind, Model};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
 use std::collections::BTreeMap;
@@ -85,7 +86,7 @@ struct Soup {
     corners: Vec<Corner>,
     /// The names that begin (or, if `None`, end) in front of a triangle.
     solids: Vec<(usize, Option<String>)>,
-    warnings: Vec<String>,
+    remarks: Vec<Remark>,
 }
 
 fn read_binary<R: Read>(mut input: Scanner<R>) -> Result<Soup, Error> {
@@ -130,7 +131,10 @@ fn read_binary<R: Read>(mut input: Scanner<R>) -> Result<Soup, Error> {
                 .at_byte(HEADER as u64)
                 .with_cure("correct the count at byte 80, or tell the format if this is no STL file"));
         }
-        soup.warnings.push(format!("the file goes on behind its {count} triangles; that is left out"));
+        soup.remarks.push(Remark::new(
+            RemarkCode::TrailingContent,
+            format!("the file goes on behind its {count} triangles; that is left out"),
+        ));
     }
     Ok(soup)
 }
@@ -325,22 +329,22 @@ fn model(soup: &Soup) -> Result<Model, Error> {
         polygons.push_triangle([a, b, c]);
     }
     solids.for_each(|(_, name)| groups.begin(name.as_deref()));
-    let mut warnings = soup.warnings.clone();
+    let mut remarks = soup.remarks.clone();
     if left_out_count > 0 {
         let dots = if left_out_count > NAMED as u64 { ", .." } else { "" };
         let (s, verb) = if left_out_count == 1 { ("", "repeats") } else { ("s", "repeat") };
-        warnings.push(format!(
+        remarks.push(Remark::new(RemarkCode::CollapsedCell, format!(
             "{left_out_count} triangle{s} {verb} a vertex once equal corners are welded and left out: {}{dots} \
              (counted from 0)",
             left_out.join(", ")
-        ));
+        )));
     }
     let model = Model {
         vertex_count: welded.first_corners.len(),
         positions: Positions::from_flat(3, coordinates)?,
         polygons: polygons.into_ragged()?,
         groups: groups.groups(),
-        warnings,
+        remarks,
         ..Model::default()
     };
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");

@@ -6,6 +6,7 @@ use super::transformation::Transformation;
 use crate::drawing::{Drawing, Place};
 use crate::yin::check_tolerance;
 use crate::{CellData, GroupKind, Model};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::io::Read;
@@ -71,9 +72,9 @@ pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Mode
     let mut model = drawing.finish()?;
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
-        model
-            .warnings
-            .push(format!("{passed_over} {what} no lines or shapes and passed over: text, images or copies"));
+        let message =
+            format!("{passed_over} {what} no lines or shapes and passed over: text, images or copies");
+        model.remarks.push(Remark::new(RemarkCode::ElementsLeftOut, message).at(passed_over, []));
     }
     if model.data_named("ring", GroupKind::Lines).is_none() {
         return Ok(model);

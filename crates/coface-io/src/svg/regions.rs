@@ -3,6 +3,7 @@
 use super::curves::{FilledPath, Subpath};
 use super::reading::{ShapePaths, read_paths};
 use crate::yin::{BoundaryCurve, BoundaryDrawing, Filling};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_yin::{Curve, Order};
 use std::io::Read;
@@ -46,19 +47,22 @@ pub(crate) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
     }
     if is_outline && !paths.is_empty() {
         let what = if paths.len() == 1 { "closed outline is" } else { "closed outlines are" };
-        drawing.warn(format!(
-            "nothing is filled: {} {what} taken for the boundary of filled shapes",
-            paths.len()
+        drawing.remark(Remark::new(
+            RemarkCode::DrawingAssumption,
+            format!("nothing is filled: {} {what} taken for the boundary of filled shapes", paths.len()),
         ));
     }
     if arc_error > 0.0 {
-        drawing.warn(format!("arcs became cubics that are within {arc_error:.1e} of them"));
+        drawing.remark(Remark::new(
+            RemarkCode::ArcsApproximated,
+            format!("arcs became cubics that are within {arc_error:.1e} of them"),
+        ));
     }
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
-        drawing.warn(format!(
+        drawing.remark(Remark::new(RemarkCode::ElementsLeftOut, format!(
             "{passed_over} {what} not filled and passed over: lines, paths without fill, text, images or copies"
-        ));
+        )));
     }
     Ok(drawing)
 }

@@ -67,8 +67,8 @@ fn lines_names_and_rules_are_read() {
     assert_eq!(column(&model, "ring"), [0, 1, -1, 0, -1]);
     assert_eq!(column(&model, "fill_rule"), [1, 1, -1, 0, -1]);
     assert_eq!((model.groups()[0].name(), model.groups()[0].members()), ("p", &[0, 1, 2][..]));
-    assert_eq!(model.warnings().len(), 1);
-    assert!(model.warnings()[0].starts_with("1 element is"));
+    assert_eq!(model.remarks().len(), 1);
+    assert!(model.remarks()[0].message.starts_with("1 element is"));
     let lines = parsed("<line x1='1' y1='2' x2='3' y2='4'/><line x1='3' y1='4'/>");
     assert_eq!(*lines.lines(), RaggedArray::from_lists([[0, 1], [1, 2]]));
     assert!(lines.data().is_empty());

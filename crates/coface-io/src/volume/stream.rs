@@ -7,6 +7,7 @@ use super::{nifti, npy, nrrd};
 use crate::Format;
 use crate::counted_stream::{name_of, reading};
 use crate::features::{GZIP, gunzipped};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
 use std::collections::BTreeMap;
@@ -227,7 +228,7 @@ impl<'r> VolumeStream<'r> {
     }
 
     /// Goes through all voxels in the order of the file: calls with the first voxel of a run along [`Self::fastest_axis`] and which voxels of
-    /// the run are set. Gives warnings.
+    /// the run are set. Gives remarks.
     ///
     /// # Errors
     /// [`ErrorKind::Io`] and [`ErrorKind::Parse`] where numbers cannot be read, or end too early; what `visit` says.
@@ -252,7 +253,7 @@ impl<'r> VolumeStream<'r> {
         self,
         rule: VoxelRule,
         mut visit: impl FnMut(&[u32], &[bool]) -> Result<(), Error>,
-    ) -> Result<Vec<String>, Error> {
+    ) -> Result<Vec<Remark>, Error> {
         rule.check()?;
         let name = self.name.clone();
         self.runs(rule, &mut visit).map_err(|error| match name {
@@ -261,7 +262,7 @@ impl<'r> VolumeStream<'r> {
         })
     }
 
-    fn runs(self, rule: VoxelRule, visit: &mut Visit<'_>) -> Result<Vec<String>, Error> {
+    fn runs(self, rule: VoxelRule, visit: &mut Visit<'_>) -> Result<Vec<Remark>, Error> {
         let fastest = self.fastest_axis();
         let VolumeHeader { shape, is_first_fastest, number_type, is_big_endian, encoding, scale, .. } =
             self.header;
@@ -322,13 +323,14 @@ impl<'r> VolumeStream<'r> {
             }
         }
         Ok(if numbers.goes_on()? {
-            vec![format!("the file goes on behind the {total} numbers of shape {shape:?}")]
+            let message = format!("the file goes on behind the {total} numbers of shape {shape:?}");
+            vec![Remark::new(RemarkCode::TrailingContent, message)]
         } else {
             Vec::new()
         })
     }
 
-    /// Reads the whole volume: its axes are those of the file. Gives warnings too.
+    /// Reads the whole volume: its axes are those of the file. Gives remarks too.
     ///
     /// # Errors
     /// Those of [`Self::for_each_run`]; [`ErrorKind::InvalidInput`] for a periodic axis that there is not; [`ErrorKind::TooLarge`] beyond
@@ -346,13 +348,13 @@ impl<'r> VolumeStream<'r> {
     /// assert!(volume.is_set(&[0, 0]) && !volume.is_set(&[1, 1]));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn read(self, how: &VolumeReading) -> Result<(CubicalVolume, Vec<String>), Error> {
+    pub fn read(self, how: &VolumeReading) -> Result<(CubicalVolume, Vec<Remark>), Error> {
         let shape = self.header.shape.clone();
         let is_first_fastest = self.header.is_first_fastest;
         let is_periodic = how.periodic_axes(shape.len())?;
         // Grown as numbers come: what the header says may be a lie.
         let (mut words, mut word, mut count) = (Vec::new(), 0u64, 0usize);
-        let warnings = self.for_each_run(how.rule, |_, is_set| {
+        let remarks = self.for_each_run(how.rule, |_, is_set| {
             for &is_set in is_set {
                 word |= u64::from(is_set) << (count % 64);
                 count += 1;
@@ -370,11 +372,11 @@ impl<'r> VolumeStream<'r> {
         } else {
             CubicalVolume::from_words(&shape, &is_periodic, words)?
         };
-        Ok((volume, warnings))
+        Ok((volume, remarks))
     }
 
     /// Reads the volume into windows of the boxes that it is cut into, each given as soon as it is complete. Every box is given once, with its
-    /// number. Gives warnings.
+    /// number. Gives remarks.
     ///
     /// # Errors
     /// Those of [`Self::for_each_run`]; [`ErrorKind::Shape`] for boxes of a volume of another shape; what `give` says.
@@ -386,7 +388,7 @@ impl<'r> VolumeStream<'r> {
         rule: VoxelRule,
         boxes: &VoxelBoxes,
         mut give: impl FnMut(u32, VoxelWindow) -> Result<(), Error>,
-    ) -> Result<Vec<String>, Error> {
+    ) -> Result<Vec<Remark>, Error> {
         if boxes.shape() != self.shape() {
             return Err(Error::new(
                 ErrorKind::Shape,
@@ -395,12 +397,12 @@ impl<'r> VolumeStream<'r> {
         }
         let slowest = if self.header.is_first_fastest { self.header.shape.len() - 1 } else { 0 };
         let mut windows = OpenWindows::new(boxes, self.fastest_axis(), slowest)?;
-        let warnings = self.for_each_run(rule, |voxel, is_set| {
+        let remarks = self.for_each_run(rule, |voxel, is_set| {
             windows.advance(voxel[slowest], &mut give)?;
             windows.insert(voxel, is_set)
         })?;
         windows.advance(u32::MAX, &mut give)?;
-        Ok(warnings)
+        Ok(remarks)
     }
 }
 

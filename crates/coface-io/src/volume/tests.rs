@@ -435,7 +435,7 @@ fn pairs_are_read_by_either_name() {
     }
     std::fs::write(path("long.npy"), npy("|u1", false, "(2,)", 1, &[1; 3])).unwrap();
     let model = io::read_path(path("long.npy"), None).unwrap();
-    assert!(model.warnings()[0].contains("goes on behind the 2 numbers"));
+    assert!(model.remarks()[0].message.contains("goes on behind the 2 numbers"));
     // Told by content alone.
     let packed = gzip(&nifti(1, false, (2, 8), &[2], (0.0, 0.0), b"n+1\0", &[1, 0]));
     std::fs::write(path("nameless"), &packed).unwrap();

@@ -9,6 +9,7 @@ use crate::numbers::Numbers;
 use crate::scanner::quoted;
 use crate::values::NumberType;
 use crate::{CellData, GroupKind, Model};
+use crate::{Remark, RemarkCode};
 use coface_algebra::Error;
 use std::io::Read;
 
@@ -198,9 +199,9 @@ fn row_count<R: Read>(reader: &Reader<R>, place: Place) -> u64 {
 }
 
 fn leave_out<R: Read>(reader: &mut Reader<R>, name: &str) {
-    reader.elements.assembly.warnings.push(format!(
-        "the data \"{}\" are no numbers; they and what follows are left out",
-        name.escape_debug()
+    reader.elements.assembly.remarks.push(Remark::new(
+        RemarkCode::DataLeftOut,
+        format!("the data \"{}\" are no numbers; they and what follows are left out", name.escape_debug()),
     ));
 }
 

@@ -84,7 +84,7 @@ fn every_type_of_cell_is_read() {
     assert_eq!(polygons, [&[0, 1, 3, 2][..], &[0, 1, 2], &[2, 1, 3], &[0, 1, 3, 2], &[0, 3, 2]]);
     assert_eq!(model.lines().list(0), [3, 2, 1, 0]);
     assert_eq!(model.points().len(), 2);
-    assert!(model.warnings()[0].contains("1 elements of higher order"));
+    assert!(model.remarks()[0].message.contains("1 elements of higher order"));
     // The strip is two triangles; the points have no data.
     let column = |name: &str, kind| -> Vec<i64> {
         let data = model.data_named(name, kind).unwrap();
@@ -115,10 +115,13 @@ fn data_follow_the_order_in_which_cells_are_drawn() {
     assert_eq!(big.integer_row(0), Some(vec![9_007_199_254_740_993]));
     assert_eq!(row("t", GroupKind::Polygons, 0)[8], 9.0);
     assert_eq!((row("uv", GroupKind::Vertices, 2), model.data().len()), (vec![0.0, 1.0], 9));
-    assert!(model.warnings().is_empty());
+    assert!(model.remarks().is_empty());
     let strings = format!("{head}POINT_DATA 4\nPEDIGREE_IDS who string\na\nb\nc\nd\n");
     let model = read(strings.as_bytes()).unwrap();
-    assert_eq!(model.warnings(), ["the data \"who\" are no numbers; they and what follows are left out"]);
+    assert_eq!(
+        model.remarks().iter().map(|remark| &remark.message[..]).collect::<Vec<_>>(),
+        ["the data \"who\" are no numbers; they and what follows are left out"]
+    );
     for (data, message) in [
         ("CELL_DATA 2\n", "line 13: there are data on 2 cells, but there are 3 cells"),
         ("POINT_DATA 3\n", "line 13: there are data on 3 points, but there are 4 points"),

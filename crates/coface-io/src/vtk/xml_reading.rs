@@ -7,6 +7,7 @@ use super::xml_arrays::{Appended, Array, Storage, located, natural};
 use crate::numbers::Numbers;
 use crate::values::{Encoding, NumberType};
 use crate::{CellData, GroupKind, Model};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use memchr::memmem;
 use roxmltree::{Document, Node};
@@ -14,7 +15,7 @@ use std::borrow::Cow;
 use std::io::Read;
 
 /// Reads a VTK XML file: an unstructured grid (`.vtu`) or polygonal data (`.vtp`), in any encoding. Several pieces become one mesh, one after
-/// the other; points that pieces share are not merged. Data that are no numbers, or that not every piece has, are left out with a warning.
+/// the other; points that pieces share are not merged. Data that are no numbers, or that not every piece has, are left out with a remark.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] and [`ErrorKind::InvalidInput`] with the line: what is no XML, an array that is too short or too long, an index outside
@@ -352,20 +353,20 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// An array of data; `None`, with a warning, if it holds no numbers.
+    /// An array of data; `None`, with a remark, if it holds no numbers.
     fn data_array(&mut self, node: Node<'_, '_>, rows: u64) -> Result<Option<Array>, Error> {
         let array = self.storage.array(node, rows, 1)?;
         if array.is_none() {
             let name = node.attribute("Name").unwrap_or_default().escape_debug();
-            self.warn(format!("the data \"{name}\" are no numbers; they are left out"));
+            self.leave_out(format!("the data \"{name}\" are no numbers; they are left out"));
         }
         Ok(array.filter(|array| array.components > 0))
     }
 
-    fn warn(&mut self, warning: String) {
-        let warnings = &mut self.elements.assembly.warnings;
-        if !warnings.contains(&warning) {
-            warnings.push(warning);
+    fn leave_out(&mut self, message: String) {
+        let remarks = &mut self.elements.assembly.remarks;
+        if !remarks.iter().any(|remark| remark.message == message) {
+            remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
         }
     }
 
@@ -409,7 +410,7 @@ impl Reader<'_> {
         for data in std::mem::take(&mut self.data) {
             if data.pieces < self.piece_count {
                 let name = data.name.escape_debug();
-                self.warn(format!("the data \"{name}\" are not in every piece; they are left out"));
+                self.leave_out(format!("the data \"{name}\" are not in every piece; they are left out"));
             } else if self.elements.assembly.count_of(data.kind) > 0 {
                 let Gathered { name, kind, components, numbers, .. } = data;
                 self.elements.assembly.add_data(CellData::of_file(name, kind, components, numbers));

@@ -78,7 +78,7 @@ fn pieces_and_files_of_other_programs_are_read() {
     assert_eq!(column(&model, "density", GroupKind::Cells), [0.5, 1.5, 2.5, 3.5, 0.5, 1.5, 2.5, 3.5]);
     assert_eq!(column(&model, "density", GroupKind::Polygons), [4.5, 4.5]);
     assert_eq!(model.data_named("velocity", GroupKind::Vertices).unwrap().real_row(23), [11.0, 0.0, -11.0]);
-    assert!(model.warnings().is_empty(), "{:?}", model.warnings());
+    assert!(model.remarks().is_empty(), "{:?}", model.remarks());
     for bytes in MESHIO {
         let model = read_unknown(bytes).unwrap();
         assert_eq!((model.cells().list(0), model.polygons().list(0)), (&[0, 1, 2, 3][..], &[0, 1, 2][..]));
@@ -114,7 +114,10 @@ fn a_file_by_hand_and_its_faults() {
     let model = read_xml(by_hand("", data, POLYS).as_bytes()).unwrap();
     assert_eq!(model.polygons().iter().collect::<Vec<_>>(), [[0, 1, 2], [0, 2, 3]]);
     assert_eq!(model.data_named("rgb", GroupKind::Polygons).unwrap().integer_row(1), Some(vec![4, 5, 6]));
-    assert_eq!(model.warnings(), ["the data \"who\" are no numbers; they are left out"]);
+    assert_eq!(
+        model.remarks().iter().map(|remark| &remark.message[..]).collect::<Vec<_>>(),
+        ["the data \"who\" are no numbers; they are left out"]
+    );
     for (from, to, message) in [
         ("0 2 3<", "0 2 4<", "line 14: cell 1 names point 4, but the piece has 4 points, numbered from 0"),
         ("0 2 3<", "0 2 -1<", "cell 1 names point -1"),

@@ -1,6 +1,7 @@
 //! What a file says about the boundary of a set.
 
 use super::flattening::flattened;
+use crate::Remark;
 use crate::{CellData, Format, Group, GroupKind, Model};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
@@ -235,7 +236,7 @@ pub struct BoundaryDrawing {
     curves: Vec<BoundaryCurve>,
     groups: Vec<(Filling, Range<usize>)>,
     next_kink_name: Option<u32>,
-    warnings: Vec<String>,
+    remarks: Vec<Remark>,
     format: Option<Format>,
 }
 
@@ -255,7 +256,7 @@ impl BoundaryDrawing {
             curves: Vec::new(),
             groups: Vec::new(),
             next_kink_name: None,
-            warnings: Vec::new(),
+            remarks: Vec::new(),
             format: None,
         }
     }
@@ -288,8 +289,8 @@ impl BoundaryDrawing {
         self.groups.push((filling, start..self.curves.len()));
     }
 
-    pub(crate) fn warn(&mut self, warning: String) {
-        self.warnings.push(warning);
+    pub(crate) fn remark(&mut self, remark: Remark) {
+        self.remarks.push(remark);
     }
 
     pub(crate) fn set_next_kink_name(&mut self, name: Option<u32>) {
@@ -422,10 +423,10 @@ impl BoundaryDrawing {
     /// use coface_yin::Order;
     /// let mut drawing = BoundaryDrawing::new(Order::LINEAR);
     /// drawing.push(Filling::Left, vec![BoundaryCurve::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
-    /// assert!(drawing.warnings().is_empty());
+    /// assert!(drawing.remarks().is_empty());
     /// ```
-    pub fn warnings(&self) -> &[String] {
-        &self.warnings
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
     }
 
     /// The format of the file.

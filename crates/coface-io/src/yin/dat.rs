@@ -1,6 +1,7 @@
 //! The binary `.dat` of curves as polynomials.
 
 use super::{BoundaryCurve, BoundaryDrawing, Filling};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_yin::{Curve, Order, YinSet};
 use std::io::{Read, Write};
@@ -86,7 +87,10 @@ pub fn read_dat(input: impl Read) -> Result<BoundaryDrawing, Error> {
     });
     let boundary: Vec<BoundaryCurve> = boundary.collect::<Result<_, Error>>()?;
     if raised_count > 0 {
-        drawing.warn(format!("{raised_count} of {count} curves were raised to order {order}"));
+        drawing.remark(Remark::new(
+            RemarkCode::OrderRaised,
+            format!("{raised_count} of {count} curves were raised to order {order}"),
+        ));
     }
     if !boundary.is_empty() {
         drawing.push(Filling::Left, boundary);

@@ -2,6 +2,7 @@
 
 use super::{BoundaryCurve, BoundaryDrawing, Filling};
 use crate::scanner::{Scanner, parse_f64, parse_i64, quoted};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Angle;
 use coface_yin::Order;
@@ -98,7 +99,10 @@ pub fn read_factories(input: impl Read) -> Result<BoundaryDrawing, Error> {
             }
             Some(Line::Tolerance(tolerance)) => {
                 has_tolerance = true;
-                drawing.warn(format!("the tolerance {tolerance} is not used: there is none"));
+                drawing.remark(Remark::new(
+                    RemarkCode::DataLeftOut,
+                    format!("the tolerance {tolerance} is not used: there is none"),
+                ));
             }
             Some(Line::Curve(mut curve)) => {
                 curve.set_line(number);

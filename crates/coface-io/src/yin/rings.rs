@@ -2,6 +2,7 @@
 
 use super::{BoundaryCurve, BoundaryDrawing, Filling};
 use crate::{GroupKind, Model, Shape, shapes};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_yin::Order;
@@ -42,7 +43,10 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
         let points = |walk: &Vec<u32>| walk.iter().map(|&vertex| place(vertex)).collect();
         let curves: Vec<BoundaryCurve> = walks.iter().map(|walk| BoundaryCurve::new(points(walk))).collect();
         if curves.is_empty() && model.vertex_count() > 0 {
-            drawing.warn("points alone bound nothing and are passed over".to_owned());
+            drawing.remark(Remark::new(
+                RemarkCode::ElementsLeftOut,
+                "points alone bound nothing and are passed over",
+            ));
         }
         if !curves.is_empty() {
             drawing.push(Filling::Stated(InsideRule::Odd), curves);
@@ -81,10 +85,13 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
     if passed_over > 0 {
         let what =
             if passed_over == 1 { "line beside polygons bounds" } else { "lines beside polygons bound" };
-        drawing.warn(format!("{passed_over} {what} nothing and passed over"));
+        drawing.remark(
+            Remark::new(RemarkCode::ElementsLeftOut, format!("{passed_over} {what} nothing and passed over"))
+                .at(passed_over, []),
+        );
     }
-    for warning in model.warnings() {
-        drawing.warn(warning.clone());
+    for remark in model.remarks() {
+        drawing.remark(remark.clone());
     }
     Ok(drawing)
 }

@@ -64,9 +64,9 @@ fn faults_of_json_have_line_and_cure() {
 fn keys_without_a_meaning_are_told() {
     let drawing =
         json(r#"{"Order": 4, "curves": [{"points": [[0, 0], [1, 0], [0, 1]], "kink": [0]}]}"#).unwrap();
-    assert!(drawing.warnings()[0].contains("\"Order\""), "{:?}", drawing.warnings());
-    assert!(drawing.warnings()[1].contains("\"kink\" of curve 0"), "{:?}", drawing.warnings());
-    assert!(json(r#"{"plane": true, "oder": 4}"#).unwrap().warnings()[0].contains("\"oder\""));
+    assert!(drawing.remarks()[0].message.contains("\"Order\""), "{:?}", drawing.remarks());
+    assert!(drawing.remarks()[1].message.contains("\"kink\" of curve 0"), "{:?}", drawing.remarks());
+    assert!(json(r#"{"plane": true, "oder": 4}"#).unwrap().remarks()[0].message.contains("\"oder\""));
     for (text, message) in [
         (
             r#"{"curves": [{"points": [[0, 0], [1, 0], [0, 1]], "name": 3}]}"#,
@@ -164,7 +164,7 @@ fn paths_keep_their_curves() {
     // Arcs are as near as is said, and exact at the ends of the axes.
     let disk = read("<circle cx='1' r='2'/>");
     let circle = curve(&disk);
-    assert!(disk.warnings()[0].starts_with("arcs became cubics"));
+    assert!(disk.remarks()[0].message.starts_with("arcs became cubics"));
     let quarter = circle.piece_count() / 4;
     assert_eq!(
         [0, 1, 2, 3].map(|i| circle.knot_point(i * quarter)),
@@ -181,7 +181,7 @@ fn paths_keep_their_curves() {
     // Where nothing is filled, closed outlines are what is drawn.
     let outlines = read("<path fill='none' d='M0 0h1v1z'/><path fill='none' d='M0 0L1 1'/>");
     assert_eq!(outlines.curves().len(), 1);
-    let said = outlines.warnings().join("; ");
+    let said = outlines.remarks().iter().map(|remark| &remark.message[..]).collect::<Vec<_>>().join("; ");
     assert!(
         said.contains("nothing is filled: 1 closed outline") && said.contains("1 element is not"),
         "{said}"

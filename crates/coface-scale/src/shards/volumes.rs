@@ -8,7 +8,7 @@ use coface_algebra::Error;
 use coface_algebra::progress;
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes};
 use coface_io::container::hash_array;
-use coface_io::{Format, VolumeReading, VolumeStream};
+use coface_io::{Format, Remark, VolumeReading, VolumeStream};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -127,7 +127,7 @@ pub fn shard_volume_file(
     how: &VolumeReading,
     folder: &Path,
     request: &ShardRequest,
-) -> Result<(ShardFolder, Vec<String>), Error> {
+) -> Result<(ShardFolder, Vec<Remark>), Error> {
     let stream = VolumeStream::open(path, format)?;
     let is_periodic = how.periodic_axes(stream.shape().len())?;
     let grid = grid_of(sort, stream.shape(), &is_periodic, request)?;
@@ -135,12 +135,12 @@ pub fn shard_volume_file(
     let shards = grid.create(folder, source(request, "volume"), content, request.replaces)?;
     let steps = progress::stage("writing shards", shards.boxes().count() as usize);
     let boxes = shards.boxes().clone();
-    let warnings = stream.for_each_window(how.rule, &boxes, |number, window| {
+    let remarks = stream.for_each_window(how.rule, &boxes, |number, window| {
         steps.advance(1);
         shards.write(number, &window)
     });
-    let warnings = warnings.map_err(|error| error.in_file(path.display().to_string()))?;
-    Ok((shards.finish()?, warnings))
+    let remarks = remarks.map_err(|error| error.in_file(path.display().to_string()))?;
+    Ok((shards.finish()?, remarks))
 }
 
 /// A hash of the bytes of the files, packed as they are, and of the rule.
@@ -205,9 +205,9 @@ mod tests {
         for sort in [GridSort::Cubes, GridSort::Simplices] {
             let request = ShardRequest::new("ball", 9);
             let [a, b] = ["a", "b"].map(|name| folder.path().join(format!("{name} {sort:?}")));
-            let (from_file, warnings) =
+            let (from_file, remarks) =
                 shard_volume_file(sort, &path, Format::Npy, &how, &a, &request).unwrap();
-            assert!(warnings.is_empty());
+            assert!(remarks.is_empty());
             let from_memory = shard_volume(sort, &ball, &b, &request).unwrap();
             assert_eq!(from_file.manifest().part_count, 16);
             let found = [from_file, from_memory].map(|shards| {

@@ -171,6 +171,8 @@ struct ShardTask {
     format: Option<String>,
     /// In the unit of the input.
     flatten: Option<f64>,
+    strict: bool,
+    partial: bool,
     voxels: VoxelArguments,
     grid: Option<Vec<u32>>,
     simplicial: bool,
@@ -250,6 +252,8 @@ impl<'a> Runner<'a> {
             owners: self.options.owners.as_deref().map(text).transpose()?,
             format: common.format.map(|format| format.name().to_owned()),
             flatten: common.flatten,
+            strict: common.strict,
+            partial: common.partial,
             voxels: common.voxels.clone(),
             grid: self.options.grid.grid.clone(),
             simplicial: self.options.grid.simplicial,
@@ -443,6 +447,8 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         output: None,
         format,
         flatten: task.flatten,
+        strict: task.strict,
+        partial: task.partial,
         voxels: task.voxels.clone(),
     };
     let progress = Progress::start(true);
