@@ -20,6 +20,7 @@
 //!   a [`Prism`] is the product with an interval, an [`Extrusion`] sweeps them through layers; a [`SimplicialGrid`] is a point
 //!   that is swept along each axis.
 
+mod bistellar;
 pub(crate) mod collapse;
 mod complex;
 mod components;
@@ -47,6 +48,7 @@ mod tree_link;
 mod tree_walk;
 mod two_skeleton;
 
+pub use bistellar::{BistellarMove, SphereCertificate, recognize_ball, recognize_sphere};
 pub use complex::SimplicialComplex;
 pub use construction::{Composite, VertexPairs};
 pub use delta::DeltaComplex;
