@@ -6,7 +6,7 @@ export default defineConfig({
   base: "./",
   plugins: [viteSingleFile({ removeViteModuleLoader: true })],
   build: {
-    outDir: "../crates/coface-pages/page",
+    outDir: "../crates/coface-pictures/page",
     target: "es2022",
     emptyOutDir: true,
     rolldownOptions: { input: "viewer.html" },

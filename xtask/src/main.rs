@@ -10,6 +10,7 @@ mod python;
 mod tally;
 mod test;
 mod tokens;
+mod typescript;
 mod viewer;
 
 use std::path::{Path, PathBuf};
@@ -23,6 +24,7 @@ const USAGE: &str = "usage:
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
+  cargo xtask types [--write] says whether the viewer has the types of docs/answers.schema.json; writes them
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
 
 fn main() -> ExitCode {
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         Some("python") if words.len() == 1 => python::run(),
         Some("answers") => answers::answers(&words[1..]),
         Some("api") => api::api(&words[1..]),
+        Some("types") => typescript::types(&words[1..]),
         Some("bench") => bench(&words[1..]),
         Some("help" | "-h" | "--help") => {
             println!("{USAGE}");

@@ -20,6 +20,7 @@ mod examination;
 mod facts;
 mod gluings;
 mod halfedges;
+mod homology;
 mod moments;
 mod planar;
 mod polygons;
@@ -42,6 +43,9 @@ pub use cocycles::{
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use diagram::{DiagramFormat, write_diagram};
 pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
+pub use homology::{
+    FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
+};
 pub use moments::Moment;
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,

@@ -2,51 +2,41 @@
 
 use crate::failure::Failure;
 use coface::algebra::Integer;
-use coface::answers::Term;
 use serde_json::Value;
 use std::path::Path;
 
-/// A chain as the user gives it.
-pub(crate) struct GivenChain {
-    pub(crate) degree: Option<usize>,
-    pub(crate) terms: Vec<Term>,
+/// A chain from a file in JSON, or from text such as `"0 1; 1 2; -1*0 2"`.
+pub(crate) fn read_chain(argument: &str) -> Result<Terms<Integer>, Failure> {
+    let is_file = Path::new(argument).extension().is_some_and(|extension| extension == "json");
+    if !is_file {
+        return chain_of_text(argument);
+    }
+    read_terms(Path::new(argument), |coefficient| match coefficient {
+        Value::String(digits) => digits.parse().ok(),
+        number => number.to_string().parse().ok(),
+    })
 }
 
-impl GivenChain {
-    /// From a file in JSON, or from text such as `"0 1; 1 2; -1*0 2"`.
-    pub(crate) fn read(argument: &str) -> Result<Self, Failure> {
-        let is_file = Path::new(argument).extension().is_some_and(|extension| extension == "json");
-        if !is_file {
-            return Self::from_text(argument);
+fn chain_of_text(text: &str) -> Result<Terms<Integer>, Failure> {
+    let fault = |word: &str| {
+        Failure::new(format!(
+            "{word:?} is no part of a chain; write cells by their vertices, as in \"0 1; 1 2; -1*0 2\", or name a .json file"
+        ))
+    };
+    let mut terms = Vec::new();
+    for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+        let (coefficient, cell) = part.split_once('*').unwrap_or(("1", part));
+        let coefficient: Integer = coefficient.trim().parse().map_err(|_| fault(part))?;
+        let words = cell.split([' ', ',', '\t']).filter(|word| !word.is_empty());
+        let vertices: Vec<u32> = words
+            .map(|word| word.strip_prefix('v').unwrap_or(word).parse().map_err(|_| fault(part)))
+            .collect::<Result<_, _>>()?;
+        if vertices.is_empty() {
+            return Err(fault(part));
         }
-        let (degree, terms) = read_terms(Path::new(argument), |coefficient| match coefficient {
-            Value::String(digits) => digits.parse().ok(),
-            number => number.to_string().parse().ok(),
-        })?;
-        Ok(Self { degree, terms })
+        terms.push((coefficient, vertices));
     }
-
-    fn from_text(text: &str) -> Result<Self, Failure> {
-        let fault = |word: &str| {
-            Failure::new(format!(
-                "{word:?} is no part of a chain; write cells by their vertices, as in \"0 1; 1 2; -1*0 2\", or name a .json file"
-            ))
-        };
-        let mut terms = Vec::new();
-        for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
-            let (coefficient, cell) = part.split_once('*').unwrap_or(("1", part));
-            let coefficient: Integer = coefficient.trim().parse().map_err(|_| fault(part))?;
-            let words = cell.split([' ', ',', '\t']).filter(|word| !word.is_empty());
-            let vertices: Vec<u32> = words
-                .map(|word| word.strip_prefix('v').unwrap_or(word).parse().map_err(|_| fault(part)))
-                .collect::<Result<_, _>>()?;
-            if vertices.is_empty() {
-                return Err(fault(part));
-            }
-            terms.push((coefficient, vertices));
-        }
-        Ok(Self { degree: None, terms })
-    }
+    Ok((None, terms))
 }
 
 /// A degree, if it is given, and terms: a coefficient and the vertices of a cell.

@@ -3,6 +3,10 @@
  */
 
 import type { Ragged } from "../complex/complex";
+import type { InfoAnswer, YinSetAnswer } from "./answers";
+
+/** What is known of the model: the report on it, or the facts about a set of the plane. */
+export type Report = Partial<InfoAnswer & YinSetAnswer>;
 
 /** Lists by where they start, or all of one width. */
 export interface RaggedText {
@@ -49,8 +53,8 @@ export interface PaneText {
 export interface SceneText {
   coface_scene: 1;
   title: string;
-  /** What `coface info --json` says. */
-  report: Record<string, unknown> | null;
+  /** What `coface info --json` or `coface yin info --json` says. */
+  report: Report | null;
   /** The number of coordinates that matter, 2 or 3. */
   dimension: 2 | 3;
   /** What was taken from all positions before they were rounded to 32 bits. */
@@ -97,7 +101,7 @@ export interface Pane {
 
 export interface Scene {
   title: string;
-  report: Record<string, unknown> | null;
+  report: Report | null;
   dimension: 2 | 3;
   origin: [number, number, number];
   positions: Float32Array;

@@ -4,6 +4,7 @@ use coface_algebra::Integer;
 use coface_topology::AbelianGroup;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// An integer: a JSON number, or beyond 64 bits a string of decimal digits, since JSON readers round such numbers.
 ///
@@ -27,10 +28,20 @@ impl WholeNumber {
     pub fn of_order(order: Option<&Integer>) -> Self {
         order.map_or(Self::Number(0), Self::from)
     }
+
+    /// Whether the number is 0, which as an order stands for infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(coface_answers::answer::WholeNumber::Number(0).is_zero());
+    /// ```
+    pub fn is_zero(&self) -> bool {
+        *self == Self::Number(0)
+    }
 }
 
-impl std::fmt::Display for WholeNumber {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for WholeNumber {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number(number) => number.fmt(formatter),
             Self::Digits(digits) => digits.fmt(formatter),
@@ -88,5 +99,52 @@ pub struct GroupAnswer {
 impl From<&AbelianGroup> for GroupAnswer {
     fn from(group: &AbelianGroup) -> Self {
         Self { betti: group.betti(), torsion: group.torsion().iter().map(WholeNumber::from).collect() }
+    }
+}
+
+impl fmt::Display for HomologyGroup {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_group(formatter, self.betti, &self.torsion)
+    }
+}
+
+impl fmt::Display for GroupAnswer {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_group(formatter, self.betti, &self.torsion)
+    }
+}
+
+/// A group as the sum of its cyclic parts: `Z^2 + Z/3`.
+fn write_group(formatter: &mut fmt::Formatter<'_>, betti: usize, torsion: &[WholeNumber]) -> fmt::Result {
+    let mut summands = match betti {
+        0 => Vec::new(),
+        1 => vec!["Z".to_owned()],
+        rank => vec![format!("Z^{rank}")],
+    };
+    for equal in torsion.chunk_by(|a, b| a == b) {
+        summands.push(match equal.len() {
+            1 => format!("Z/{}", equal[0]),
+            count => format!("(Z/{})^{count}", equal[0]),
+        });
+    }
+    formatter.write_str(if summands.is_empty() { "0" } else { "" })?;
+    formatter.write_str(&summands.join(" + "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_of_answers_read_as_those_of_the_library() {
+        for group in [
+            AbelianGroup::new(0, vec![]),
+            AbelianGroup::new(1, vec![]),
+            AbelianGroup::new(3, vec![2.into(), 2.into(), 6.into()]),
+            AbelianGroup::new(0, vec!["123456789012345678901234567890".parse().unwrap()]),
+        ] {
+            assert_eq!(GroupAnswer::from(&group).to_string(), group.to_string());
+            assert_eq!(HomologyGroup::list(std::slice::from_ref(&group))[0].to_string(), group.to_string());
+        }
     }
 }

@@ -123,3 +123,134 @@ fn several_reports_and_files_are_typed() {
     let cut = coface(&["cut", argument(&mesh), "-o", argument(&cover), "--json"]);
     assert_typed("cut", &cut.json());
 }
+
+const CUBE: &str = "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+    4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+const LEAF: &str = r#"{"order":4,"curves":[{"points":[[0,0],[4,0],[5,2],[4,4],[0,4]],"kinks":[0,4]}]}"#;
+
+/// Files of a folder that goes with the test.
+struct Files(tempfile::TempDir);
+
+impl Files {
+    fn new() -> Self {
+        Self(tempfile::tempdir().expect("a folder for the test"))
+    }
+
+    fn path(&self, name: &str) -> String {
+        argument(&self.0.path().join(name)).to_owned()
+    }
+
+    fn write(&self, name: &str, text: &str) -> String {
+        std::fs::write(self.0.path().join(name), text).expect("the file can be written");
+        self.path(name)
+    }
+}
+
+/// Asserts that the verb prints an answer of its type.
+#[track_caller]
+fn assert_prints(name: &str, arguments: &[&str]) {
+    assert_typed(name, &coface(&[arguments, &["--json", "--quiet"]].concat()).json());
+}
+
+#[test]
+fn drawings_are_typed() {
+    let files = Files::new();
+    let a = files.write("a.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))");
+    let b = files.write("b.wkt", "POLYGON ((3 3, 6 3, 6 6, 3 6, 3 3))");
+    let out = files.path("out.json");
+    for options in [&[][..], &["--snap"], &["--rule", "nonzero"], &["--provenance", &out]] {
+        assert_prints("arrange (plane)", &[&["arrange", &a, &b], options].concat());
+        assert_prints("boolean (plane)", &[&["boolean", "union", &a, &b], options].concat());
+    }
+    assert_prints("info", &["info", &a]);
+}
+
+#[test]
+fn solids_are_typed() {
+    let files = Files::new();
+    let a = files.write("a.off", CUBE);
+    let out = files.path("provenance.json");
+    let shifted: Vec<String> = CUBE
+        .lines()
+        .enumerate()
+        .map(|(i, line)| match (2..10).contains(&i) {
+            true => line.split(' ').map(|x| format!("{x}.5 ")).collect(),
+            false => line.to_owned(),
+        })
+        .collect();
+    let b = files.write("b.off", &shifted.join("\n"));
+    for options in [&[][..], &["--triangles"], &["--provenance", &out]] {
+        assert_prints("arrange (space)", &[&["arrange", &a, &b], options].concat());
+        assert_prints("boolean (space)", &[&["boolean", "difference", &a, &b], options].concat());
+    }
+    assert_prints("congruence", &["congruence", &a, &b, "--tolerance", "1e-6"]);
+    let out = files.path("out.obj");
+    assert_prints("convert", &["convert", &a, "-o", &out]);
+    assert_prints("convert", &["convert", &a, "--triangulate", "-o", &out]);
+    let picture = files.path("out.png");
+    assert_prints("render", &["render", &a, "--size", "40x30", "-o", &picture]);
+    assert_prints("generate", &["generate", "torus", "-o", &out]);
+    let rows = files.path("rows.jsonl");
+    assert_prints("batch", &["batch", &a, &b, "-o", &rows]);
+}
+
+#[test]
+fn sets_are_typed() {
+    let files = Files::new();
+    let a = files.write("a.json", LEAF);
+    let square = r#"{"order":2,"curves":[{"points":[[1,1],[6,1],[6,3],[1,3]],"kinks":[0,1,2,3]}]}"#;
+    let b = files.write("b.json", square);
+    assert_prints("yin info", &["yin", "info", &b]);
+    let linear = files.write("c.json", &square.replace("[1,1]", "[0,0]"));
+    for verb in ["meet", "join", "difference"] {
+        assert_prints("yin meet", &["yin", verb, &b, &linear]);
+    }
+    assert_prints("yin meet", &["yin", "complement", &a]);
+    assert_prints("yin info", &["yin", "info", &a]);
+    assert_prints("yin fit", &["yin", "fit", &b]);
+    assert_prints("yin kinks", &["yin", "kinks", &a]);
+    assert_prints("yin cut-cells", &["yin", "cut-cells", &b, "--grid", "4x4"]);
+    let moved = ["--flow", "rotation", "--center", "0,0", "--step", "0.1", "--spacing", "0.5"];
+    assert_prints("yin advect", &[&["yin", "advect", &a], &moved[..]].concat());
+}
+
+#[test]
+fn operators_and_diagrams_are_typed() {
+    let files = Files::new();
+    let cube = files.write("cube.off", CUBE);
+    for kind in [&["--incident"][..], &["--at-least", "1"], &["--exactly", "2"], &["--signed"]] {
+        let operator = ["incidence", &cube, "--operator", "FE", "--entries"];
+        assert_prints("incidence", &[&operator, kind].concat());
+    }
+    for options in [&["--upper-star"][..], &["--coefficients", "f3"], &["--min-persistence", "-1"]] {
+        assert_prints("persistence", &[&["persistence", &cube], options].concat());
+    }
+    let values = files.write("values.json", r#"{"cells":[[[0],1.5]]}"#);
+    let failed = coface(&["persistence", &cube, "--values", &values, "--json"]);
+    assert_eq!(failed.status, 1, "cells without a value are refused: {}", failed.stdout);
+}
+
+#[test]
+fn shards_are_typed() {
+    let files = Files::new();
+    let cube = files.write("cube.off", CUBE);
+    let folder = files.path("shards");
+    assert_prints("shard", &["shard", &cube, "--parts", "3", "-o", &folder]);
+    assert_prints("reduce", &["reduce", &folder]);
+    assert_prints("merge", &["merge", &folder]);
+    assert_prints("homology", &["homology", &cube, "--parts", "2", "--generators"]);
+    assert_prints("homology", &["homology", &cube, "--parts", "2", "--cohomology"]);
+}
+
+#[test]
+fn maps_and_decompositions_are_typed() {
+    let files = Files::new();
+    let rim = files.write("rim.json", "[[0,1],[1,2],[0,2]]");
+    let map = files.write("map.json", "[[0,0],[1,2],[2,1]]");
+    let run = coface(&["homology", &rim, "--map", &map, "--target", &rim, "--json"]).json();
+    assert_eq!(run["map"]["degrees"][1]["matrix"], serde_json::json!([[-1]]));
+    assert_typed("homology", &run);
+    let cochain = files.write("cochain.json", "[[1.5,[0,1]]]");
+    assert_prints("homology", &["homology", &rim, "--decompose", &cochain]);
+    assert_prints("homology", &["homology", &rim, "--reduced", "--generators"]);
+}

@@ -1,29 +1,25 @@
 //! `coface homology`: homology and cohomology groups, generators, classes of cycles, products, sequences and maps.
 
-mod cycles;
-mod generators;
-mod harmonic;
-mod maps;
+mod page;
 pub(crate) mod parts;
-mod products;
-mod sequence;
 
 use crate::arguments::{Common, ring};
-use crate::chains::GivenChain;
+use crate::chains::{read_chain, read_terms};
 use crate::commands::merge::Question;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::give;
+use crate::output::{give, write_json};
 use crate::progress::Progress;
 use clap::Args;
-use coface::algebra::chains::ChainComplex;
-use coface::answers::CellNames;
-use coface::answers::answer::HomologyAnswer;
+use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
-use coface::answers::{Pair, Producer, homology_of_volume};
-use coface::io::{ReadOptions, Structure};
-use coface::topology::{AbelianGroup, Coefficients, Homology as Groups, HomologyBasis, homology};
+use coface::answers::{
+    FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
+};
+use coface::io::{Format, ReadOptions, write_path};
+use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// Homology groups: how many components, loops and cavities a model has, and its torsion.
@@ -91,96 +87,66 @@ impl Homology {
                 common,
             );
         }
-        let given: Vec<GivenChain> =
-            self.cycle.iter().map(|argument| GivenChain::read(argument)).collect::<Result<_, _>>()?;
         let progress = Progress::start(common.quiet);
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
+        let request = self.request(&progress)?;
         let loaded = input::read(input, common.reading(), &progress)?;
-        if let Some(Structure::Volume(volume)) = loaded.model.structure()
-            && self.is_groups_alone()
-        {
-            progress.stage("computing homology");
-            let integral = homology_of_volume(volume).map_err(|error| error.in_file(loaded.name.clone()))?.1;
-            let groups = self.groups(&integral);
-            drop(progress);
-            let object = self.object(&loaded.name, &groups);
-            return give(common, &object, &self.page(&loaded.name, &groups));
-        }
-        let (name, producer) = input::identify(loaded, &progress)?;
-        let whole = producer.chain_complex()?;
-        let pair = self.pair(&producer, &whole, &progress)?;
-        let complex = pair.as_ref().map_or(&whole, Pair::chains);
-        let augmented = if self.reduced { Some(complex.augmented()?) } else { None };
-        let complex = augmented.as_ref().unwrap_or(complex);
-        let naming = CellNames::of(&producer).within(pair.as_ref()).augmented(self.reduced);
-        progress.stage("computing homology");
-        let needs_basis = self.generators.is_some() || self.harmonic || !given.is_empty();
-        let basis = needs_basis.then(|| HomologyBasis::new(complex));
-        let integral = basis.as_ref().map_or_else(|| homology(complex), HomologyBasis::homology);
-        let groups = self.groups(&integral);
-        let mut object = self.object(&name, &groups);
-        let mut page = self.page(&name, &groups);
-        if let (Some(basis), Some(place)) = (&basis, &self.generators) {
-            progress.stage("finding generators");
-            let found = generators::find(basis, &naming, self.coefficients, self.cohomology);
-            let generators = generators::answer(&found, &naming);
-            if let Some(place) = place {
-                generators::save(place, &found, &naming, &whole, &generators)?;
-            }
-            object.generators = Some(generators);
-            page += &generators::list(&found, self.cohomology, &naming);
-        }
-        if let Some(basis) = basis.as_ref().filter(|_| !given.is_empty()) {
-            progress.stage("finding classes");
-            let mut verdicts = Vec::new();
-            for (argument, given) in self.cycle.iter().zip(&given) {
-                let verdict = cycles::verdict(given, basis, &naming, &whole)
-                    .map_err(|error| error.in_file(format!("--cycle \"{argument}\"")))?;
-                page += &format!("    {argument}: {}\n", verdict.words);
-                verdicts.push(verdict.object);
-            }
-            object.cycles = Some(verdicts);
-        }
-        if let Some(pair) = pair.as_ref().filter(|_| self.sequence) {
-            progress.stage("computing the long exact sequence");
-            let (value, words) = sequence::answer(&whole, pair)?;
-            object.sequence = Some(value);
-            page += &words;
-        }
-        if let Some(&[p, q]) = self.cup.as_deref() {
-            progress.stage("multiplying cocycles");
-            let (value, words) = products::cup(&producer, p, q, self.coefficients)
-                .map_err(|error| error.in_file(name.clone()))?;
-            object.cup = Some(value);
-            page += &words;
-        }
-        if self.intersection_form {
-            progress.stage("computing the intersection form");
-            let (value, words) = products::form(&producer).map_err(|error| error.in_file(name.clone()))?;
-            object.intersection_form = Some(value);
-            page += &words;
-        }
-        if let Some(basis) = basis.as_ref().filter(|_| self.harmonic) {
-            progress.stage("solving for harmonic cochains");
-            let (value, words) = harmonic::cochains(basis, &naming)?;
-            object.harmonic = Some(value);
-            page += &words;
-        }
-        if let Some(file) = &self.decompose {
-            progress.stage("decomposing the cochain");
-            let (value, words) = harmonic::decomposition(complex, &naming, file)?;
-            object.decomposition = Some(value);
-            page += &words;
-        }
-        if let (Some(map), Some(target)) = (&self.map, &self.target) {
-            let target = input::read(target, ReadOptions::default(), &progress)?;
-            progress.stage("computing the induced map");
-            let (value, words) = maps::answer(&producer, map, target)?;
-            object.map = Some(value);
-            page += &words;
+        let found = request.found(&loaded.name, loaded.model)?;
+        if let Some(Some(place)) = &self.generators {
+            progress.stage(format!("writing {}", place.display()));
+            save_generators(place, &found)?;
         }
         drop(progress);
-        give(common, &object, &page)
+        let answer = found.answer();
+        let page = self.page(&answer.file, found.groups())
+            + &page::details(answer, found.cell_names(), &self.cycle, self.decompose.as_deref());
+        give(common, answer, &page)
+    }
+
+    /// What the command line asks for.
+    fn request(&self, progress: &Progress) -> Result<HomologyRequest, Failure> {
+        let cycles = self.cycle.iter().map(|argument| {
+            let (degree, terms) = read_chain(argument)?;
+            Ok(GivenChain { place: format!("--cycle \"{argument}\""), degree, terms })
+        });
+        let decomposed = self.decompose.as_ref().map(|file| {
+            let (degree, terms) = read_terms(file, Value::as_f64)?;
+            Ok::<_, Failure>(GivenRealCochain { place: file.display().to_string(), degree, terms })
+        });
+        let map = self.map.as_ref().zip(self.target.as_ref()).map(|(map, target)| {
+            let target = input::read(target, ReadOptions::default(), progress)?;
+            Ok::<_, Failure>(GivenVertexMap {
+                place: map.display().to_string(),
+                images: read_images(map)?,
+                target_name: target.name,
+                target: target.model,
+            })
+        });
+        let relative = match &self.relative {
+            None => None,
+            Some(part) if part.as_os_str() == "boundary" => Some(RelativeTo::Boundary),
+            Some(part) => {
+                let part = input::read(part, ReadOptions::default(), progress)?;
+                Some(RelativeTo::Part { name: part.name, model: part.model })
+            }
+        };
+        let cup = match self.cup.as_deref() {
+            Some(&[p, q]) => Some([p, q]),
+            _ => None,
+        };
+        Ok(HomologyRequest::new()
+            .coefficients(self.coefficients)
+            .cohomology(self.cohomology)
+            .reduced(self.reduced)
+            .relative(relative)
+            .sequence(self.sequence)
+            .generators(self.generators.is_some())
+            .cycles(cycles.collect::<Result<_, Failure>>()?)
+            .cup(cup)
+            .intersection_form(self.intersection_form)
+            .harmonic(self.harmonic)
+            .decomposed(decomposed.transpose()?)
+            .map(map.transpose()?))
     }
 
     /// What is asked of a complex in parts, if parts answer all of it.
@@ -204,48 +170,6 @@ impl Homology {
         Ok(Question { coefficients: *coefficients, cohomology: *cohomology, generators: generators.clone() })
     }
 
-    /// Whether nothing but groups is asked for, of the whole.
-    fn is_groups_alone(&self) -> bool {
-        self.relative.is_none()
-            && !self.reduced
-            && self.generators.is_none()
-            && self.cycle.is_empty()
-            && self.cup.is_none()
-            && !self.intersection_form
-            && !self.harmonic
-            && self.decompose.is_none()
-            && self.map.is_none()
-    }
-
-    fn object(&self, name: &str, groups: &[AbelianGroup]) -> HomologyAnswer {
-        HomologyAnswer::of(name, self.coefficients, self.cohomology, groups)
-    }
-
-    /// The pair with a subcomplex, if one is named.
-    fn pair(
-        &self,
-        producer: &Producer,
-        whole: &ChainComplex,
-        progress: &Progress,
-    ) -> Result<Option<Pair>, Failure> {
-        let Some(part) = &self.relative else { return Ok(None) };
-        if part.as_os_str() == "boundary" {
-            return Ok(Some(Pair::with_boundary(producer, whole)?));
-        }
-        let part = input::read(part, ReadOptions::default(), progress)?;
-        let pair = Pair::with_model(producer, whole, &part.model);
-        Ok(Some(pair.map_err(|error| error.in_file(part.name))?))
-    }
-
-    /// The groups asked for, from degree 0 of the model on.
-    fn groups(&self, integral: &Groups) -> Vec<AbelianGroup> {
-        let groups = match self.cohomology {
-            true => integral.dual(self.coefficients),
-            false => integral.with_coefficients(self.coefficients),
-        };
-        groups.groups()[usize::from(self.reduced).min(groups.groups().len())..].to_vec()
-    }
-
     fn page(&self, name: &str, groups: &[AbelianGroup]) -> String {
         let what = match (self.reduced, self.cohomology) {
             (false, false) => "homology",
@@ -259,4 +183,33 @@ impl Homology {
         let title = format!("{what} of {name} over {}{pair}", self.coefficients);
         text::groups(&title, groups, symbol, self.coefficients)
     }
+}
+
+/// Writes generators as JSON, or as a picture in the format that the name tells.
+fn save_generators(place: &Path, found: &FoundHomology) -> Result<(), Failure> {
+    if matches!(Format::from_path(place), None | Some(Format::Json)) {
+        let generators = found.answer().generators.clone().unwrap_or_default();
+        return write_json(place, &GeneratorsFile { generators });
+    }
+    Ok(write_path(&found.generators_model()?, place, None)?)
+}
+
+/// Pairs of a vertex and its image, from a list of pairs or under the key "vertices".
+fn read_images(path: &Path) -> Result<Vec<(u32, u32)>, Failure> {
+    let place = path.display();
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Failure::new(format!("{place}: cannot be read: {error}")))?;
+    let how = "write a map of vertices as [[vertex,image],..]";
+    let value: Value = serde_json::from_str(&text)
+        .map_err(|error| Failure::new(format!("{place}:{}: {error}; {how}", error.line())))?;
+    let list = value.get("vertices").unwrap_or(&value);
+    let list =
+        list.as_array().ok_or_else(|| Failure::new(format!("{place}: there is no list of pairs; {how}")))?;
+    let number = |value: &Value| u32::try_from(value.as_u64()?).ok();
+    let pair = |(i, value): (usize, &Value)| {
+        let pair = value.as_array().filter(|pair| pair.len() == 2);
+        pair.and_then(|pair| Some((number(&pair[0])?, number(&pair[1])?)))
+            .ok_or_else(|| Failure::new(format!("{place}: pair {i} is {value}; {how}")))
+    };
+    list.iter().enumerate().map(pair).collect()
 }

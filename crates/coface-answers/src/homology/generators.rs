@@ -1,16 +1,10 @@
-//! Generators of homology and cohomology: as JSON, as a list, as a picture.
+//! Generators of homology and cohomology.
 
-use crate::failure::Failure;
-use crate::output::write_json;
-use coface::CellId;
-use coface::algebra::Integer;
-use coface::algebra::chains::{Chain, ChainComplex};
-use coface::answers::CellNames;
-use coface::answers::answer::{GeneratorAnswer, GeneratorsFile, WholeNumber};
-use coface::io;
-use coface::io::Format;
-use coface::topology::{Coefficients, HomologyBasis};
-use std::path::Path;
+use crate::CellNames;
+use crate::answer::{GeneratorAnswer, WholeNumber};
+use coface_algebra::chains::{Chain, ChainComplex};
+use coface_algebra::{CellId, Error, Integer};
+use coface_topology::{Coefficients, HomologyBasis};
 
 /// The generators of each degree of the model, cycles or cocycles.
 pub(super) fn find(
@@ -78,46 +72,12 @@ pub(super) fn answer(found: &[Vec<Found>], naming: &CellNames<'_>) -> Vec<Vec<Ge
     found.iter().map(|list| list.iter().map(generator).collect()).collect()
 }
 
-/// One line for each generator, with its cells if they are few.
-pub(super) fn list(found: &[Vec<Found>], is_cohomology: bool, naming: &CellNames<'_>) -> String {
-    const MOST_CELLS: usize = 8;
-    let what = if is_cohomology { "cocycle" } else { "cycle" };
-    let mut page = String::new();
-    for (degree, list) in found.iter().enumerate() {
-        for (i, found) in list.iter().enumerate() {
-            let order = found.order.as_ref().map_or(String::new(), |order| format!(" of order {order}"));
-            let length = found.length();
-            let cells = if length == Integer::ONE { "cell" } else { "cells" };
-            page +=
-                &format!("    generator {i} of degree {degree}: a {what}{order}, length {length} {cells}");
-            if found.terms.len() <= MOST_CELLS {
-                let names = found.terms.iter().map(|(cell, x)| {
-                    let sign = match x.to_i64() {
-                        Some(1) => "+".to_owned(),
-                        Some(-1) => "-".to_owned(),
-                        _ => format!("{}{x} ", if x.signum() > 0 { "+" } else { "" }),
-                    };
-                    format!("{sign}{}", naming.word(found.degree, *cell))
-                });
-                page += &format!(": {}", names.collect::<Vec<_>>().join(" "));
-            }
-            page.push('\n');
-        }
-    }
-    page
-}
-
-/// Writes generators as JSON, or as a picture in the format that the name tells.
-pub(super) fn save(
-    place: &Path,
+/// The generators on the cells of the model, with names for groups of cells.
+pub(super) fn named(
     found: &[Vec<Found>],
     naming: &CellNames<'_>,
     whole: &ChainComplex,
-    generators: &[Vec<GeneratorAnswer>],
-) -> Result<(), Failure> {
-    if matches!(Format::from_path(place), None | Some(Format::Json)) {
-        return write_json(place, &GeneratorsFile { generators: generators.to_vec() });
-    }
+) -> Result<Vec<(String, Chain<Integer>)>, Error> {
     let mut named = Vec::new();
     for (degree, list) in found.iter().enumerate() {
         for (i, found) in list.iter().enumerate() {
@@ -126,6 +86,5 @@ pub(super) fn save(
             named.push((format!("H{degree}_{i}_{order}"), chain));
         }
     }
-    let model = naming.producer().picture(&named)?;
-    Ok(io::write_path(&model, place, None)?)
+    Ok(named)
 }

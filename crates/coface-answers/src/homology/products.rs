@@ -1,21 +1,20 @@
 //! Cup products and intersection forms.
 
-use coface::Error;
-use coface::algebra::Integer;
-use coface::algebra::chains::Cochain;
-use coface::answers::answer::{ChainTerm, CupProducts, IntersectionFormAnswer, WholeNumber};
-use coface::answers::{OrderedSimplices, Producer};
-use coface::topology::{
+use crate::answer::{ChainTerm, CupProducts, IntersectionFormAnswer, WholeNumber};
+use crate::{OrderedSimplices, Producer};
+use coface_algebra::chains::Cochain;
+use coface_algebra::{CellId, Error, Integer};
+use coface_topology::{
     CochainAlgebra, Cocycle, Coefficients, MiddlePairing, cup_product_table, intersection_form,
 };
 
-/// The products of a basis of degree p with one of degree q, in the basis of degree p + q, and a page that shows them.
+/// The products of a basis of degree p with one of degree q, in the basis of degree p + q.
 pub(super) fn cup(
     producer: &Producer,
     p: usize,
     q: usize,
     coefficients: Coefficients,
-) -> Result<(CupProducts, String), Error> {
+) -> Result<CupProducts, Error> {
     let simplices = producer.ordered_simplices()?;
     let algebra = CochainAlgebra::new(simplices.complex().clone())?;
     let table = cup_product_table(&algebra, p, q, coefficients)?;
@@ -26,7 +25,7 @@ pub(super) fn cup(
         cocycles.iter().map(|cocycle| WholeNumber::of_order(cocycle.order())).collect()
     };
     let numbers = |x: &Vec<Integer>| x.iter().map(WholeNumber::from).collect();
-    let object = CupProducts {
+    Ok(CupProducts {
         degrees: [p, q],
         first: list(table.first()),
         first_orders: orders(table.first()),
@@ -35,30 +34,19 @@ pub(super) fn cup(
         target: list(table.target()),
         target_orders: orders(table.target()),
         table: table.values().iter().map(|row| row.iter().map(numbers).collect()).collect(),
-    };
-    let mut page = format!("  cup products of degrees {p} and {q}, in the basis of H^{}\n", p + q);
-    for (i, row) in table.values().iter().enumerate() {
-        for (j, x) in row.iter().enumerate().filter(|(_, x)| x.iter().any(|x| !x.is_zero())) {
-            let x: Vec<String> = x.iter().map(ToString::to_string).collect();
-            page += &format!("    a{i} b{j} = ({})\n", x.join(" "));
-        }
-    }
-    if table.is_zero() {
-        page += "    all products are zero\n";
-    }
-    Ok((object, page))
+    })
 }
 
 fn terms(simplices: &OrderedSimplices, cochain: &Cochain<Integer>) -> Vec<ChainTerm> {
-    let term = |(cell, x): &(coface::CellId, Integer)| {
+    let term = |(cell, x): &(CellId, Integer)| {
         let name = simplices.name(cochain.degree(), cell.index());
         (WholeNumber::from(x), name.iter().map(|&vertex| u64::from(vertex)).collect())
     };
     cochain.terms().iter().map(term).collect()
 }
 
-/// The intersection form, and a page that shows it.
-pub(super) fn form(producer: &Producer) -> Result<(IntersectionFormAnswer, String), Error> {
+/// The intersection form.
+pub(super) fn form(producer: &Producer) -> Result<IntersectionFormAnswer, Error> {
     let simplices = producer.ordered_simplices()?;
     let algebra = CochainAlgebra::new(simplices.complex().clone())?;
     let form = intersection_form(&algebra)?;
@@ -73,17 +61,11 @@ pub(super) fn form(producer: &Producer) -> Result<(IntersectionFormAnswer, Strin
         matrix: form.rows().iter().map(|row| row.iter().map(WholeNumber::from).collect()).collect(),
         basis: form.basis().iter().map(|cochain| terms(&simplices, cochain)).collect(),
     };
-    let mut words = format!("rank {}, determinant {}", form.rank(), form.determinant());
-    match form.pairing() {
-        MiddlePairing::Symmetric(symmetric) => {
-            object.signature = Some(symmetric.signature());
-            object.parity = Some(symmetric.parity().to_string());
-            object.definiteness = Some(symmetric.definiteness().to_string());
-            object.name = symmetric.name();
-            words += &format!(", signature {}, {}", symmetric.signature(), symmetric.parity());
-            words += &symmetric.name().map_or(String::new(), |name| format!(", {name}"));
-        }
-        _ => words += ", skew",
+    if let MiddlePairing::Symmetric(symmetric) = form.pairing() {
+        object.signature = Some(symmetric.signature());
+        object.parity = Some(symmetric.parity().to_string());
+        object.definiteness = Some(symmetric.definiteness().to_string());
+        object.name = symmetric.name();
     }
-    Ok((object, format!("  intersection form: {words}\n")))
+    Ok(object)
 }

@@ -1,0 +1,378 @@
+//! Homology and cohomology of a model, and everything that can be asked beside the groups.
+//!
+//! * [`HomologyRequest`] says what is asked; [`HomologyRequest::found`] answers it about a model.
+//! * [`FoundHomology`] has the [`HomologyAnswer`], the groups, and the generators as a model to look at.
+//! * A chain, a cochain or a map of vertices that the user writes is a [`GivenChain`], a [`GivenRealCochain`] or a
+//!   [`GivenVertexMap`].
+
+mod classes;
+mod generators;
+mod harmonic;
+mod maps;
+mod products;
+mod sequence;
+
+use crate::answer::HomologyAnswer;
+use crate::{CellNames, Pair, Producer, Term, homology_of_volume};
+use coface_algebra::chains::{Chain, ChainComplex};
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, Integer};
+use coface_io::{Model, Structure};
+use coface_topology::{AbelianGroup, Coefficients, Homology, HomologyBasis, homology};
+
+/// Asks for homology groups, and for more about them.
+///
+/// # Examples
+/// The rim of a triangle has one loop.
+/// ```
+/// use coface_answers::HomologyRequest;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+/// let answer = HomologyRequest::new().generators(true).found("rim.json", rim)?.into_answer();
+/// assert_eq!(answer.homology[1].betti, 1);
+/// assert_eq!(answer.generators.map(|degrees| degrees[1][0].chain.len()), Some(3));
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct HomologyRequest {
+    coefficients: Coefficients,
+    is_cohomology: bool,
+    is_reduced: bool,
+    relative: Option<RelativeTo>,
+    has_sequence: bool,
+    has_generators: bool,
+    cycles: Vec<GivenChain>,
+    cup: Option<[usize; 2]>,
+    has_intersection_form: bool,
+    has_harmonic: bool,
+    decomposed: Option<GivenRealCochain>,
+    map: Option<GivenVertexMap>,
+}
+
+/// What homology is relative to.
+#[derive(Debug)]
+pub enum RelativeTo {
+    /// The boundary of the model.
+    Boundary,
+    /// The subcomplex of the cells of another model, by the same vertex numbers.
+    Part {
+        /// What the part is called in messages.
+        name: String,
+        /// The part.
+        model: Model,
+    },
+}
+
+/// A chain as the user writes it.
+#[derive(Clone, Debug)]
+pub struct GivenChain {
+    /// Where it comes from, in messages.
+    pub place: String,
+    /// The degree, where it does not follow from the cells.
+    pub degree: Option<usize>,
+    /// Coefficients, and cells by their vertices.
+    pub terms: Vec<Term>,
+}
+
+/// A real cochain as the user writes it.
+#[derive(Clone, Debug)]
+pub struct GivenRealCochain {
+    /// Where it comes from, in messages.
+    pub place: String,
+    /// The degree, where it does not follow from the cells.
+    pub degree: Option<usize>,
+    /// Values, and cells by their vertices.
+    pub terms: Vec<(f64, Vec<u32>)>,
+}
+
+/// A simplicial map as the user writes it.
+#[derive(Debug)]
+pub struct GivenVertexMap {
+    /// Where it comes from, in messages.
+    pub place: String,
+    /// Pairs of a vertex and its image.
+    pub images: Vec<(u32, u32)>,
+    /// What the target is called.
+    pub target_name: String,
+    /// The target.
+    pub target: Model,
+}
+
+impl Default for HomologyRequest {
+    fn default() -> Self {
+        Self {
+            coefficients: Coefficients::Integers,
+            is_cohomology: false,
+            is_reduced: false,
+            relative: None,
+            has_sequence: false,
+            has_generators: false,
+            cycles: Vec::new(),
+            cup: None,
+            has_intersection_form: false,
+            has_harmonic: false,
+            decomposed: None,
+            map: None,
+        }
+    }
+}
+
+impl HomologyRequest {
+    /// Asks for integral homology groups.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The coefficients of groups, generators and products.
+    pub fn coefficients(mut self, coefficients: Coefficients) -> Self {
+        self.coefficients = coefficients;
+        self
+    }
+
+    /// Whether cohomology is asked for.
+    pub fn cohomology(mut self, is_cohomology: bool) -> Self {
+        self.is_cohomology = is_cohomology;
+        self
+    }
+
+    /// Whether the groups are reduced: a point has none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::HomologyRequest;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let point = coface_io::read(&b"[[7]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().reduced(true).found("point.json", point)?;
+    /// assert_eq!(found.groups()[0].betti(), 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn reduced(mut self, is_reduced: bool) -> Self {
+        self.is_reduced = is_reduced;
+        self
+    }
+
+    /// The subcomplex that homology is relative to.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{HomologyRequest, RelativeTo};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let disk = coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().relative(Some(RelativeTo::Boundary)).found("disk.json", disk)?;
+    /// assert_eq!(found.groups()[2].betti(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn relative(mut self, relative: Option<RelativeTo>) -> Self {
+        self.relative = relative;
+        self
+    }
+
+    /// Whether the long exact sequence of the pair is wanted.
+    pub fn sequence(mut self, has_sequence: bool) -> Self {
+        self.has_sequence = has_sequence;
+        self
+    }
+
+    /// Whether generators of the groups are wanted.
+    pub fn generators(mut self, has_generators: bool) -> Self {
+        self.has_generators = has_generators;
+        self
+    }
+
+    /// Cycles whose classes are wanted.
+    pub fn cycles(mut self, cycles: Vec<GivenChain>) -> Self {
+        self.cycles = cycles;
+        self
+    }
+
+    /// The degrees of two bases of cohomology whose cup products are wanted.
+    pub fn cup(mut self, degrees: Option<[usize; 2]>) -> Self {
+        self.cup = degrees;
+        self
+    }
+
+    /// Whether the intersection form is wanted.
+    pub fn intersection_form(mut self, has_intersection_form: bool) -> Self {
+        self.has_intersection_form = has_intersection_form;
+        self
+    }
+
+    /// Whether harmonic cochains are wanted, dual to the free generators.
+    pub fn harmonic(mut self, has_harmonic: bool) -> Self {
+        self.has_harmonic = has_harmonic;
+        self
+    }
+
+    /// A cochain whose Hodge decomposition is wanted.
+    pub fn decomposed(mut self, cochain: Option<GivenRealCochain>) -> Self {
+        self.decomposed = cochain;
+        self
+    }
+
+    /// A simplicial map whose maps on homology are wanted.
+    pub fn map(mut self, map: Option<GivenVertexMap>) -> Self {
+        self.map = map;
+        self
+    }
+
+    /// Whether nothing but groups is asked for, of the whole.
+    fn is_groups_alone(&self) -> bool {
+        self.relative.is_none()
+            && !self.is_reduced
+            && !self.has_generators
+            && self.cycles.is_empty()
+            && self.cup.is_none()
+            && !self.has_intersection_form
+            && !self.has_harmonic
+            && self.decomposed.is_none()
+            && self.map.is_none()
+    }
+
+    /// The groups asked for, from degree 0 of the model on.
+    fn groups(&self, integral: &Homology) -> Vec<AbelianGroup> {
+        let groups = match self.is_cohomology {
+            true => integral.dual(self.coefficients),
+            false => integral.with_coefficients(self.coefficients),
+        };
+        groups.groups()[usize::from(self.is_reduced).min(groups.groups().len())..].to_vec()
+    }
+
+    /// The pair with a subcomplex, if one is named.
+    fn pair(&self, producer: &Producer, whole: &ChainComplex) -> Result<Option<Pair>, Error> {
+        match &self.relative {
+            None => Ok(None),
+            Some(RelativeTo::Boundary) => Pair::with_boundary(producer, whole).map(Some),
+            Some(RelativeTo::Part { name, model }) => Pair::with_model(producer, whole, model)
+                .map(Some)
+                .map_err(|error| error.in_file(name.clone())),
+        }
+    }
+
+    /// Answers the request about a model with this name.
+    ///
+    /// # Errors
+    /// Those of [`Producer::of`], with the name of the model; [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle)
+    /// if a given cycle has a boundary; an invalid argument where the model does not have what is asked about.
+    pub fn found(&self, name: &str, model: Model) -> Result<FoundHomology, Error> {
+        let in_file = |error: Error| error.in_file(name);
+        let answer =
+            |groups: &[AbelianGroup]| HomologyAnswer::of(name, self.coefficients, self.is_cohomology, groups);
+        if let Some(Structure::Volume(volume)) = model.structure()
+            && self.is_groups_alone()
+        {
+            let _steps = stage("computing homology", 0);
+            let groups = self.groups(&homology_of_volume(volume).map_err(in_file)?.1);
+            return Ok(FoundHomology { answer: answer(&groups), groups, producer: None, chains: Vec::new() });
+        }
+        let steps = stage("identifying cells", 0);
+        let producer = Producer::of(model).map_err(in_file)?;
+        drop(steps);
+        let whole = producer.chain_complex()?;
+        let pair = self.pair(&producer, &whole)?;
+        let complex = pair.as_ref().map_or(&whole, Pair::chains);
+        let augmented = if self.is_reduced { Some(complex.augmented()?) } else { None };
+        let complex = augmented.as_ref().unwrap_or(complex);
+        let names = CellNames::of(&producer).within(pair.as_ref()).augmented(self.is_reduced);
+        let steps = stage("computing homology", 0);
+        let needs_basis = self.has_generators || self.has_harmonic || !self.cycles.is_empty();
+        let basis = needs_basis.then(|| HomologyBasis::new(complex));
+        let integral = basis.as_ref().map_or_else(|| homology(complex), HomologyBasis::homology);
+        drop(steps);
+        let groups = self.groups(&integral);
+        let mut object = answer(&groups);
+        let mut chains = Vec::new();
+        if let Some(basis) = basis.as_ref().filter(|_| self.has_generators) {
+            let _steps = stage("finding generators", 0);
+            let found = generators::find(basis, &names, self.coefficients, self.is_cohomology);
+            object.generators = Some(generators::answer(&found, &names));
+            chains = generators::named(&found, &names, &whole)?;
+        }
+        if let Some(basis) = basis.as_ref().filter(|_| !self.cycles.is_empty()) {
+            let _steps = stage("finding classes", 0);
+            let class = |given: &GivenChain| {
+                classes::class(given, basis, &names, &whole).map_err(|error| error.in_file(&given.place))
+            };
+            object.cycles = Some(self.cycles.iter().map(class).collect::<Result<_, _>>()?);
+        }
+        if let Some(pair) = pair.as_ref().filter(|_| self.has_sequence) {
+            let _steps = stage("computing the long exact sequence", 0);
+            object.sequence = Some(sequence::answer(&whole, pair)?);
+        }
+        if let Some([p, q]) = self.cup {
+            let _steps = stage("multiplying cocycles", 0);
+            object.cup = Some(products::cup(&producer, p, q, self.coefficients).map_err(in_file)?);
+        }
+        if self.has_intersection_form {
+            let _steps = stage("computing the intersection form", 0);
+            object.intersection_form = Some(products::form(&producer).map_err(in_file)?);
+        }
+        if let Some(basis) = basis.as_ref().filter(|_| self.has_harmonic) {
+            let _steps = stage("solving for harmonic cochains", 0);
+            object.harmonic = Some(harmonic::cochains(basis, &names)?);
+        }
+        if let Some(given) = &self.decomposed {
+            let _steps = stage("decomposing the cochain", 0);
+            object.decomposition = Some(harmonic::decomposition(complex, &names, given)?);
+        }
+        if let Some(map) = &self.map {
+            let _steps = stage("computing the induced map", 0);
+            object.map = Some(maps::answer(&producer, map)?);
+        }
+        Ok(FoundHomology { answer: object, groups, producer: Some(producer), chains })
+    }
+}
+
+/// Homology groups of a model, with what else was asked.
+#[derive(Debug)]
+pub struct FoundHomology {
+    answer: HomologyAnswer,
+    groups: Vec<AbelianGroup>,
+    /// None for a volume whose groups alone were asked for.
+    producer: Option<Producer>,
+    /// The generators on the cells of the model, each with a name.
+    chains: Vec<(String, Chain<Integer>)>,
+}
+
+impl FoundHomology {
+    /// The answer as plain data.
+    pub fn answer(&self) -> &HomologyAnswer {
+        &self.answer
+    }
+
+    /// The answer as plain data.
+    pub fn into_answer(self) -> HomologyAnswer {
+        self.answer
+    }
+
+    /// The groups of degrees 0, 1, ...
+    pub fn groups(&self) -> &[AbelianGroup] {
+        &self.groups
+    }
+
+    /// The model with the names of its cells; `None` for a volume whose groups alone were asked for.
+    pub fn cell_names(&self) -> Option<CellNames<'_>> {
+        self.producer.as_ref().map(CellNames::of)
+    }
+
+    /// The generators as a model of groups of cells: `H1_0_free`, `H1_1_order_2`, ...
+    ///
+    /// # Errors
+    /// Those of [`Producer::picture`]: the model has no positions, or the cells are not given by vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::HomologyRequest;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let rim = &b"v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nl 3 1\n"[..];
+    /// let rim = coface_io::read(rim, coface_io::Format::Obj)?;
+    /// let model = HomologyRequest::new().generators(true).found("rim.obj", rim)?.generators_model()?;
+    /// assert_eq!(model.groups()[1].name(), "H1_0_free");
+    /// # Ok(()) }
+    /// ```
+    pub fn generators_model(&self) -> Result<Model, Error> {
+        match &self.producer {
+            Some(producer) => producer.picture(&self.chains),
+            None => Err(Error::invalid("generators were not asked for").with_cure("ask for generators")),
+        }
+    }
+}

@@ -1,0 +1,1640 @@
+/**
+ * The answers of the verbs: what the program prints with --json.
+ *
+ * Made of docs/answers.schema.json by `cargo xtask types --write`.
+ */
+
+/** A table of reports. */
+export interface BatchAnswer {
+  /** The numbers of rows that are errors, by kind. */
+  errors: Record<string, number>;
+  /** The number of files, which is that of rows. */
+  files: number;
+  /** The file that was written. */
+  output: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The number of rows taken from an earlier run that was cut short. */
+  resumed: number;
+}
+
+/** Vertices of one block that became one. */
+export interface BlockMergeAnswer {
+  /** The block. */
+  block: number;
+  /** The class. */
+  class: number;
+  /** The smallest distance of two of them, in the unit of the models. */
+  distance: number;
+  /** The name of the file of the first vertex. */
+  file?: string | null;
+  /** The vertices, by their numbers in their models. */
+  vertices: number[];
+}
+
+/** Whether the boundary of a result is a manifold, with a witness if it is not. */
+export interface BoundaryManifold {
+  /** Whether the boundary is closed. */
+  closed: boolean;
+  /** The verdict. */
+  verdict: BoundaryVerdict;
+  /** A place where it is no manifold; null if it is one. */
+  witness?: BoundaryWitness | null;
+}
+
+/** The boundary of a volume. */
+export interface BoundarySurface {
+  /** The number of its connected components. */
+  components: number;
+  /** Its vertices minus its edges plus its faces. */
+  euler_characteristic: number;
+  /** The number of its faces. */
+  faces: number;
+  /** Whether it is a surface. */
+  manifold: boolean;
+  /** The surface in words: `sphere`, `2 tori`; `null` where it is none. */
+  name?: string | null;
+}
+
+/** Whether a boundary is a manifold. */
+export type BoundaryVerdict = "yes" | "no";
+
+/** A place where a boundary is no manifold. */
+export interface BoundaryWitness {
+  /** The cells, each by its vertices. */
+  cells: number[][];
+  /** A word for programs: what sort of witness this is. */
+  kind: string;
+  /** One sentence for people. */
+  message: string;
+  /** For each cell the positions of its vertices; in space only. */
+  points?: number[][][] | null;
+}
+
+/** How many cells have a shape. */
+export interface CellsOfShape {
+  /** How many cells have it. */
+  count: number;
+  /** The shape, such as `triangle`. */
+  shape: string;
+}
+
+/** A closed path with its length. */
+export interface ClosedPath {
+  /** The length in the unit of the file, or the number of edges without positions. */
+  length: number;
+  /** The vertices, by their numbers in the file; the first is repeated at the end. */
+  vertices: number[];
+}
+
+/** Whether a cochain of degree 1 is closed and exact, with what shows it. */
+export interface CochainTestAnswer {
+  /** Whether the sum around each face is zero. */
+  closed: boolean;
+  /** Whether the cochain is the difference of a function on the vertices. */
+  exact: boolean;
+  /** Of a cochain that is not closed: a face, by its vertices, around which the sum is not zero. */
+  face?: number[] | null;
+  /** The name of the input. */
+  file: string;
+  /** The sum along the walk. */
+  period?: CochainValue | null;
+  /** Of an exact cochain: a function on the vertices whose differences it is. */
+  potential?: [CochainValue, number[]][] | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The sum around the face. */
+  sum?: CochainValue | null;
+  /** Of a closed cochain that is not exact: the vertices of a closed walk on which its sum is not zero. */
+  walk?: number[] | null;
+}
+
+/** A value of a cochain: exact where all values are integers. */
+export type CochainValue = WholeNumber | number;
+
+/** How cocycles are found. */
+export type CocycleBasisMethod = "crossing" | "slicing" | "general";
+
+/** A basis of the first cohomology over the integers, dual to loops. */
+export interface CocyclesAnswer {
+  /** The cocycles, by their values on edges. */
+  cocycles: [WholeNumber, number[]][][];
+  /** The determinant of the pairing; `null` where it is not square. */
+  determinant?: WholeNumber | null;
+  /** The edges by their ends, in the order of the values of harmonic forms. */
+  edges?: number[][] | null;
+  /** The name of the input. */
+  file: string;
+  /** The harmonic forms in the classes of the cocycles. */
+  harmonic?: HarmonicFormAnswer[] | null;
+  /** The intersection numbers of the loops with each other; only on closed orientable surfaces. */
+  intersection?: LoopIntersections | null;
+  /** The loops that the cocycles are measured on. */
+  loops: LoopAnswer[];
+  /** How the cocycles were found. */
+  method: CocycleBasisMethod;
+  /** The value of cocycle i on loop j, in row i. */
+  pairing: WholeNumber[][];
+  /** The rank of the first cohomology: the number of cocycles. */
+  rank: number;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The weights of edges that harmonic forms have the least energy for. */
+  weights?: EdgeWeights | null;
+}
+
+/** The quotient of the chain complexes of models by the vertices within a tolerance. Lists have an entry for each degree. */
+export interface CongruenceAnswer {
+  /** The first hundred classes with several vertices of one block; null without blocks, and where that is allowed. */
+  block_merges?: BlockMergeAnswer[] | null;
+  /** The numbers of cells that lost facets without collapsing. */
+  changed: number[];
+  /** The numbers of classes. */
+  classes: number[];
+  /** The numbers of cells that collapsed. */
+  discarded: number[];
+  /** The alternating sum of the numbers of cells of the quotient. */
+  euler_characteristic: number;
+  /** The numbers of cells of the quotient. */
+  f_vector: number[];
+  /** The numbers of cells of all inputs. */
+  f_vector_before: number[];
+  /** The inputs in their order. */
+  inputs: CongruenceInput[];
+  /** The largest distance of vertices that became one, in the unit of the models. */
+  largest_class_diameter: number;
+  /** How often vertices of one block became one; null without blocks. */
+  merged_within_blocks?: number | null;
+  /** Whether the boundary of every boundary is zero, found by multiplying the matrices. */
+  products_zero: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The length within which vertices are one, in the unit of the models. */
+  tolerance: number;
+}
+
+/** One model among the inputs of a congruence. */
+export interface CongruenceInput {
+  /** The numbers of its cells. */
+  f_vector: number[];
+  /** The name of the file. */
+  file: string;
+}
+
+/** A file written from another one. */
+export interface ConvertAnswer {
+  /** How much was written. */
+  counts: ConvertCounts;
+  /** The name of the file that was read. */
+  file: string;
+  /** Its format; absent for sets of the plane. */
+  format?: string | null;
+  /** The name of the file that was written. */
+  output: string;
+  /** Its format. */
+  output_format: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What was repaired; absent if no repair was asked for. */
+  repair?: MeshRepairAnswer | null;
+}
+
+/** How much a file holds. */
+export type ConvertCounts = SetCounts | ModelCounts;
+
+/** A part of a universal cover: copies of the surface cut to a disk, one for each element of the fundamental group. */
+export interface CoverAnswer {
+  /** Whether this is the whole cover. */
+  complete: boolean;
+  /** The component that is covered, counted from 0. */
+  component: number;
+  /** The number of components. */
+  components: number;
+  /** The number of copies. */
+  copies: number;
+  /** Vertices minus edges plus faces. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges and faces. */
+  f_vector: number[];
+  /** The name of the input; absent for a model that was made in memory. */
+  file?: string | null;
+  /** The group of deck transformations. */
+  group: string;
+  /** Where the mesh lies: `flat` or `disk`; `null` over the surface. */
+  layout?: string | null;
+  /** The edges that letters of the words cross, by their vertices in the file. */
+  letters: [number, number][];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The numbers of copies at distance 0, 1, ... of the first. */
+  spheres: number[];
+  /** The surface below, in words. */
+  surface: string;
+  /** The word of each copy: i for letter i, counted from 1, -i for its inverse. */
+  words: number[][];
+}
+
+/** How much of a cell is in a set. */
+export type CoverageAnswer = "full" | "cut" | "empty";
+
+/** Cup products of a basis of degree p with one of degree q, in a basis of degree p + q. */
+export interface CupProducts {
+  /** The degrees p and q. */
+  degrees: [number, number];
+  /** The basis of degree p. */
+  first: [WholeNumber, number[]][][];
+  /** The orders of its classes; 0 is infinite. */
+  first_orders: WholeNumber[];
+  /** The basis of degree q. */
+  second: [WholeNumber, number[]][][];
+  /** The orders of its classes; 0 is infinite. */
+  second_orders: WholeNumber[];
+  /** Entry `[i][j]` has the coefficients of the product of class i of the first and class j of the second basis. */
+  table: WholeNumber[][][];
+  /** The basis of degree p + q. */
+  target: [WholeNumber, number[]][][];
+  /** The orders of its classes; 0 is infinite. */
+  target_orders: WholeNumber[];
+}
+
+/** A surface cut open. */
+export interface CutAnswer {
+  /** The pieces, each with its counts. */
+  components: CutPiece[];
+  /** The numbers of vertices, edges and faces of all pieces together. */
+  f_vector: number[];
+  /** The name of the input; absent for a model that was made in memory. */
+  file?: string | null;
+  /** The path along which the surface was cut; `null` when it was cut to disks. */
+  path?: CutPath | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** Whether loose ends were left out and seams made short. */
+  simplified: boolean;
+}
+
+/** A cell of a grid that has some of a set or of its boundary. */
+export interface CutCellAnswer {
+  /** The area of the set in the cell. */
+  area: number;
+  /** The column, from 0 at the left. */
+  column: number;
+  /** How much of the cell is in the set. */
+  coverage: CoverageAnswer;
+  /** The length of the boundary in the cell. */
+  length: number;
+  /** The row, from 0 at the bottom. */
+  row: number;
+}
+
+/** A path along which a surface was cut. */
+export interface CutPath {
+  /** The number of its edges. */
+  edges: number;
+  /** `two-sided`, `one-sided` or `open`. */
+  kind: string;
+}
+
+/** One component after the cut. */
+export interface CutPiece {
+  /** The vertex where loops start, by its number in the file. */
+  base?: number;
+  /** The number of edges around it now. */
+  boundary_edges: number;
+  /** The number of edges along which it was cut. */
+  cut_edges: number;
+  /** Vertices minus edges plus faces: 1 of a disk. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges and faces now. */
+  f_vector: [number, number, number];
+  /** The number of generators of the fundamental group. */
+  generators?: number;
+  /** The word of generators around the disk, where there is one: i for generator i, counted from 1, -i for its inverse. */
+  relator?: number[] | null;
+  /** The seams of the component. */
+  seams?: SeamAnswer[];
+  /** The surface: before it was cut to a disk, or after it was cut along a path. */
+  surface: string;
+  /** The seams around the disk: i for the i-th of them, counted from 1, -i backwards. */
+  word?: number[];
+}
+
+/** The class of a cycle, and whether it bounds. */
+export interface CycleClass {
+  /** A chain whose boundary is the cycle, or the multiple of it. */
+  bounding?: [WholeNumber, number[]][] | null;
+  /** Whether the cycle is a boundary. */
+  bounds: boolean;
+  /** The coefficients of the class in the generators. */
+  class: WholeNumber[];
+  /** A cocycle that shows that no multiple is a boundary. */
+  cocycle?: [WholeNumber, number[]][] | null;
+  /** The degree of the cycle. */
+  degree: number;
+  /** The least m such that m times the cycle is a boundary; `null` if there is none. */
+  multiple?: WholeNumber | null;
+  /** The orders of the generators; 0 is infinite. */
+  orders: WholeNumber[];
+  /** The value of the cocycle on the cycle. */
+  value?: WholeNumber | null;
+}
+
+/** Named numbers on the cells of a model. */
+export interface DataAnswer {
+  /** How many numbers each of these has. */
+  components: number;
+  /** The name. */
+  name: string;
+  /** What the numbers are on. */
+  on: string;
+  /** The least and the largest number; `null` if there are none. */
+  range?: [number | null, number | null] | null;
+  /** `integer` or `real`. */
+  type: string;
+}
+
+/** Polygons that have no area. */
+export interface DegeneratePolygons {
+  /** How many there are. */
+  count: number;
+  /** The first hundred of them as pairs: an input and a polygon of it, both from 0. */
+  listed: [number, number][];
+}
+
+/** An orientation double cover: every face twice, so that neighbors agree. */
+export interface DoubleCoverAnswer {
+  /** The number of copies of each face: 2. */
+  copies: number;
+  /** Vertices minus edges plus faces. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges and faces. */
+  f_vector: number[];
+  /** The name of the input. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The components of the cover, in words. */
+  surfaces: string[];
+  /** The components of the surface below, in words. */
+  surfaces_below: string[];
+}
+
+/** One drawing among the inputs. */
+export interface DrawingInput {
+  /** The name of the file. */
+  file: string;
+  /** The number of polygons it draws. */
+  polygons: number;
+  /** The number of segments it draws. */
+  segments: number;
+}
+
+/** The weights of edges in the energy of harmonic forms. */
+export type EdgeWeights = "cotangent" | "uniform";
+
+/** An input that cannot be served. */
+export interface FailedInput {
+  /** The message: place, fault and cure. */
+  error: string;
+  /** The name of the input. */
+  file: string;
+}
+
+/** A model made by rule. */
+export interface GenerateAnswer {
+  /** The least and the greatest coordinates of all points; null without positions. */
+  bounding_box?: [number[], number[]] | null;
+  /** Their alternating sum. */
+  euler_characteristic: number;
+  /** The numbers of cells of each dimension. */
+  f_vector: number[];
+  /** The file that was written; absent if there is none. */
+  output?: string | null;
+  /** The format of that file. */
+  output_format?: string | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A generator of a homology or cohomology group. */
+export interface GeneratorAnswer {
+  /** For a cycle of finite order m a chain whose boundary is m times the cycle. */
+  bounding?: [WholeNumber, number[]][] | null;
+  /** The cycle or cocycle. */
+  chain: [WholeNumber, number[]][];
+  /** How many cells it runs through, with multiplicity. */
+  length: WholeNumber;
+  /** The order of its class; 0 is infinite. */
+  order: WholeNumber;
+}
+
+/** A Cartesian grid. */
+export interface GridAnswer {
+  /** The numbers of columns and of rows. */
+  counts: [number, number];
+  /** Its lower left corner. */
+  origin: [number, number];
+  /** The width and the height of its cells. */
+  spacing: [number, number];
+}
+
+/** A finitely generated abelian group. */
+export interface GroupAnswer {
+  /** The rank of the free part. */
+  betti: number;
+  /** The orders of the cyclic parts, each a divisor of the next. */
+  torsion: WholeNumber[];
+}
+
+/** A harmonic cochain. */
+export interface HarmonicCochain {
+  /** Its values. */
+  chain: [number, number[]][];
+  /** How far it is from closed: the norm of its coboundary. */
+  closed_residual: number;
+  /** How far it is from coclosed. */
+  coclosed_residual: number;
+  /** Its norm. */
+  norm: number;
+}
+
+/** A harmonic one-form: the cochain of the least energy in its class. */
+export interface HarmonicFormAnswer {
+  /** The largest sum around a face, which is 0 but for rounding. */
+  closed_residual: number;
+  /** The largest weighted sum at a vertex, which is 0 but for rounding. */
+  coclosed_residual: number;
+  /** The values on the edges, in their order. */
+  values: number[];
+}
+
+/** The norms of a cochain and the parts of its Hodge decomposition. */
+export interface HodgeNorms {
+  /** Of the cochain. */
+  cochain: number;
+  /** Of the coexact part. */
+  coexact: number;
+  /** Of the exact part. */
+  exact: number;
+  /** Of the harmonic part. */
+  harmonic: number;
+}
+
+/** The Hodge decomposition of a cochain. */
+export interface HodgeParts {
+  /** The coexact part. */
+  coexact: [number, number[]][];
+  /** The degree of the cochain. */
+  degree: number;
+  /** The exact part. */
+  exact: [number, number[]][];
+  /** The harmonic part. */
+  harmonic: [number, number[]][];
+  /** The norms of the cochain and its parts. */
+  norms: HodgeNorms;
+}
+
+/** Homology or cohomology groups, and what else was asked about them. */
+export interface HomologyAnswer {
+  /** The ring of coefficients: `Z`, `Q`, `F_2`, ... */
+  coefficients: string;
+  /** Whether the groups are those of cohomology. */
+  cohomology: boolean;
+  /** Cup products of two bases. */
+  cup?: CupProducts | null;
+  /** The classes of the cycles that were given. */
+  cycles?: CycleClass[] | null;
+  /** The Hodge decomposition of a cochain. */
+  decomposition?: HodgeParts | null;
+  /** The numbers of cells of degrees 0, 1, ...; only of a complex in parts. */
+  f_vector?: number[] | null;
+  /** The name of the input. */
+  file: string;
+  /** For each degree generators of the group. */
+  generators?: GeneratorAnswer[][] | null;
+  /** For each degree harmonic cochains, dual to the free generators. */
+  harmonic?: HarmonicCochain[][] | null;
+  /** The groups of degrees 0, 1, ... */
+  homology: HomologyGroup[];
+  /** The intersection form of a closed oriented manifold of even dimension. */
+  intersection_form?: IntersectionFormAnswer | null;
+  /** The maps on homology that a simplicial map induces. */
+  map?: InducedMaps | null;
+  /** The parts that the complex was cut into. */
+  parts?: PartsAnswer | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The long exact sequence of the pair. */
+  sequence?: SequenceAnswer | null;
+}
+
+/**
+ * A homology or cohomology group of one degree: $\mathbb{Z}^b$ plus a cyclic group for each torsion coefficient.
+ *
+ * # Examples
+ * ```
+ * use coface_answers::answer::HomologyGroup;
+ * use coface_topology::AbelianGroup;
+ * let groups = HomologyGroup::list(&[AbelianGroup::new(1, vec![]), AbelianGroup::new(0, vec![2.into()])]);
+ * assert_eq!((groups[1].degree, groups[1].betti, groups[1].torsion.len()), (1, 0, 1));
+ * ```
+ */
+export interface HomologyGroup {
+  /** The rank of the free part: the Betti number. Over a field it is the dimension. */
+  betti: number;
+  /** The degree of the group. */
+  degree: number;
+  /** The orders of the cyclic parts, each a divisor of the next. */
+  torsion: WholeNumber[];
+}
+
+/** The number of homomorphisms to a finite group. */
+export interface HomomorphismAnswer {
+  /** All of them. */
+  all: number;
+  /** Those onto the whole group. */
+  onto: number;
+}
+
+/** An operator between the cells of a model: a sparse matrix. */
+export interface IncidenceAnswer {
+  /** The number of columns. */
+  columns: number;
+  /** The entries `[row, column, entry]` by rows, counted from 0; absent unless they are asked for. */
+  entries?: [number, number, number][] | null;
+  /** The number of entries that are not zero. */
+  entries_count: number;
+  /** The name of the input. */
+  file: string;
+  /** How often each entry occurs; the keys are the entries as decimal digits. */
+  histogram: Record<string, number>;
+  /** What the entries are: `shared vertices`, `at least`, `exactly`, `incident` or `signed`. */
+  kind: string;
+  /** The operator, such as `FE`: rows are faces, columns edges. */
+  operator: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The number of rows. */
+  rows: number;
+}
+
+/** The map of one degree. */
+export interface InducedMap {
+  /** The cokernel. */
+  cokernel: GroupAnswer;
+  /** The degree. */
+  degree: number;
+  /** The kernel. */
+  kernel: GroupAnswer;
+  /** For each generator of the source the coefficients of its image. */
+  matrix: WholeNumber[][];
+  /** The orders of the generators of the source; 0 is infinite. */
+  source_orders: WholeNumber[];
+  /** The orders of the generators of the target; 0 is infinite. */
+  target_orders: WholeNumber[];
+}
+
+/** The maps on homology that a simplicial map induces. */
+export interface InducedMaps {
+  /** One map for each degree. */
+  degrees: InducedMap[];
+  /** The name of the target. */
+  target: string;
+}
+
+/** The report on one model. A notion that does not apply is `null`. Lengths, areas and volumes are in the unit of the file. */
+export interface InfoAnswer {
+  /** The area of a surface, in the square of the unit of the file; `null` without positions. */
+  area?: number | null;
+  /** The number of connected components of the graph of edges with one face; `null` unless the dimension is 2. */
+  boundary_loops?: number | null;
+  /** The boundary of a volume; `null` for everything else and where there is none. */
+  boundary_surface?: BoundarySurface | null;
+  /** Whether neighboring top cells agree as the file gives them. */
+  coherently_oriented?: boolean | null;
+  /** The number of connected components; an isolated vertex is one. */
+  components: number;
+  /** The named numbers on vertices, lines, polygons and cells. */
+  data: DataAnswer[];
+  /** The highest degree of a cell; `null` for the empty complex. */
+  dimension?: number | null;
+  /** The alternating sum of the numbers of cells. */
+  euler_characteristic: number;
+  /** The numbers of cells of degrees 0, 1, ... up to the dimension. */
+  f_vector: number[];
+  /** The name of the input; absent for a model that was made in memory. */
+  file?: string | null;
+  /** The format of the input, such as `off`; absent for a model that was made in memory. */
+  format?: string | null;
+  /** The genus of a connected surface; of a non-orientable one the number of cross-caps. */
+  genus?: number | null;
+  /** The integral homology of degrees 0, 1, ... up to the dimension. */
+  homology: HomologyGroup[];
+  /** What sort of thing the model is: `complex`, `surface`, `volume` or `planar`. */
+  kind: string;
+  /** Whether the model without its isolated vertices is a manifold. */
+  manifold: ManifoldAnswer;
+  /** Volume, center and inertia of the solid of density 1 that the model encloses. */
+  mass?: MassAnswer | null;
+  /** The integrals of monomials that were asked for. */
+  moments: MomentAnswer[];
+  /** The surface in words, such as `torus`; `null` if a component is no surface. */
+  name?: string | null;
+  /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
+  orientable?: boolean | null;
+  /** What is wrong, and where. */
+  problems: ProblemAnswer[];
+  /** Whether every cell is a face of a cell of the highest degree; `null` for a chain complex. */
+  pure?: boolean | null;
+  /** The warnings with their codes, counts and first places. */
+  remarks: Remark[];
+  /** The enclosed volume, in the cube of the unit of the file, positive when faces run counterclockwise seen from outside. */
+  signed_volume?: number | null;
+  /** The center of the area of a surface in space. */
+  surface_centroid?: [number, number, number] | null;
+  /** The components of a model of polygons, isolated vertices left out. */
+  surfaces: SurfaceAnswer[];
+  /** How many cells of the highest degree have which shape. */
+  top_cells: CellsOfShape[];
+  /** What was odd, one sentence each: the reader's remarks, then the first sentence of each problem. */
+  warnings: string[];
+}
+
+/** The report on one of several inputs, or why there is none. */
+export type InfoEntry = InfoAnswer | FailedInput;
+
+/** The reports on several inputs. */
+export interface InfoReports {
+  /** One entry for each input, in their order. */
+  reports: InfoEntry[];
+}
+
+/** How the cells inside of a model are found. */
+export type InsideMethod = "winding" | "parity" | "generalized_winding";
+
+/** The intersection form of a closed oriented manifold of even dimension. */
+export interface IntersectionFormAnswer {
+  /** The basis. */
+  basis: [WholeNumber, number[]][][];
+  /** The definiteness of a symmetric form. */
+  definiteness?: string | null;
+  /** The determinant. */
+  determinant: WholeNumber;
+  /** The values on pairs of the basis. */
+  matrix: WholeNumber[][];
+  /** The form in words, where it is known. */
+  name?: string | null;
+  /** `even` or `odd`, of a symmetric form. */
+  parity?: string | null;
+  /** The rank. */
+  rank: number;
+  /** The signature of a symmetric form. */
+  signature?: number | null;
+  /** Whether the form is symmetric; else it is skew. */
+  symmetric: boolean;
+}
+
+/** A layer over the model. */
+export interface LayerAnswer {
+  /** What is said about it beside its name. */
+  detail: string;
+  /** Layers of one group stand together, such as `homology` or `boundary`. */
+  group: string;
+  /** What it is called. */
+  name: string;
+}
+
+/** One level of merging. */
+export interface LevelAnswer {
+  /** The size of all files, in bytes. */
+  bytes: number;
+  /** The numbers of critical cells of each degree. */
+  critical: number[];
+  /** Critical cells for each stratum. */
+  critical_per_stratum: number;
+  /** The number of parts. */
+  parts: number;
+  /** The number of strata before the level was reduced. */
+  strata: number;
+  /** The number of bits of the largest incidence. */
+  widest_bits: number;
+}
+
+/** A loop that cocycles are measured on. */
+export type LoopAnswer = number[] | [WholeNumber, number[]][];
+
+/** The intersection numbers of loops on a closed oriented surface. */
+export interface LoopIntersections {
+  /** The determinant of the matrix; `null` where it was not computed. */
+  determinant?: WholeNumber | null;
+  /** How often loop j crosses loop i, from the right to the left as plus, in row i. */
+  matrix: number[][];
+}
+
+/** Whether a model is a manifold, with or without boundary. */
+export interface ManifoldAnswer {
+  /** Whether there is no boundary. */
+  closed?: boolean | null;
+  /** `yes`, `no` or `unknown`. */
+  verdict: string;
+  /** Why the model is no manifold. */
+  witness?: WitnessAnswer | null;
+}
+
+/** Mass properties of a solid of density 1. */
+export interface MassAnswer {
+  /** The center of mass. */
+  centroid: [number | null, number | null, number | null];
+  /** The inertia about the center, by rows; a number is `null` beyond the range of floating point. */
+  inertia: [[number | null, number | null, number | null], [number | null, number | null, number | null], [number | null, number | null, number | null]];
+  /** The volume; `null` beyond the range of floating point. */
+  volume?: number | null;
+}
+
+/** What was repaired, by the vertices and polygons of the input. */
+export interface MeshRepairAnswer {
+  /** The new vertices, each with the vertex that it is a copy of. */
+  copies: [number, number][];
+  /** The edges in more than two faces that were split, each by its ends. */
+  edges_split: [number, number][];
+  /** The polygons whose direction was reversed. */
+  faces_turned: number[];
+  /** The vertices with several fans of faces that were split. */
+  vertices_split: number[];
+}
+
+/** How much of a model a file holds. */
+export interface ModelCounts {
+  /** The number of cells of dimension 3. */
+  cells: number;
+  /** The number of arrays of data on cells. */
+  data: number;
+  /** The number of polylines. */
+  lines: number;
+  /** The number of polygons. */
+  polygons: number;
+  /** The number of vertices. */
+  vertices: number;
+}
+
+/** The integrals of a monomial x^a y^b z^c. */
+export interface MomentAnswer {
+  /** The exponents a, b, c. */
+  exponents: [number, number, number];
+  /** The integral over the surface, with respect to area. */
+  surface?: number | null;
+  /** The integral over the enclosed solid. */
+  volume?: number | null;
+}
+
+/** How a complex was cut into parts. */
+export interface PartsAnswer {
+  /** The size of what was sent between levels, in bytes. */
+  bytes: number;
+  /** The number of parts. */
+  count: number;
+  /** Critical cells for each stratum of the first level: 1 where all strata are balls. */
+  critical_per_stratum: number;
+  /** How many neighbors are merged at once. */
+  fan_in: number;
+  /** The levels, from the shards on. */
+  levels: LevelAnswer[];
+}
+
+/** Persistent homology of a function on a complex. */
+export interface PersistenceAnswer {
+  /** The Betti numbers of the whole complex over the field. */
+  betti: number[];
+  /** The pairs of all degrees. */
+  diagram: PersistencePairAnswer[];
+  /** The characteristic of the field of coefficients. */
+  field: number;
+  /** The name of the input. */
+  file: string;
+  /** The function on the vertices, or the file of the values. */
+  function: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** How cells follow from the function: `lower` or `upper`; `null` for given values. */
+  star?: string | null;
+}
+
+/** A homology class that is born and dies, or stays. */
+export interface PersistencePairAnswer {
+  /** The value at which it is born. */
+  birth: number;
+  /** The cell that gives birth to it, by its vertices. */
+  birth_cell: number[];
+  /** The value at which it dies; `null` if it stays. */
+  death?: number | null;
+  /** The cell by which it dies, by its vertices. */
+  death_cell?: number[] | null;
+  /** The degree of the class. */
+  degree: number;
+}
+
+/** The fundamental group of each component, by generators and relators. */
+export interface Pi1Answer {
+  /** The components; that of the base vertex comes first. */
+  components: Pi1Component[];
+  /** The short closed paths that were asked for. */
+  cycles?: ClosedPath[] | null;
+  /** The name of the input. */
+  file: string;
+  /** The walks compared with each other. */
+  pairs?: WalkPair[] | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** Whether the presentations were simplified. */
+  simplified: boolean;
+  /** What is known of each walk that was given. */
+  walks?: WalkAnswer[] | null;
+}
+
+/** The fundamental group of one component. */
+export interface Pi1Component {
+  /** The abelianization, which agrees with the first homology. */
+  abelianization: GroupAnswer;
+  /** The vertex where loops start and end, by its number in the file. */
+  base: number;
+  /** The number of generators. */
+  generators: number;
+  /** The numbers of homomorphisms to some finite groups; `null` where they take too long to count. */
+  homomorphisms?: Record<string, HomomorphismAnswer | null>;
+  /** The lengths of the loops of a surface, in the unit of the file. */
+  lengths?: number[] | null;
+  /** The group in words; `null` if it is not recognized, which says nothing. */
+  name?: string | null;
+  /** The relators: i is generator i, counted from 1, -i its inverse, and the product of the letters is the unit. */
+  relators: number[][];
+  /** The numbers of subgroups of index 1, 2, ...; `null` if they take too long to count. */
+  subgroups?: SubgroupCount[] | null;
+}
+
+/** The places where a result in space is pinched, by coordinates before pinches are split. */
+export interface Pinches {
+  /** The number of vertices that were copied to split them. */
+  copies: number;
+  /** The number of edges in more than two polygons. */
+  edge_count: number;
+  /** The first hundred such edges by the positions of their ends. */
+  edges: number[][][];
+  /** Whether pinches were split. */
+  split: boolean;
+  /** The number of vertices whose polygons are connected in several ways. */
+  vertex_count: number;
+  /** The first hundred such vertices by their positions. */
+  vertices: number[][];
+}
+
+/** Where a [`Remark`] applies. The fields that say nothing are `None` and absent from the JSON. */
+export interface Place {
+  /** A cell by its vertices, numbered from 0 in the order of the file. */
+  cell?: number[] | null;
+  /** The name of the input. */
+  file?: string | null;
+  /** A point, in the unit of the input. */
+  point?: number[] | null;
+}
+
+/** The arrangement of drawings in the plane. */
+export interface PlanarArrangementAnswer {
+  /** The number of edges with one face on both sides. */
+  bridges: number;
+  /** The number of connected components of vertices and edges. */
+  components: number;
+  /** The number of those bridges that are joined to the rest at one end, or at none. */
+  dangling_edges: number;
+  /** The dimension of the space: 2. */
+  dimension: number;
+  /** Vertices minus edges plus bounded faces. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges and bounded faces. */
+  f_vector: [number, number, number];
+  /** The number of holes in bounded faces. */
+  holes: number;
+  /** The inputs in their order. */
+  inputs: DrawingInput[];
+  /** For each bounded face the inputs (or the regions, if features are inputs) that contain it, numbered from 0, rising. */
+  inside: number[][];
+  /** The areas of the bounded faces, in the square of the unit of the inputs. */
+  measures: number[];
+  /** Whether the boundary of every boundary is zero, found by multiplying the matrices. */
+  products_zero: boolean;
+  /** The names of the regions in their order. */
+  regions: string[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What rounding the coordinates does to the drawing. */
+  rounding: PlanarRounding;
+  /** How many times coordinates were rounded and everything arranged again; null unless snapping was asked for. */
+  snap_rounds?: number | null;
+  /** Sentences about what is odd in the inputs. */
+  warnings: string[];
+}
+
+/** A Boolean combination of regions in the plane. */
+export interface PlanarBooleanAnswer {
+  /** The numbers of vertices, edges and faces that the inputs cut the plane into. */
+  arrangement: [number, number, number];
+  /** Whether the boundary is closed: always true. */
+  closed: boolean;
+  /** The number of parts whose inner points are connected. */
+  components: number;
+  /** The dimension of the space: 2. */
+  dimension: number;
+  /** The numbers of vertices, edges and polygons. */
+  f_vector: [number, number, number];
+  /** The number of holes of polygons. */
+  holes: number;
+  /** The inputs in their order. */
+  inputs: DrawingInput[];
+  /** Whether the boundary is a curve everywhere. */
+  manifold: BoundaryManifold;
+  /** The area, in the square of the unit of the inputs. */
+  measure: number;
+  /** The areas of the polygons without their holes. */
+  measures: number[];
+  /** The number of vertices where more than two edges of the boundary meet. */
+  pinches: number;
+  /** The number of polygons. */
+  polygons: number;
+  /** The names of the regions, which are the inputs of the formula. */
+  regions: string[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What rounding the coordinates does to the polygons. */
+  rounding: PolygonRounding;
+  /** How many times coordinates were rounded and everything arranged again; null unless snapping was asked for. */
+  snap_rounds?: number | null;
+  /** Sentences about what is odd in the inputs. */
+  warnings: string[];
+}
+
+/** What rounding the coordinates of crossings does to an arrangement in the plane. */
+export interface PlanarRounding {
+  /** The number of edges that cross others when they are drawn with rounded coordinates. */
+  broken_edges: number;
+  /** Whether no coordinate was rounded. */
+  exact: boolean;
+  /** The number of vertices that have the rounded position of another one. */
+  merged_vertices: number;
+  /** The number of components that lie in another face. */
+  moved_components: number;
+  /** The number of vertices around which the order of the edges changes. */
+  turned_vertices: number;
+  /** Whether the drawing with rounded coordinates is the same complex. */
+  valid: boolean;
+}
+
+/** What rounding the coordinates of crossings does to polygons. */
+export interface PolygonRounding {
+  /** Whether no coordinate was rounded. */
+  exact: boolean;
+  /** Whether the polygons are sound with rounded coordinates. */
+  valid: boolean;
+}
+
+/** One sort of fault with its places. */
+export interface ProblemAnswer {
+  /** The first cells that have it, each by its vertices. */
+  cells: number[][];
+  /** In how many places it is. */
+  count: number;
+  /** What sort of fault it is, such as `nonmanifold_edge`. */
+  kind: string;
+  /** One sentence that says how many places have it and what it means. */
+  message: string;
+  /** For each of the cells the top cells that meet there; empty when that says nothing. */
+  top_cells: number[][];
+}
+
+/** Shards that were reduced to their critical cells. */
+export interface ReduceAnswer {
+  /** One entry for each shard. */
+  reduced: ReducedShard[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** What is left of one shard. */
+export interface ReducedShard {
+  /** The size of the file, in bytes. */
+  bytes: number;
+  /** The numbers of cells of each degree. */
+  cells: number[];
+  /** The checksum of the file, in hexadecimal digits. */
+  checksum: string;
+  /** The numbers of critical cells of each degree. */
+  critical: number[];
+  /** The file that was written. */
+  file: string;
+  /** Its level; the shards are level 0. */
+  level: number;
+  /** Its number in the level. */
+  number: number;
+  /** Whether it was there already, whole and made of this shard. */
+  skipped: boolean;
+  /** The number of strata. */
+  strata: number;
+}
+
+/**
+ * One thing worth knowing about an answer: what was assumed, changed or left out, how often, and where first.
+ *
+ * # Examples
+ * ```
+ * use coface_answers::answer::{Place, Remark, RemarkCode};
+ * let remark = Remark::new(RemarkCode::IsolatedVertex, "1 vertex is in no cell").at(1, [Place::cell(&[7])]);
+ * assert_eq!(remark.places[0].cell.as_deref(), Some(&[7][..]));
+ * ```
+ */
+export interface Remark {
+  /** What sort of remark it is, for programs. */
+  code: RemarkCode;
+  /** How many times it applies. */
+  count: number;
+  /** The remark for people: one sentence. */
+  message: string;
+  /** The first places where it applies; empty when it is about the whole input or the request. */
+  places: Place[];
+}
+
+/** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
+export type RemarkCode = "input-reading" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+
+/** A still picture. */
+export interface RenderAnswer {
+  /** The size of the picture in bytes. */
+  bytes: number;
+  /** The name of the file that is shown. */
+  file: string;
+  /** The file of the picture; null if none was written. */
+  picture?: string | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A path of edges along which a component was cut. */
+export interface SeamAnswer {
+  /** The number of its edges. */
+  edges: number;
+  /** `handle`, `crosscap`, `join` or `slit`. */
+  kind: string;
+  /** Its length in the unit of the file; `null` without positions. */
+  length?: number | null;
+  /** The number among all seams, counted from 1. */
+  number: number;
+  /** Its vertices in their order, by their numbers in the file. */
+  vertices: number[];
+}
+
+/** The long exact sequence of a pair. Columns of maps are images of generators; a map that is not there is `null`. */
+export interface SequenceAnswer {
+  /** The homology of the complex. */
+  complex: HomologyGroup[];
+  /** For each degree the map of the pair to the subcomplex, one degree below. */
+  connecting: (WholeNumber[][] | null)[];
+  /** Whether the sequence was checked to be exact. */
+  exact: boolean;
+  /** For each degree the map of the subcomplex into the complex. */
+  inclusion: (WholeNumber[][] | null)[];
+  /** The homology of the pair. */
+  pair: HomologyGroup[];
+  /** For each degree the map of the complex to the pair. */
+  projection: (WholeNumber[][] | null)[];
+  /** The homology of the subcomplex. */
+  subcomplex: HomologyGroup[];
+}
+
+/** How much of a set of the plane a file holds. */
+export interface SetCounts {
+  /** The number of curves. */
+  curves: number;
+  /** The number of kinks. */
+  kinks: number;
+}
+
+/** A complex cut into files. */
+export interface ShardAnswer {
+  /** The size of all shards, in bytes. */
+  bytes: number;
+  /** How many neighbors are merged at once. */
+  fan_in: number;
+  /** The name of the input. */
+  file: string;
+  /** The size of the largest shard, in bytes. */
+  largest: number;
+  /** The folder of the shards. */
+  output: string;
+  /** The number of shards. */
+  parts: number;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A set of simplices of a complex. */
+export interface SimplicesAnswer {
+  /** How many simplices of dimension 0, 1, ... there are. */
+  f_vector: number[];
+  /** The name of the input. */
+  file: string;
+  /** Whether the set has all faces of its simplices. */
+  is_complex: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The simplices, each by its vertices, by rising dimension. */
+  simplices: number[][];
+}
+
+/** A Boolean combination of solids. */
+export interface SolidBooleanAnswer {
+  /** The area of the surface, in the square of the unit of the inputs; null beyond the range of numbers. */
+  area?: number | null;
+  /** The number of cells of the arrangement that are selected. */
+  cells: number;
+  /** Whether the surface is closed. */
+  closed: boolean;
+  /** The number of connected components of the surface. */
+  components: number;
+  /** The dimension of the space: 3. */
+  dimension: number;
+  /** Vertices minus edges plus polygons of the surface. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges and polygons of the surface; a face with holes counts once unless faces are cut into triangles. */
+  f_vector: [number, number, number];
+  /** The number of faces that were cut into triangles because they have holes or slits. */
+  faces_cut: number;
+  /** The inputs in their order. */
+  files: SpatialInput[];
+  /** The genus of the surface; null if it is not one connected manifold. */
+  genus?: number | null;
+  /** Whether the surface is a manifold. */
+  manifold: BoundaryManifold;
+  /** The volume, in the cube of the unit of the inputs; null if the exterior is in the result. */
+  measure?: number | null;
+  /** Where the result is pinched. */
+  pinches: Pinches;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What was rounded. */
+  rounding: SpatialRounding;
+  /** Which winding numbers are inside: `nonzero`, `positive` or `evenodd`. */
+  rule: string;
+  /** The number of connected parts of the result; cells are connected through faces. */
+  solids: number;
+  /** Whether faces are cut into triangles. */
+  triangles: boolean;
+  /** Whether the exterior is in the result. */
+  unbounded: boolean;
+  /** The number of bounded connected parts of the complement. */
+  voids: number;
+  /** The number of faces between selected cells that are kept. */
+  walls: number;
+}
+
+/** The arrangement of surfaces and solids in space. */
+export interface SpatialArrangementAnswer {
+  /** The number of connected components of all faces. */
+  components: number;
+  /** The number of faces with one cell, or the exterior, on both sides. */
+  dangling_faces: number;
+  /** The polygons without area, which are left out. */
+  degenerate_polygons: DegeneratePolygons;
+  /** The dimension of the space: 3. */
+  dimension: number;
+  /** Vertices minus edges plus faces minus bounded cells. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges, faces and bounded cells. */
+  f_vector: number[];
+  /** The inputs in their order. */
+  files: SpatialInput[];
+  /** The number of holes of faces: walks around faces beyond the first of each. */
+  holes: number;
+  /** For each bounded cell the inputs that contain it, numbered from 0, rising; inputs that are open contain nothing. */
+  inside: number[][];
+  /** The volumes of the bounded cells without their voids, in the cube of the unit of the inputs. */
+  measures: number[];
+  /** Whether the boundary of every boundary is zero, found by multiplying the matrices. */
+  products_zero: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What was rounded. */
+  rounding: SpatialRounding;
+  /** The polygons that were split because they are not planar. */
+  split_polygons: SplitPolygons;
+  /** The number of voids of cells: shells of cells beyond the first of each. */
+  voids: number;
+}
+
+/** One surface or solid among the inputs. */
+export interface SpatialInput {
+  /** Whether every edge lies in an even number of its polygons. */
+  closed: boolean;
+  /** Whether its polygons agree in direction across every edge. */
+  coherent: boolean;
+  /** The name of the file. */
+  file: string;
+  /** How cells inside of it were found; in Booleans only. */
+  inside_by?: InsideMethod | null;
+  /** The number of cells that it winds around more than once. */
+  overlapping_cells: number;
+  /** The number of its polygons. */
+  polygons: number;
+  /** The number of cells that it winds around less than zero times. */
+  reversed_cells: number;
+  /** The number of edges along which it is open, or its polygons disagree. */
+  rim_edges: number;
+}
+
+/** What was rounded in space. */
+export interface SpatialRounding {
+  /** Whether no coordinate was rounded. */
+  exact: boolean;
+  /** The number of vertices with a rounded coordinate. */
+  rounded_vertices: number;
+  /** How many times coordinates were rounded and everything arranged again. */
+  rounds: number;
+}
+
+/** Polygons that were split into triangles because they are not planar. */
+export interface SplitPolygons {
+  /** How many there are. */
+  count: number;
+  /** The largest distance of a vertex from the plane of its polygon, in the unit of the inputs. */
+  largest_deviation: number;
+}
+
+/** The number of subgroups of one index. */
+export interface SubgroupCount {
+  /** The number of their conjugacy classes. */
+  classes: number;
+  /** The index. */
+  index: number;
+  /** The number of subgroups. */
+  subgroups: number;
+}
+
+/** A connected component of a model of polygons. */
+export interface SurfaceAnswer {
+  /** The number of its boundary loops. */
+  boundary_loops: number;
+  /** Its vertices minus its edges plus its faces. */
+  euler_characteristic: number;
+  /** The numbers of its vertices, edges and faces. */
+  f_vector: number[];
+  /** Its genus, or the number of cross-caps; `null` if it is no surface. */
+  genus?: number | null;
+  /** The surface in words; `null` if it is none. */
+  name?: string | null;
+  /** Whether it is orientable; `null` if it is no surface. */
+  orientable?: boolean | null;
+}
+
+/** A curve that vanished. */
+export interface VanishedAnswer {
+  /** Its number at the beginning. */
+  curve: number;
+  /** When it vanished. */
+  time: number;
+}
+
+/** A page that shows a model. */
+export interface ViewAnswer {
+  /** The size of the page, in bytes. */
+  bytes: number;
+  /** The name of the input. */
+  file: string;
+  /** The layers that can be shown. */
+  layers: LayerAnswer[];
+  /** The file of the page; `null` if it was not written. */
+  page?: string | null;
+  /** The names of the panes beside the model. */
+  panes: string[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The number of triangles that are drawn. */
+  triangles: number;
+}
+
+/** What is known of a closed walk on a surface. */
+export interface WalkAnswer {
+  /** Whether it is a boundary over the integers. */
+  bounds: boolean;
+  /** The component that it lies on; `null` at an isolated vertex. */
+  component?: number | null;
+  /** Whether it can be contracted to a point. */
+  contractible: boolean;
+  /** Its class in the first homology, by exponent sums of the generators. */
+  homology: number[];
+  /** The number of its edges. */
+  steps: number;
+  /** Its word in the generators. */
+  word: number[];
+}
+
+/** Two walks compared. */
+export interface WalkPair {
+  /** Whether they are homotopic when the base may move. */
+  freely_homotopic: boolean;
+  /** Whether they are homologous. */
+  homologous: boolean;
+  /** Whether they are homotopic with the base fixed; `null` if they start at different vertices. */
+  homotopic?: boolean | null;
+  /** The numbers of the two walks, counted from 0. */
+  walks: [number, number];
+}
+
+/**
+ * An integer: a JSON number, or beyond 64 bits a string of decimal digits, since JSON readers round such numbers.
+ *
+ * # Examples
+ * ```
+ * use coface_algebra::Integer;
+ * use coface_answers::answer::WholeNumber;
+ * assert_eq!(WholeNumber::from(&Integer::from(-3)), WholeNumber::Number(-3));
+ * ```
+ */
+export type WholeNumber = number | string;
+
+/** Cells that show why a model is no manifold. */
+export interface WitnessAnswer {
+  /** The cells, each by its vertices. */
+  cells: number[][];
+  /** What sort of witness this is. */
+  kind: string;
+  /** One sentence for people. */
+  message: string;
+}
+
+/** The answer of `yin advect`. */
+export interface YinAdvectAnswer {
+  /** The number of knots that were added. */
+  added: number;
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  area?: number | null;
+  /** The area at the beginning; null if it is infinite. */
+  area_before?: number | null;
+  /** The curves of each component, the positive one first, if it has one. */
+  atoms: number[][];
+  /** The numbers of components and of holes of its closure. */
+  betti_closed: [number, number];
+  /** The numbers of components and of holes of the set. */
+  betti_open: [number, number];
+  /** Whether it is bounded. */
+  bounded: boolean;
+  /** The lower left and the upper right corner of the box around all curves; null without curves. */
+  bounding_box?: [[number, number], [number, number]] | null;
+  /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
+  curve_counts: [number, number];
+  /** The curves of the boundary. */
+  curves: YinCurve[];
+  /** Whether it is the empty set. */
+  empty: boolean;
+  /** The name of the file. */
+  file: string;
+  /** The files of the way, in the order of time. */
+  frames: string[];
+  /** The number of kinks. */
+  kinks: number;
+  /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
+  order: number;
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  perimeter?: number | null;
+  /** Whether it is the whole plane. */
+  plane: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The number of knots that were removed. */
+  removed: number;
+  /** The steps in which the boundary was cut and pasted. */
+  repairs: YinRepairAnswer[];
+  /** The order of the Runge-Kutta scheme. */
+  scheme: number;
+  /** The number of time steps. */
+  steps: number;
+  /** The time at the end. */
+  time: number;
+  /** The curves that became too short to be kept. */
+  vanished: VanishedAnswer[];
+}
+
+/** The answer of `yin complement`, `meet`, `join`, `difference`, `xor` and `combine`. */
+export interface YinCombinationAnswer {
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  area?: number | null;
+  /** The curves of each component, the positive one first, if it has one. */
+  atoms: number[][];
+  /** The numbers of components and of holes of its closure. */
+  betti_closed: [number, number];
+  /** The numbers of components and of holes of the set. */
+  betti_open: [number, number];
+  /** Whether it is bounded. */
+  bounded: boolean;
+  /** The lower left and the upper right corner of the box around all curves; null without curves. */
+  bounding_box?: [[number, number], [number, number]] | null;
+  /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
+  curve_counts: [number, number];
+  /** The curves of the boundary. */
+  curves: YinCurve[];
+  /** Whether it is the empty set. */
+  empty: boolean;
+  /** The names of the inputs. */
+  files: string[];
+  /** The number of kinks. */
+  kinks: number;
+  /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
+  order: number;
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  perimeter?: number | null;
+  /** Whether it is the whole plane. */
+  plane: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The decisions that were taken without proof. */
+  uncertified: YinDecision[];
+}
+
+/** A curve of a boundary. */
+export interface YinCurve {
+  /** The area that it encloses, with its sign; null beyond the range of numbers. */
+  area?: number | null;
+  /** The number of curves around it. */
+  depth: number;
+  /** The knots that are kinks, numbered from 0. */
+  kinks: number[];
+  /** The number of its knots. */
+  knots: number;
+  /** Its length, in the unit of the file; null beyond the range of numbers. */
+  length?: number | null;
+  /** Its name; null if it has none. */
+  name?: string | null;
+  /** The curve directly around it; null if there is none. */
+  parent?: number | null;
+  /** 1 if it runs counterclockwise, -1 if it runs clockwise. */
+  sign: number;
+  /** The names of these kinks. */
+  vertices: number[];
+}
+
+/** The answer of `yin cut-cells`. */
+export interface YinCutCellsAnswer {
+  /** The area of the set in the grid. */
+  area: number;
+  /** The area of the set; null if it is infinite. */
+  area_of_set?: number | null;
+  /** The cells that have some of the set or of its boundary, row by row; in files only. */
+  cells?: CutCellAnswer[] | null;
+  /** The number of cells that are partly in the set. */
+  cut: number;
+  /** The number of cells outside of the set. */
+  empty: number;
+  /** The name of the file. */
+  file: string;
+  /** The number of cells inside of the set. */
+  full: number;
+  /** The grid. */
+  grid: GridAnswer;
+  /** The length of the boundary in the grid. */
+  length: number;
+  /** The length of the boundary; null beyond the range of numbers. */
+  perimeter_of_set?: number | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A decision of a combination that was taken without proof. */
+export interface YinDecision {
+  /** What was assumed to be equal, in words. */
+  assumed: string;
+  /** The two pieces of operands that are so close. */
+  pieces: [number, number, number, number, number][];
+  /** Where. */
+  point: [number, number];
+}
+
+/** The answer of `yin info`. */
+export interface YinInfoAnswer {
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  area?: number | null;
+  /** The curves of each component, the positive one first, if it has one. */
+  atoms: number[][];
+  /** The numbers of components and of holes of its closure. */
+  betti_closed: [number, number];
+  /** The numbers of components and of holes of the set. */
+  betti_open: [number, number];
+  /** Whether it is bounded. */
+  bounded: boolean;
+  /** The lower left and the upper right corner of the box around all curves; null without curves. */
+  bounding_box?: [[number, number], [number, number]] | null;
+  /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
+  curve_counts: [number, number];
+  /** The curves of the boundary. */
+  curves: YinCurve[];
+  /** Whether it is the empty set. */
+  empty: boolean;
+  /** The name of the file. */
+  file: string;
+  /** The number of kinks. */
+  kinks: number;
+  /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
+  order: number;
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  perimeter?: number | null;
+  /** Whether it is the whole plane. */
+  plane: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A kink with its place. */
+export interface YinKinkPoint {
+  /** The curve that it is on. */
+  curve: number;
+  /** The knot of that curve. */
+  knot: number;
+  /** Its position. */
+  point: [number, number];
+  /** Its name. */
+  vertex: number;
+}
+
+/** The answer of `yin kinks`. */
+export interface YinKinksAnswer {
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  area?: number | null;
+  /** The curves of each component, the positive one first, if it has one. */
+  atoms: number[][];
+  /** The numbers of components and of holes of its closure. */
+  betti_closed: [number, number];
+  /** The numbers of components and of holes of the set. */
+  betti_open: [number, number];
+  /** Whether it is bounded. */
+  bounded: boolean;
+  /** The lower left and the upper right corner of the box around all curves; null without curves. */
+  bounding_box?: [[number, number], [number, number]] | null;
+  /** The kinks as a complex: one simplex for each, with its name. */
+  complex: [number][];
+  /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
+  curve_counts: [number, number];
+  /** The curves of the boundary. */
+  curves: YinCurve[];
+  /** Whether it is the empty set. */
+  empty: boolean;
+  /** The name of the file. */
+  file: string;
+  /** The kinks with their places. */
+  kink_points: YinKinkPoint[];
+  /** The number of kinks. */
+  kinks: number;
+  /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
+  order: number;
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  perimeter?: number | null;
+  /** Whether it is the whole plane. */
+  plane: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A step in which a boundary that met itself was cut and pasted. */
+export interface YinRepairAnswer {
+  /** What was wrong, in words. */
+  fault: string;
+  /** The step, counted from the beginning. */
+  step: number;
+  /** The time. */
+  time: number;
+}
+
+/** A set of the plane. */
+export interface YinSetAnswer {
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  area?: number | null;
+  /** The curves of each component, the positive one first, if it has one. */
+  atoms: number[][];
+  /** The numbers of components and of holes of its closure. */
+  betti_closed: [number, number];
+  /** The numbers of components and of holes of the set. */
+  betti_open: [number, number];
+  /** Whether it is bounded. */
+  bounded: boolean;
+  /** The lower left and the upper right corner of the box around all curves; null without curves. */
+  bounding_box?: [[number, number], [number, number]] | null;
+  /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
+  curve_counts: [number, number];
+  /** The curves of the boundary. */
+  curves: YinCurve[];
+  /** Whether it is the empty set. */
+  empty: boolean;
+  /** The number of kinks. */
+  kinks: number;
+  /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
+  order: number;
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  perimeter?: number | null;
+  /** Whether it is the whole plane. */
+  plane: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
