@@ -186,7 +186,7 @@ fn solids_are_typed() {
     assert_prints("congruence", &["congruence", &a, &b, "--tolerance", "1e-6"]);
     let out = files.path("out.obj");
     assert_prints("convert", &["convert", &a, "-o", &out]);
-    assert_prints("convert", &["convert", &a, "--triangulate", "-o", &out]);
+    assert_prints("convert", &["convert", &a, "--split-edges", "pairs", "-o", &out]);
     let picture = files.path("out.png");
     assert_prints("render", &["render", &a, "--size", "40x30", "-o", &picture]);
     assert_prints("generate", &["generate", "torus", "-o", &out]);
