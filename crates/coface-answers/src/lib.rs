@@ -1,59 +1,51 @@
-//! The report on a model: everything that `coface info` says, as data.
+//! One request and one answer for each question, and what assembles the answers.
 //!
-//! # Words
-//! * A [`SurfaceModel`] is a model that is a surface; what is cut from it or covers it is a model again.
-//! * A [`Producer`] is a model with the faces of its cells identified; it makes the chain complex.
-//! * The **top cells** are those of the highest degree: the faces of a surface, the cells of a volume. A **ridge** is a
-//!   cell one degree below: an edge of a surface, a face of a volume.
-//! * A [`Report`] is what [`Report::of`] finds out about a model. A [`Problem`] is one sort of fault in it, with all its
-//!   places; a [`Witness`] shows why a model is no manifold.
+//! * `answer` has the answers as plain data: what the program prints as JSON, with their schema.
+//! * `producer` makes the chain complex of a model and names its cells; `facts` reports on it; `repair` makes it ready for
+//!   other questions.
+//! * `homology`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `planar`, `spatial`,
+//!   `congruence` and `yin` each answer the requests of some verbs.
+//! * `text` lays answers out for people.
 //!
 #![doc = include_str!("../README.md")]
 
 pub mod answer;
-mod cells;
-mod chains;
 mod cocycles;
 mod congruence;
-mod diagram;
-mod examination;
 mod facts;
-mod gluings;
-mod halfedges;
 mod homology;
-mod moments;
+mod incidence;
+mod persistence;
 mod planar;
-mod polygons;
-mod problem;
 mod producer;
 mod repair;
 mod simplices;
-mod simplicial;
 mod spatial;
 mod surface_model;
 pub mod text;
-mod triangulation;
-mod volume;
 mod yin;
 
 pub use cocycles::{
-    CocycleBasisMethod, CocyclesRequest, EdgeWeights, FoundCocycles, GivenCochain, SurfaceCocycles,
-    surface_harmonic_forms, tested_cochain,
+    CocyclesRequest, FoundCocycles, GivenCochain, SurfaceCocycles, surface_harmonic_forms, tested_cochain,
 };
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
-pub use diagram::{DiagramFormat, write_diagram};
-pub use facts::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
+pub use facts::{
+    Answer, BoundaryPart, DataSummary, Kind, Moment, Problem, ProblemKind, Report, Skin, Witness,
+    homology_of_volume,
+};
 pub use homology::{
     FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
 };
-pub use moments::Moment;
+pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
+pub use persistence::{
+    DiagramFormat, FoundDiagram, Growth, PersistenceRequest, VertexFunction, write_diagram,
+};
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
     is_planar,
 };
-pub use problem::{Problem, ProblemKind};
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
-pub use repair::{RepairRequest, repaired};
+pub use repair::{RepairRequest, repaired, triangulated};
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{
     InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
@@ -62,10 +54,6 @@ pub use surface_model::{
     CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, SurfaceCover, SurfaceCut, SurfaceModel,
     edge_lengths,
 };
-pub use triangulation::triangulated;
-pub use volume::homology_of_volume;
 pub use yin::{CutCellsRequest, KinkRequest, MotionRequest, PlanarMotion, PlanarSet, SetRequest};
 #[doc(hidden)]
 pub use yin::{SetPiece, set_pieces};
-
-use producer::Labels;

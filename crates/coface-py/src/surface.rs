@@ -15,9 +15,9 @@ use crate::source::{Names, Naming, Source};
 use crate::work::run;
 use coface::algebra::chains::Cochain;
 use coface::algebra::{Integer, Sign};
-use coface::answers::answer::WholeNumber;
+use coface::answers::answer::{EdgeWeights, WholeNumber};
 use coface::answers::{
-    CutRequest, EdgeWeights, LayoutChoice, Producer, SurfaceCocycles, SurfaceModel, surface_harmonic_forms,
+    CutRequest, LayoutChoice, Producer, SurfaceCocycles, SurfaceModel, surface_harmonic_forms,
 };
 use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::topology::{

@@ -1,7 +1,6 @@
 //! The answers of `cocycles`: a basis of the first cohomology, and the test of one cochain.
 
 use super::{ChainTerm, Remark, WholeNumber};
-use crate::{CocycleBasisMethod, EdgeWeights};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -127,6 +126,59 @@ impl std::fmt::Display for CochainValue {
         match self {
             Self::Whole(number) => number.fmt(formatter),
             Self::Real(number) => number.fmt(formatter),
+        }
+    }
+}
+
+/// How cocycles are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CocycleBasisMethod {
+    /// By crossing the faces between loops, of a surface.
+    Crossing,
+    /// By slicing along loops, of a closed orientable surface.
+    Slicing,
+    /// By reduction of the chain complex, of any model.
+    General,
+}
+
+impl CocycleBasisMethod {
+    /// The word of the answer.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::answer::CocycleBasisMethod::Slicing.name(), "slicing");
+    /// ```
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Crossing => "crossing",
+            Self::Slicing => "slicing",
+            Self::General => "general",
+        }
+    }
+}
+
+/// The weights of edges in the energy of harmonic forms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum EdgeWeights {
+    /// By the cotangents of the angles opposite to an edge, of triangles.
+    Cotangent,
+    /// 1 for each edge.
+    Uniform,
+}
+
+impl EdgeWeights {
+    /// The word of the answer.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::answer::EdgeWeights::Cotangent.name(), "cotangent");
+    /// ```
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cotangent => "cotangent",
+            Self::Uniform => "uniform",
         }
     }
 }

@@ -50,7 +50,8 @@ pub use boolean::{
     PlanarBooleanProvenance, PolygonRounding, SolidBooleanAnswer, SolidBooleanProvenance,
 };
 pub use cocycles::{
-    CochainTestAnswer, CochainValue, CocyclesAnswer, HarmonicFormAnswer, LoopAnswer, LoopIntersections,
+    CochainTestAnswer, CochainValue, CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer,
+    LoopAnswer, LoopIntersections,
 };
 pub use congruence::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput};
 pub use convert::{CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts};

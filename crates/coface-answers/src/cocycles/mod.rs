@@ -11,7 +11,10 @@ mod testing;
 pub use surface::{SurfaceCocycles, surface_harmonic_forms};
 pub use testing::{GivenCochain, tested_cochain};
 
-use crate::answer::{CocyclesAnswer, HarmonicFormAnswer, LoopAnswer, LoopIntersections, Remark, WholeNumber};
+use crate::answer::{
+    CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer, LoopAnswer, LoopIntersections,
+    Remark, WholeNumber,
+};
 use crate::{CellNames, Producer, edge_lengths};
 use coface_algebra::chains::{Chain, ChainComplex, Cochain};
 use coface_algebra::progress::stage;
@@ -19,61 +22,6 @@ use coface_algebra::{CellId, EdgeId, Error, ErrorKind, Integer, RaggedArray};
 use coface_complexes::surface::GeneralizedMap;
 use coface_io::{CellData, GroupKind, Model};
 use coface_topology::{HarmonicForm, HomologyBasis};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// How cocycles are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CocycleBasisMethod {
-    /// By crossing the faces between loops, of a surface.
-    Crossing,
-    /// By slicing along loops, of a closed orientable surface.
-    Slicing,
-    /// By reduction of the chain complex, of any model.
-    General,
-}
-
-impl CocycleBasisMethod {
-    /// The word of the answer.
-    ///
-    /// # Examples
-    /// ```
-    /// assert_eq!(coface_answers::CocycleBasisMethod::Slicing.name(), "slicing");
-    /// ```
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Crossing => "crossing",
-            Self::Slicing => "slicing",
-            Self::General => "general",
-        }
-    }
-}
-
-/// The weights of edges in the energy of harmonic forms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum EdgeWeights {
-    /// By the cotangents of the angles opposite to an edge, of triangles.
-    Cotangent,
-    /// 1 for each edge.
-    Uniform,
-}
-
-impl EdgeWeights {
-    /// The word of the answer.
-    ///
-    /// # Examples
-    /// ```
-    /// assert_eq!(coface_answers::EdgeWeights::Cotangent.name(), "cotangent");
-    /// ```
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Cotangent => "cotangent",
-            Self::Uniform => "uniform",
-        }
-    }
-}
 
 /// Asks for a basis of the first cohomology.
 ///
@@ -104,7 +52,8 @@ impl CocyclesRequest {
     ///
     /// # Examples
     /// ```
-    /// use coface_answers::{CocycleBasisMethod, CocyclesRequest, Producer};
+    /// use coface_answers::answer::CocycleBasisMethod;
+    /// use coface_answers::{CocyclesRequest, Producer};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let disk = Producer::of(coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?)?;
     /// let request = CocyclesRequest::new().method(Some(CocycleBasisMethod::General));

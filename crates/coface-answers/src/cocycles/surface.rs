@@ -1,7 +1,6 @@
 //! Cocycles and harmonic forms of a surface.
 
-use super::EdgeWeights;
-use crate::answer::{Remark, RemarkCode};
+use crate::answer::{EdgeWeights, Remark, RemarkCode};
 use coface_algebra::chains::Cochain;
 use coface_algebra::{Error, Integer};
 use coface_complexes::surface::GeneralizedMap;
@@ -80,7 +79,8 @@ impl SurfaceCocycles {
 ///
 /// # Examples
 /// ```
-/// use coface_answers::{EdgeWeights, SurfaceModel, surface_harmonic_forms};
+/// use coface_answers::answer::EdgeWeights;
+/// use coface_answers::{SurfaceModel, surface_harmonic_forms};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let tetrahedron = coface_io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], coface_io::Format::Json)?;
 /// let surface = SurfaceModel::of(tetrahedron)?;

@@ -16,7 +16,7 @@ pub(super) fn cochains(
     let mut degrees = Vec::new();
     for degree in 0..basis.complex().degree_count() {
         let mut list = Vec::new();
-        for harmonic in metric.harmonic_cochains(degree, basis)?.iter() {
+        for harmonic in &metric.harmonic_cochains(degree, basis)? {
             let norm = metric.norm(harmonic.cochain())?;
             list.push(HarmonicCochain {
                 chain: naming.real_terms(harmonic.cochain()),

@@ -59,7 +59,7 @@ pub enum RelativeTo {
         /// What the part is called in messages.
         name: String,
         /// The part.
-        model: Model,
+        model: Box<Model>,
     },
 }
 

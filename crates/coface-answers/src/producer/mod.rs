@@ -19,7 +19,7 @@ pub use names::CellNames;
 pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
 
-use crate::volume::VolumeCells;
+use crate::facts::VolumeCells;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, TwoSkeleton};

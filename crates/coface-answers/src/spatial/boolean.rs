@@ -2,12 +2,12 @@
 
 use super::inputs::Membership;
 use super::{InputState, OpenInputs, SceneArrangement};
-use crate::Labels;
 use crate::answer::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, Place, Remark, RemarkCode,
     SolidBooleanAnswer, SpatialInput,
 };
-use crate::polygons::witness;
+use crate::facts::witness;
+use crate::producer::Labels;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind};

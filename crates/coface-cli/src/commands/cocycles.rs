@@ -9,10 +9,11 @@ use crate::{input, surface};
 use clap::{Args, ValueEnum};
 use coface::Error;
 use coface::algebra::Integer;
-use coface::answers::answer::{CochainTestAnswer, CocyclesAnswer, HarmonicFormAnswer, Remark, RemarkCode};
-use coface::answers::{
-    CocycleBasisMethod, CocyclesRequest, EdgeWeights, GivenCochain, Producer, tested_cochain, text,
+use coface::answers::answer::{
+    CochainTestAnswer, CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer, Remark,
+    RemarkCode,
 };
+use coface::answers::{CocyclesRequest, GivenCochain, Producer, tested_cochain, text};
 use coface::io::{Format, write_path};
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -6,12 +6,11 @@ use crate::input;
 use crate::output::{is_json, print_bytes, print_text};
 use crate::progress::Progress;
 use clap::Args;
-use coface::algebra::chains::ChainComplex;
-use coface::algebra::{RaggedArray, SparseMatrix};
-use coface::answers::Producer;
+use coface::algebra::SparseMatrix;
 use coface::answers::answer::{IncidenceAnswer, to_json};
 use coface::answers::text;
-use coface::complexes::lar::{LarModel, Operator, Shared};
+use coface::answers::{FoundOperator, OperatorKind, OperatorRequest};
+use coface::complexes::lar::{Operator, Shared};
 use coface::io::matrix_market;
 use coface::io::matrix_market::MatrixField;
 use coface::io::replace_file;
@@ -59,47 +58,6 @@ fn operator(name: &str) -> Result<Operator, String> {
     name.parse().map_err(|error: coface::Error| error.to_string())
 }
 
-/// What entries of an operator are.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Counts,
-    Shared(Shared),
-    Incident,
-    Signed,
-}
-
-impl Kind {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Counts => "shared vertices",
-            Self::Shared(Shared::AtLeast(_)) => "at least",
-            Self::Shared(_) => "exactly",
-            Self::Incident => "incident",
-            Self::Signed => "signed",
-        }
-    }
-
-    fn field(self) -> MatrixField {
-        match self {
-            Self::Counts | Self::Signed => MatrixField::Integer,
-            Self::Shared(_) | Self::Incident => MatrixField::Pattern,
-        }
-    }
-}
-
-/// An operator as it is shown and written.
-struct Shown {
-    file: String,
-    operator: Operator,
-    kind: Kind,
-    rows: usize,
-    columns: usize,
-    /// How often each entry stands there.
-    histogram: BTreeMap<i64, u64>,
-    /// The entries, if they are asked for: column j is row j of the operator.
-    by_rows: Option<SparseMatrix>,
-}
-
 impl Incidence {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let output = common.output.as_deref().map(Output::of).transpose()?;
@@ -107,87 +65,46 @@ impl Incidence {
         let (file, producer) = input::produce(&self.input, common.reading(), &progress)?;
         progress.stage("relating cells");
         let needs_entries = output.is_some() || (common.json && self.entries);
-        let shown =
-            self.shown(file.clone(), &producer, needs_entries).map_err(|error| error.in_file(file))?;
+        let kind = self.kind();
+        let found = OperatorRequest::new(self.operator, kind)
+            .entries(needs_entries)
+            .found(&producer)
+            .map_err(|error| error.in_file(file.clone()))?;
         progress.stage("writing");
         match output {
             Some(Output::Matrix(path)) => replace_file(path, |out| {
-                let by_rows = shown.by_rows.as_ref().map(SparseMatrix::transpose);
-                by_rows.map_or(Ok(()), |matrix| matrix_market::write(&matrix, shown.kind.field(), out))
+                let matrix = found.by_rows().map(SparseMatrix::transpose);
+                matrix.map_or(Ok(()), |matrix| matrix_market::write(&matrix, field(kind), out))
             })?,
-            Some(Output::Json(path)) => replace_file(path, |out| Ok(shown.write_json(true, out)?))?,
+            Some(Output::Json(path)) => {
+                replace_file(path, |out| Ok(write_entries(&found, &file, true, out)?))?
+            }
             None => {}
         }
         drop(progress);
         match (common.json, output) {
-            (true, _) => print_bytes(|out| shown.write_json(self.entries, out)),
+            (true, _) => print_bytes(|out| write_entries(&found, &file, self.entries, out)),
             (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&shown.page()),
+            (false, None) => print_text(&page(&found.counts(&file), self.operator, kind, found.histogram())),
         }
     }
 
-    fn kind(&self) -> Kind {
+    fn kind(&self) -> OperatorKind {
         match (self.at_least, self.exactly) {
-            (Some(n), _) => Kind::Shared(Shared::AtLeast(n)),
-            (_, Some(n)) => Kind::Shared(Shared::Exactly(n)),
-            _ if self.incident => Kind::Incident,
-            _ if self.signed => Kind::Signed,
-            _ => Kind::Counts,
+            (Some(n), _) => OperatorKind::Shared(Shared::AtLeast(n)),
+            (_, Some(n)) => OperatorKind::Shared(Shared::Exactly(n)),
+            _ if self.incident => OperatorKind::Incident,
+            _ if self.signed => OperatorKind::Signed,
+            _ => OperatorKind::Counts,
         }
-    }
-
-    fn shown(&self, file: String, producer: &Producer, needs_entries: bool) -> Result<Shown, coface::Error> {
-        let (operator, kind) = (self.operator, self.kind());
-        let mut shown =
-            Shown { file, operator, kind, rows: 0, columns: 0, histogram: BTreeMap::new(), by_rows: None };
-        if kind == Kind::Signed {
-            let complex = producer.chain_complex()?;
-            (shown.rows, shown.columns) =
-                (complex.cell_count(operator.rows()), complex.cell_count(operator.columns()));
-            let by_rows = signed(&complex, operator)?;
-            shown.count_entries(&by_rows);
-            shown.by_rows = Some(by_rows);
-            return Ok(shown);
-        }
-        let model = producer.lar_model()?;
-        (shown.rows, shown.columns) =
-            (model.cell_count(operator.rows()), model.cell_count(operator.columns()));
-        if kind == Kind::Counts && !needs_entries {
-            // Counting alone stores no matrix.
-            let counts = model.counts(operator).into_iter();
-            shown.histogram = (0i64..).zip(counts).filter(|&(entry, times)| entry > 0 && times > 0).collect();
-            return Ok(shown);
-        }
-        let by_rows = match kind {
-            Kind::Shared(shared) => pattern(&model, operator, &model.related(operator, shared)?)?,
-            Kind::Incident => pattern(&model, operator, &model.incident(operator)?)?,
-            Kind::Counts | Kind::Signed => model.shared_vertices(operator.transposed())?,
-        };
-        shown.count_entries(&by_rows);
-        shown.by_rows = Some(by_rows);
-        Ok(shown)
     }
 }
 
-/// The matrix with an entry 1 for each item, list j as column j.
-fn pattern(model: &LarModel, operator: Operator, lists: &RaggedArray) -> Result<SparseMatrix, coface::Error> {
-    let starts = (0..=lists.len()).map(|row| lists.start(row) as u32).collect();
-    let ones = vec![1; lists.item_count()];
-    SparseMatrix::from_parts(model.cell_count(operator.columns()), starts, lists.items().to_vec(), ones)
-}
-
-/// The boundary or coboundary operator, transposed.
-fn signed(complex: &ChainComplex, operator: Operator) -> Result<SparseMatrix, coface::Error> {
-    let (rows, columns) = (operator.rows(), operator.columns());
-    if rows.abs_diff(columns) != 1 {
-        return Err(coface::Error::invalid(format!("{operator} is no boundary or coboundary operator"))
-            .with_cure("signs are those of neighboring degrees: EV, FE, CF and VE, EF, FC"));
-    }
-    match complex.boundary_matrix(rows.max(columns)) {
-        // A coboundary matrix has the boundary of each row's cell in the row.
-        Some(boundary) if rows > columns => Ok(boundary.clone()),
-        Some(boundary) => Ok(boundary.transpose()),
-        None => SparseMatrix::zero(complex.cell_count(columns), complex.cell_count(rows)),
+/// What the entries of a matrix in Matrix Market form are.
+fn field(kind: OperatorKind) -> MatrixField {
+    match kind {
+        OperatorKind::Counts | OperatorKind::Signed => MatrixField::Integer,
+        OperatorKind::Shared(_) | OperatorKind::Incident => MatrixField::Pattern,
     }
 }
 
@@ -213,77 +130,67 @@ impl<'a> Output<'a> {
     }
 }
 
-impl Shown {
-    fn count_entries(&mut self, by_rows: &SparseMatrix) {
-        for &entry in by_rows.entries() {
-            *self.histogram.entry(entry.into()).or_default() += 1;
-        }
-    }
-
-    fn entry_count(&self) -> u64 {
-        self.histogram.values().sum()
-    }
-
-    /// The object, entry after entry.
-    fn write_json(&self, with_entries: bool, out: &mut dyn Write) -> io::Result<()> {
-        // Entries are written one by one: there may be many.
-        let text = to_json(&IncidenceAnswer {
-            file: self.file.clone(),
-            operator: self.operator.to_string(),
-            kind: self.kind.name().to_owned(),
-            rows: self.rows,
-            columns: self.columns,
-            entries_count: self.entry_count(),
-            histogram: self.histogram.iter().map(|(entry, &times)| (entry.to_string(), times)).collect(),
-            entries: None,
-            remarks: Vec::new(),
-        });
-        match (&self.by_rows, with_entries) {
-            (Some(by_rows), true) => {
-                // Before the brace that ends the object.
-                write!(out, "{},\"entries\":[", &text[..text.len() - 1])?;
-                let mut separator = "";
-                for (row, entries) in by_rows.columns().enumerate() {
-                    for (column, entry) in entries.iter() {
-                        write!(out, "{separator}[{row},{column},{entry}]")?;
-                        separator = ",\n";
-                    }
+/// The object, entry after entry.
+fn write_entries(
+    found: &FoundOperator,
+    file: &str,
+    with_entries: bool,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    // Entries are written one by one: there may be many.
+    let text = to_json(&found.counts(file));
+    match found.by_rows().filter(|_| with_entries) {
+        Some(by_rows) => {
+            // Before the brace that ends the object.
+            write!(out, "{},\"entries\":[", &text[..text.len() - 1])?;
+            let mut separator = "";
+            for (row, entries) in by_rows.columns().enumerate() {
+                for (column, entry) in entries.iter() {
+                    write!(out, "{separator}[{row},{column},{entry}]")?;
+                    separator = ",\n";
                 }
-                out.write_all(b"]}\n")
             }
-            _ => writeln!(out, "{text}"),
+            out.write_all(b"]}\n")
         }
-    }
-
-    fn page(&self) -> String {
-        let kind = match self.kind {
-            Kind::Counts if (self.operator.rows(), self.operator.columns()) == (0, 0) => {
-                "the edges between two vertices, on the diagonal at one".to_owned()
-            }
-            Kind::Counts => "the vertices that two cells share".to_owned(),
-            Kind::Shared(Shared::AtLeast(n)) => format!("1 where two cells share at least {}", vertices(n)),
-            Kind::Shared(Shared::Exactly(n)) => format!("1 where two cells share exactly {}", vertices(n)),
-            Kind::Shared(_) => String::new(),
-            Kind::Incident if self.operator.is_square() => "1 where two cells are adjacent".to_owned(),
-            Kind::Incident => "1 where one cell is a face of the other".to_owned(),
-            Kind::Signed if self.operator.rows() > self.operator.columns() => {
-                "the coboundary operator".to_owned()
-            }
-            Kind::Signed => "the boundary operator".to_owned(),
-        };
-        let fact = |label: &str, value: String, gloss: String| (label.to_owned(), value, gloss);
-        let mut facts = vec![
-            fact("rows", self.rows.to_string(), cells(self.operator.rows())),
-            fact("columns", self.columns.to_string(), cells(self.operator.columns())),
-            fact("entries", self.entry_count().to_string(), kind),
-        ];
-        for (entry, times) in &self.histogram {
-            facts.push(fact(&format!("  {entry}"), times.to_string(), String::new()));
-        }
-        text::facts(&format!("operator {} of {}", self.operator, self.file), &facts)
+        None => writeln!(out, "{text}"),
     }
 }
 
+/// The counts for people.
+fn page(
+    answer: &IncidenceAnswer,
+    operator: Operator,
+    kind: OperatorKind,
+    histogram: &BTreeMap<i64, u64>,
+) -> String {
+    let kind = match kind {
+        OperatorKind::Counts if (operator.rows(), operator.columns()) == (0, 0) => {
+            "the edges between two vertices, on the diagonal at one".to_owned()
+        }
+        OperatorKind::Counts => "the vertices that two cells share".to_owned(),
+        OperatorKind::Shared(Shared::AtLeast(n)) => {
+            format!("1 where two cells share at least {}", vertices(n))
+        }
+        OperatorKind::Shared(Shared::Exactly(n)) => {
+            format!("1 where two cells share exactly {}", vertices(n))
+        }
+        OperatorKind::Shared(_) => String::new(),
+        OperatorKind::Incident if operator.is_square() => "1 where two cells are adjacent".to_owned(),
+        OperatorKind::Incident => "1 where one cell is a face of the other".to_owned(),
+        OperatorKind::Signed if operator.rows() > operator.columns() => "the coboundary operator".to_owned(),
+        OperatorKind::Signed => "the boundary operator".to_owned(),
+    };
+    let fact = |label: &str, value: String, gloss: String| (label.to_owned(), value, gloss);
+    let mut facts = vec![
+        fact("rows", answer.rows.to_string(), cells(operator.rows())),
+        fact("columns", answer.columns.to_string(), cells(operator.columns())),
+        fact("entries", answer.entries_count.to_string(), kind),
+    ];
+    for (entry, times) in histogram {
+        facts.push(fact(&format!("  {entry}"), times.to_string(), String::new()));
+    }
+    text::facts(&format!("operator {} of {}", operator, answer.file), &facts)
+}
 fn vertices(count: u32) -> String {
     text::count(count as usize, "vertex")
 }

@@ -2,16 +2,15 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::filtration::{Function, read_values};
+use crate::filtration::{read_function, read_values};
 use crate::input;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
-use coface::answers::Producer;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
-use coface::answers::{DiagramFormat, write_diagram};
-use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
+use coface::answers::{DiagramFormat, Growth, PersistenceRequest, write_diagram};
+use coface::topology::Coefficients;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -86,107 +85,69 @@ impl Persistence {
         let output = output.transpose()?;
         let progress = Progress::start(common.quiet);
         let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
-        let complex = producer.chain_complex()?;
-        progress.stage("sorting cells");
-        let (function, filtration) = match &self.values {
-            Some(path) => (path.display().to_string(), read_values(path, &producer, &complex)?),
+        let growth = match &self.values {
+            Some(path) => read_values(path)?,
             None => {
-                let function = Function::choose(self.function.as_deref(), producer.positions())?;
-                let values = function.values(&producer, complex.cell_count(0))?;
-                let star = if self.upper_star { Filtration::upper_star } else { Filtration::lower_star };
-                (function.name(), star(&complex, &values).map_err(|error| error.in_file(name.clone()))?)
+                let function = self.function.as_deref().map(read_function).transpose()?;
+                if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) }
             }
         };
-        progress.stage("pairing cells");
-        let diagram =
-            persistence(&complex, &filtration, self.coefficients)?.longer_than(self.min_persistence);
+        let request = PersistenceRequest::new()
+            .coefficients(self.coefficients)
+            .growth(growth)
+            .min_persistence(self.min_persistence);
+        let found = request.found(&name, &producer)?;
         progress.stage("writing");
-        let as_object = || self.answer(&name, &function, &diagram, &producer);
         match output {
-            Some((path, Output::Json)) => write_json(path, &as_object())?,
+            Some((path, Output::Json)) => write_json(path, &found.answer())?,
             Some((path, Output::Text(format))) => {
                 let mut bytes = Vec::new();
-                write_diagram(&diagram, &mut bytes, format)?;
+                write_diagram(found.diagram(), &mut bytes, format)?;
                 write_file(path, &bytes)?;
             }
             None => {}
         }
         if common.json {
-            let object = as_object();
+            let answer = found.answer();
             drop(progress);
-            return print_json(&object);
+            return print_json(&answer);
         }
         drop(progress);
         if common.output.is_some() {
             return Ok(());
         }
-        print_text(&self.page(&name, &function, &diagram, &producer))
-    }
-
-    /// How cells follow from the function; `None` for given values.
-    fn star(&self) -> Option<&'static str> {
-        match (&self.values, self.upper_star) {
-            (Some(_), _) => None,
-            (None, true) => Some("upper"),
-            (None, false) => Some("lower"),
-        }
-    }
-
-    fn answer(
-        &self,
-        name: &str,
-        function: &str,
-        diagram: &PersistenceDiagram,
-        producer: &Producer,
-    ) -> PersistenceAnswer {
-        let pair = |pair: &PersistencePair| PersistencePairAnswer {
-            degree: pair.degree(),
-            birth: pair.birth(),
-            death: pair.death(),
-            birth_cell: producer.cell_vertices(pair.degree(), pair.birth_cell().index()),
-            death_cell: pair.death_cell().map(|cell| producer.cell_vertices(pair.degree() + 1, cell.index())),
-        };
-        PersistenceAnswer {
-            file: name.to_owned(),
-            field: diagram.prime(),
-            function: function.to_owned(),
-            star: self.star().map(str::to_owned),
-            diagram: diagram.pairs().iter().map(pair).collect(),
-            betti: diagram.betti_numbers(),
-            remarks: Vec::new(),
-        }
+        print_text(&self.page(&found.answer()))
     }
 
     /// The diagram for people: for each degree the longest pairs.
-    fn page(&self, name: &str, function: &str, diagram: &PersistenceDiagram, producer: &Producer) -> String {
-        let mut page = format!("  persistence of {name} over {}\n", self.coefficients);
+    fn page(&self, answer: &PersistenceAnswer) -> String {
+        let mut page = format!("  persistence of {} over {}\n", answer.file, self.coefficients);
+        let function = &answer.function;
         // Writing to a string does not fail.
-        let _ = match self.star() {
+        let _ = match &answer.star {
             Some(star) => writeln!(page, "    function: {function}, {star} star"),
             None => writeln!(page, "    values: {function}"),
         };
-        let cell = |degree, cell: usize| format!("{:?}", producer.cell_vertices(degree, cell));
-        for degree in 0..diagram.degree_count() {
-            let mut pairs: Vec<&PersistencePair> = diagram.pairs_of_degree(degree).iter().collect();
-            let essential = pairs.iter().filter(|pair| pair.is_essential()).count();
+        for degree in 0..answer.betti.len() {
+            let mut pairs: Vec<&PersistencePairAnswer> =
+                answer.diagram.iter().filter(|pair| pair.degree == degree).collect();
+            let essential = pairs.iter().filter(|pair| pair.death.is_none()).count();
             let _ = writeln!(
                 page,
                 "\n    degree {degree}: {} for ever, {}",
                 text::count(essential, "class"),
                 text::count(pairs.len() - essential, "pair")
             );
-            pairs.sort_by(|a, b| b.persistence().total_cmp(&a.persistence()));
+            pairs.sort_by(|a, b| persistence(b).total_cmp(&persistence(a)));
             for pair in pairs.iter().take(LISTED) {
-                let born = cell(degree, pair.birth_cell().index());
-                let _ = match (pair.death(), pair.death_cell()) {
+                let (birth, born) = (pair.birth, &pair.birth_cell);
+                let _ = match (pair.death, &pair.death_cell) {
                     (Some(death), Some(by)) => writeln!(
                         page,
-                        "      [{}, {death})  persistence {:.6}, from {born} to {}",
-                        pair.birth(),
-                        pair.persistence(),
-                        cell(degree + 1, by.index())
+                        "      [{birth}, {death})  persistence {:.6}, from {born:?} to {by:?}",
+                        persistence(pair)
                     ),
-                    _ => writeln!(page, "      [{}, never)  from {born}", pair.birth()),
+                    _ => writeln!(page, "      [{birth}, never)  from {born:?}"),
                 };
             }
             if let Some(more) = pairs.len().checked_sub(LISTED).filter(|&more| more > 0) {
@@ -195,4 +156,9 @@ impl Persistence {
         }
         page
     }
+}
+
+/// How long a class lives.
+fn persistence(pair: &PersistencePairAnswer) -> f64 {
+    pair.death.map_or(f64::INFINITY, |death| (death - pair.birth).abs())
 }

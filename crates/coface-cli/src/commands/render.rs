@@ -3,19 +3,19 @@
 use super::view::read_result;
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::filtration::Function;
+use crate::filtration::read_function;
 use crate::input::{self, Source};
 use crate::output::{print_bytes, print_json, say_remarks, write_file};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
-use coface::answers::{PlanarSet, Report, SetRequest};
+use coface::answers::{Growth, PersistenceRequest, PlanarSet, Report, SetRequest};
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture,
     matrix_picture, pane_picture, set_picture,
 };
-use coface::topology::{Coefficients, Filtration, persistence};
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// Draw a model as PNG or SVG, without a browser.
@@ -212,13 +212,10 @@ impl Render {
             return Ok(points);
         }
         let (name, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
-        let complex = producer.chain_complex()?;
-        let function = Function::choose(self.function.as_deref(), producer.positions())?;
-        let values = function.values(&producer, complex.cell_count(0))?;
-        let star = if self.upper_star { Filtration::upper_star } else { Filtration::lower_star };
-        let filtration = star(&complex, &values).map_err(|error| error.in_file(name))?;
-        progress.stage("pairing cells");
-        let diagram = persistence(&complex, &filtration, Coefficients::Modulo(2))?.longer_than(0.0);
+        let function = self.function.as_deref().map(read_function).transpose()?;
+        let growth = if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) };
+        let found = PersistenceRequest::new().growth(growth).found(&name, &producer)?;
+        let diagram = found.diagram();
         let points = diagram.pairs().iter().map(|pair| DiagramPoint {
             degree: pair.degree(),
             birth: pair.birth(),
@@ -342,24 +339,32 @@ fn usual_size(picture: &FlatPicture) -> [usize; 2] {
     size.map(|side| (scale * side).round().max(1.0) as usize)
 }
 
+/// What is drawn of the JSON of `coface persistence`.
+#[derive(Deserialize)]
+struct Diagram {
+    diagram: Vec<Pair>,
+}
+
+#[derive(Deserialize)]
+struct Pair {
+    degree: usize,
+    birth: f64,
+    death: Option<f64>,
+}
+
 /// The classes in the JSON of `coface persistence`; none if it is other JSON.
 fn points_of_result(path: &Path) -> Result<Option<Vec<DiagramPoint>>, Failure> {
     if !path.is_file() {
         return Ok(None);
     }
     let result = read_result(path)?;
-    let Some(pairs) = result["diagram"].as_array() else { return Ok(None) };
-    let point = |pair: &serde_json::Value| {
-        Some(DiagramPoint {
-            degree: usize::try_from(pair["degree"].as_u64()?).ok().filter(|&degree| degree < MOST_DEGREES)?,
-            birth: pair["birth"].as_f64()?,
-            death: match &pair["death"] {
-                death if death.is_null() => None,
-                death => Some(death.as_f64()?),
-            },
-        })
-    };
-    let points: Option<Vec<DiagramPoint>> = pairs.iter().map(point).collect();
+    if !result["diagram"].is_array() {
+        return Ok(None);
+    }
+    let found = Diagram::deserialize(result).map(|found| found.diagram);
+    let pairs = found.ok().filter(|pairs| pairs.iter().all(|pair| pair.degree < MOST_DEGREES));
+    let point = |pair: Pair| DiagramPoint { degree: pair.degree, birth: pair.birth, death: pair.death };
+    let points = pairs.map(|pairs| pairs.into_iter().map(point).collect());
     points.map(Some).ok_or_else(|| {
         Failure::new(format!(
             "{}: an entry of \"diagram\" has no \"degree\", \"birth\" and \"death\"; give what coface persistence wrote",

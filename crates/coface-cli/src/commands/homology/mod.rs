@@ -127,7 +127,7 @@ impl Homology {
             Some(part) if part.as_os_str() == "boundary" => Some(RelativeTo::Boundary),
             Some(part) => {
                 let part = input::read(part, ReadOptions::default(), progress)?;
-                Some(RelativeTo::Part { name: part.name, model: part.model })
+                Some(RelativeTo::Part { name: part.name, model: Box::new(part.model) })
             }
         };
         let cup = match self.cup.as_deref() {

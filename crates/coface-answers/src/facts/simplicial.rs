@@ -1,7 +1,7 @@
 //! The report on simplices of any dimension.
 
-use super::facts::{Answer, Report, Witness};
 use super::polygons::{counted, isolated_vertices};
+use super::report::{Answer, Report, Witness};
 use super::{Problem, ProblemKind};
 use coface_algebra::Error;
 use coface_algebra::chains::ChainComplex;
@@ -13,7 +13,7 @@ use coface_topology::homology;
 ///
 /// # Errors
 /// [`coface_algebra::ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
-pub(super) fn report(complex: &FrozenComplex) -> Result<Report, Error> {
+pub(crate) fn report(complex: &FrozenComplex) -> Result<Report, Error> {
     let chains = complex.chain_complex()?;
     let dimension = complex.dimension().unwrap_or(0);
     let isolated = isolated(complex);

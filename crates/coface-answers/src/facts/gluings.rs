@@ -1,7 +1,7 @@
 //! The report on gluing tables.
 
-use super::facts::{Answer, BoundaryPart, Report, Skin, Witness};
 use super::polygons::counted;
+use super::report::{Answer, BoundaryPart, Report, Skin, Witness};
 use super::{Problem, ProblemKind};
 use crate::answer::{Remark, RemarkCode};
 use coface_algebra::CellId;
@@ -15,7 +15,7 @@ use coface_topology::homology;
 ///
 /// # Errors
 /// [`coface_algebra::ErrorKind::TooLarge`] for a subdivision or boundary matrices beyond their limits.
-pub(super) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report, Error> {
+pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report, Error> {
     let chains = faces.chain_complex()?;
     let mut problems = Vec::new();
     let verdict = table.manifold_verdict(faces)?;

@@ -12,9 +12,9 @@ const LARGEST_DEGREE: u32 = 100;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Moment {
-    pub(super) exponents: [u32; 3],
-    pub(super) volume: Option<f64>,
-    pub(super) surface: Option<f64>,
+    pub(crate) exponents: [u32; 3],
+    pub(crate) volume: Option<f64>,
+    pub(crate) surface: Option<f64>,
 }
 
 impl Moment {
@@ -37,7 +37,7 @@ impl Moment {
 }
 
 /// That the exponents are not too large.
-pub(super) fn check_exponents(exponents: &[[u32; 3]]) -> Result<(), Error> {
+pub(crate) fn check_exponents(exponents: &[[u32; 3]]) -> Result<(), Error> {
     for &[a, b, c] in exponents {
         let degree = u64::from(a) + u64::from(b) + u64::from(c);
         if degree > u64::from(LARGEST_DEGREE) {
@@ -51,24 +51,24 @@ pub(super) fn check_exponents(exponents: &[[u32; 3]]) -> Result<(), Error> {
 }
 
 /// What the integrals of a model are taken over.
-pub(super) struct Integrals<'a> {
+pub(crate) struct Integrals<'a> {
     /// The surface.
-    pub(super) surface: Option<&'a RaggedArray>,
+    pub(crate) surface: Option<&'a RaggedArray>,
     /// The closed chain of polygons around the solid.
-    pub(super) around: Option<&'a RaggedArray>,
-    pub(super) positions: &'a Positions,
+    pub(crate) around: Option<&'a RaggedArray>,
+    pub(crate) positions: &'a Positions,
 }
 
 impl Integrals<'_> {
-    pub(super) fn surface_centroid(&self) -> Option<[f64; 3]> {
+    pub(crate) fn surface_centroid(&self) -> Option<[f64; 3]> {
         surface_centroid(self.positions, self.surface?)
     }
 
-    pub(super) fn mass(&self) -> Option<MassProperties> {
+    pub(crate) fn mass(&self) -> Option<MassProperties> {
         MassProperties::enclosed(self.positions, self.around?)
     }
 
-    pub(super) fn moments(&self, exponents: &[[u32; 3]]) -> Vec<Moment> {
+    pub(crate) fn moments(&self, exponents: &[[u32; 3]]) -> Vec<Moment> {
         let moment = |&exponents: &[u32; 3]| Moment {
             exponents,
             volume: self.around.and_then(|around| enclosed_moment(self.positions, around, exponents)),
@@ -79,7 +79,7 @@ impl Integrals<'_> {
 }
 
 /// The boundary of the sum of all cells: each face as often as the cells have it in all, turned the way that they have it.
-pub(super) fn boundary_chain(mesh: &CellMesh) -> RaggedArray {
+pub(crate) fn boundary_chain(mesh: &CellMesh) -> RaggedArray {
     let mut chain = RaggedArray::new();
     let mut turned = Vec::new();
     for face in (0..mesh.face_count()).map(FaceId::new) {

@@ -1,6 +1,6 @@
 //! Volumes of voxels: their cells by name, and what is said of them.
 
-use super::facts::{Answer, Kind, Report};
+use super::report::{Answer, Kind, Report};
 use coface_algebra::chains::{ChainComplex, Part, PartTree, Parts};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalBlocks, CubicalVolume};
@@ -10,22 +10,22 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// The cells of a volume, numbered as in its chain complex.
 #[derive(Debug)]
-pub(super) struct VolumeCells {
+pub(crate) struct VolumeCells {
     volume: CubicalVolume,
     /// The places of the cells of each dimension, once they are asked for.
     ids: OnceLock<Vec<Vec<u64>>>,
 }
 
 impl VolumeCells {
-    pub(super) fn new(volume: CubicalVolume) -> Self {
+    pub(crate) fn new(volume: CubicalVolume) -> Self {
         Self { volume, ids: OnceLock::new() }
     }
 
-    pub(super) fn volume(&self) -> &CubicalVolume {
+    pub(crate) fn volume(&self) -> &CubicalVolume {
         &self.volume
     }
 
-    pub(super) fn chain_complex(&self) -> Result<ChainComplex, Error> {
+    pub(crate) fn chain_complex(&self) -> Result<ChainComplex, Error> {
         self.volume.chain_complex().map_err(|error| match error.kind() {
             ErrorKind::TooLarge => Error::new(
                 ErrorKind::TooLarge,
@@ -38,7 +38,7 @@ impl VolumeCells {
 
     /// The corners of a cell, by their numbers: of an edge from its start to its end, of a square around, otherwise by rising places but
     /// for periodic axes, where the upper end is counted as if it were behind the lower one.
-    pub(super) fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+    pub(crate) fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
         // A complex is at hand, so there are not too many cells.
         let ids = self.ids.get_or_init(|| self.volume.cell_ids().unwrap_or_default());
         let lengths = self.lengths();
@@ -63,13 +63,13 @@ impl VolumeCells {
     }
 
     /// Whether no two cells have the same corners, as they may have around short periodic axes.
-    pub(super) fn are_told_by_vertices(&self) -> bool {
+    pub(crate) fn are_told_by_vertices(&self) -> bool {
         let mut axes = self.volume.shape().iter().zip(self.volume.is_periodic());
         axes.all(|(&length, &periodic)| !periodic || length > 2)
     }
 
     /// The positions of the corners, a unit from each to the next, up to three axes; none where an axis is periodic.
-    pub(super) fn positions(&self) -> Result<Positions, Error> {
+    pub(crate) fn positions(&self) -> Result<Positions, Error> {
         if self.volume.shape().len() > 3 || self.volume.is_periodic().contains(&true) {
             return Ok(Positions::default());
         }
@@ -147,7 +147,7 @@ pub fn homology_of_volume(volume: &CubicalVolume) -> Result<(Vec<usize>, Homolog
 }
 
 /// The report on a volume: its cells are those of the voxels that are set.
-pub(super) fn report(volume: &CubicalVolume) -> Result<Report, Error> {
+pub(crate) fn report(volume: &CubicalVolume) -> Result<Report, Error> {
     let (counts, homology) = homology_of_volume(volume)?;
     let dimension_count = counts.iter().rposition(|&count| count > 0).map_or(0, |top| top + 1);
     let groups = homology.groups();

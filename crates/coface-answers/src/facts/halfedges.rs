@@ -1,11 +1,11 @@
 //! The report on a surface given by permutations of its halfedges.
 
-use super::facts::{Answer, Kind, Report};
+use super::report::{Answer, Kind, Report};
 use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh, SurfaceComponent};
 use coface_topology::homology;
 
 /// The report on a mesh: any pair of permutations is a closed oriented surface, so only its numbers are open.
-pub(super) fn report(mesh: &HalfedgeMesh) -> Report {
+pub(crate) fn report(mesh: &HalfedgeMesh) -> Report {
     let complex = mesh.chain_complex().expect("a halfedge mesh has a chain complex");
     let map = mesh.two_skeleton().and_then(GeneralizedMap::new).expect("permutations are a surface");
     let surfaces = map.surface_components();

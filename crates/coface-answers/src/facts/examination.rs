@@ -1,10 +1,10 @@
 //! From a model to its report.
 
-use super::facts::{DataSummary, Kind, Report};
 use super::moments::{Moment, check_exponents};
-use super::producer::{Cells, Producer};
+use super::report::{DataSummary, Kind, Report};
 use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
-use crate::answer::{Place, Remark, RemarkCode};
+use crate::answer::{Place, Remark};
+use crate::producer::{Cells, Producer};
 use coface_algebra::Error;
 use coface_io::{Model, Structure};
 

@@ -81,9 +81,9 @@ impl fmt::Display for Answer {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Witness {
-    pub(super) kind: &'static str,
-    pub(super) cells: Vec<Vec<u32>>,
-    pub(super) message: String,
+    pub(crate) kind: &'static str,
+    pub(crate) cells: Vec<Vec<u32>>,
+    pub(crate) message: String,
 }
 
 impl Witness {
@@ -107,9 +107,9 @@ impl Witness {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct BoundaryPart {
-    pub(super) vertices: Vec<u32>,
-    pub(super) edge_count: usize,
-    pub(super) is_simple: bool,
+    pub(crate) vertices: Vec<u32>,
+    pub(crate) edge_count: usize,
+    pub(crate) is_simple: bool,
 }
 
 impl BoundaryPart {
@@ -133,11 +133,11 @@ impl BoundaryPart {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Skin {
-    pub(super) face_count: usize,
-    pub(super) components: usize,
-    pub(super) euler_characteristic: i64,
-    pub(super) is_manifold: bool,
-    pub(super) name: Option<String>,
+    pub(crate) face_count: usize,
+    pub(crate) components: usize,
+    pub(crate) euler_characteristic: i64,
+    pub(crate) is_manifold: bool,
+    pub(crate) name: Option<String>,
 }
 
 impl Skin {
@@ -179,7 +179,7 @@ pub struct DataSummary {
 }
 
 impl DataSummary {
-    pub(super) fn of(data: &CellData) -> Self {
+    pub(crate) fn of(data: &CellData) -> Self {
         Self {
             name: data.name().to_owned(),
             kind: data.kind(),
@@ -225,37 +225,37 @@ impl DataSummary {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
-    pub(super) kind: Kind,
-    pub(super) f_vector: Vec<usize>,
-    pub(super) shapes: Vec<(&'static str, usize)>,
-    pub(super) pure: Option<bool>,
-    pub(super) components: usize,
-    pub(super) euler_characteristic: i64,
-    pub(super) manifold: Answer,
-    pub(super) closed: Option<bool>,
-    pub(super) witness: Option<Witness>,
-    pub(super) boundary_loops: Option<Vec<BoundaryPart>>,
-    pub(super) skin: Option<Skin>,
-    pub(super) orientable: Option<bool>,
-    pub(super) coherently_oriented: Option<bool>,
-    pub(super) surface_type: Option<SurfaceType>,
-    pub(super) surfaces: Vec<SurfaceComponent>,
-    pub(super) name: Option<String>,
-    pub(super) homology: Vec<AbelianGroup>,
-    pub(super) area: Option<f64>,
-    pub(super) signed_volume: Option<f64>,
-    pub(super) surface_centroid: Option<[f64; 3]>,
-    pub(super) mass: Option<MassProperties>,
-    pub(super) moments: Vec<Moment>,
-    pub(super) data: Vec<DataSummary>,
-    pub(super) problems: Vec<Problem>,
-    pub(super) warnings: Vec<String>,
-    pub(super) remarks: Vec<Remark>,
+    pub(crate) kind: Kind,
+    pub(crate) f_vector: Vec<usize>,
+    pub(crate) shapes: Vec<(&'static str, usize)>,
+    pub(crate) pure: Option<bool>,
+    pub(crate) components: usize,
+    pub(crate) euler_characteristic: i64,
+    pub(crate) manifold: Answer,
+    pub(crate) closed: Option<bool>,
+    pub(crate) witness: Option<Witness>,
+    pub(crate) boundary_loops: Option<Vec<BoundaryPart>>,
+    pub(crate) skin: Option<Skin>,
+    pub(crate) orientable: Option<bool>,
+    pub(crate) coherently_oriented: Option<bool>,
+    pub(crate) surface_type: Option<SurfaceType>,
+    pub(crate) surfaces: Vec<SurfaceComponent>,
+    pub(crate) name: Option<String>,
+    pub(crate) homology: Vec<AbelianGroup>,
+    pub(crate) area: Option<f64>,
+    pub(crate) signed_volume: Option<f64>,
+    pub(crate) surface_centroid: Option<[f64; 3]>,
+    pub(crate) mass: Option<MassProperties>,
+    pub(crate) moments: Vec<Moment>,
+    pub(crate) data: Vec<DataSummary>,
+    pub(crate) problems: Vec<Problem>,
+    pub(crate) warnings: Vec<String>,
+    pub(crate) remarks: Vec<Remark>,
 }
 
 impl Report {
     /// The report on the empty complex.
-    pub(super) fn of_nothing() -> Self {
+    pub(crate) fn of_nothing() -> Self {
         Self {
             kind: Kind::Complex,
             f_vector: Vec::new(),

@@ -1,12 +1,12 @@
 //! The report on a chain complex without any more structure.
 
-use super::facts::{Answer, Report};
+use super::report::{Answer, Report};
 use coface_algebra::chains::ChainComplex;
 use coface_topology::homology;
 
 /// The report on boundary matrices: what homology says. Their cells have no vertices, so a cell that stands in no
 /// boundary may be a top cell of lower dimension or one that is glued to itself: the other questions stay open.
-pub(super) fn report(complex: &ChainComplex) -> Report {
+pub(crate) fn report(complex: &ChainComplex) -> Report {
     let groups = homology(complex).groups().to_vec();
     let counts = complex.f_vector();
     let dimension_count = complex.dimension().map_or(0, |dimension| dimension + 1);

@@ -1,8 +1,8 @@
 //! The report on tetrahedra, hexahedra, wedges and pyramids.
 
-use super::facts::{Answer, Kind, Report, Skin, Witness};
 use super::moments::{Integrals, boundary_chain};
 use super::polygons::{VertexDegrees, counted, isolated_vertices};
+use super::report::{Answer, Kind, Report, Skin, Witness};
 use super::{Problem, ProblemKind};
 use crate::answer::{Remark, RemarkCode};
 use coface_algebra::RaggedArray;
@@ -14,7 +14,7 @@ use coface_geometry::Positions;
 use coface_topology::homology;
 
 /// The report on a mesh that has at least one 3-cell.
-pub(super) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3]]) -> Report {
+pub(crate) fn report(mesh: CellMesh, positions: &Positions, exponents: &[[u32; 3]]) -> Report {
     let verdict = mesh.manifold_verdict();
     let mut problems = Vec::new();
     non_manifold(&mesh, &verdict, &mut problems);

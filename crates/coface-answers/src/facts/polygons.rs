@@ -1,8 +1,9 @@
 //! The report on polygons, edges and vertices.
 
-use super::facts::{Answer, BoundaryPart, Kind, Report, Witness};
 use super::moments::Integrals;
-use super::{Labels, Problem, ProblemKind};
+use super::report::{Answer, BoundaryPart, Kind, Report, Witness};
+use super::{Problem, ProblemKind};
+use crate::producer::Labels;
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, FaceId, VertexId};
 use coface_complexes::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, SurfaceSurvey};
@@ -10,7 +11,7 @@ use coface_geometry::{Positions, enclosed_volume, polygon_area};
 use coface_topology::homology;
 
 /// The report on a mesh, whose vertices have these labels in the file.
-pub(super) fn report(
+pub(crate) fn report(
     mesh: PolygonMesh,
     positions: Positions,
     labels: &Labels,
@@ -46,13 +47,13 @@ fn has(report: &Report, kind: ProblemKind) -> bool {
 }
 
 /// The numbers of edges at the vertices.
-pub(super) struct VertexDegrees {
+pub(crate) struct VertexDegrees {
     of_vertex: Vec<u32>,
-    pub(super) isolated: Vec<u32>,
+    pub(crate) isolated: Vec<u32>,
 }
 
 impl VertexDegrees {
-    pub(super) fn of(mesh: &PolygonMesh) -> Self {
+    pub(crate) fn of(mesh: &PolygonMesh) -> Self {
         let mut of_vertex = vec![0; mesh.vertex_count()];
         for &end in mesh.edge_ends() {
             of_vertex[end as usize] += 1;
@@ -154,7 +155,7 @@ fn is_cycle(mesh: &PolygonMesh, survey: &SurfaceSurvey) -> bool {
 }
 
 /// How many polygons have how many sides.
-pub(super) fn polygon_shapes(polygons: &RaggedArray) -> Vec<(&'static str, usize)> {
+pub(crate) fn polygon_shapes(polygons: &RaggedArray) -> Vec<(&'static str, usize)> {
     const NAMES: [&str; 4] = ["triangle", "quadrangle", "pentagon", "hexagon"];
     let mut counts = [0; 5];
     if let Some(width) = polygons.uniform_width() {
@@ -194,7 +195,7 @@ fn at_edges(
     Problem::new(kind, message, cells, faces, "face")
 }
 
-pub(super) fn witness(mesh: &PolygonMesh, defect: &SurfaceDefect, labels: &Labels) -> Witness {
+pub(crate) fn witness(mesh: &PolygonMesh, defect: &SurfaceDefect, labels: &Labels) -> Witness {
     match defect {
         SurfaceDefect::EdgeInManyFaces { edge, .. } => {
             let [a, b] = edge_vertices(mesh, *edge, labels);
@@ -316,12 +317,12 @@ fn isolated(degrees: &VertexDegrees, labels: &Labels, problems: &mut Vec<Problem
 }
 
 /// The problem of vertices that lie in no edge.
-pub(super) fn isolated_vertices(vertices: &[u32]) -> Problem {
+pub(crate) fn isolated_vertices(vertices: &[u32]) -> Problem {
     let message = format!("{} isolated: in no edge", counted(vertices.len(), "vertex is", "vertices are"));
     Problem::at_vertices(ProblemKind::IsolatedVertex, message, vertices)
 }
 
 /// `1 edge lies`, `12 edges lie`.
-pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

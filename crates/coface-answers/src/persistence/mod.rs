@@ -1,0 +1,280 @@
+//! Persistent homology of a model that grows.
+//!
+//! * [`PersistenceRequest`] says over which field, and how the model grows: by a [`Growth`].
+//! * [`FoundDiagram`] has the diagram and makes the [`PersistenceAnswer`].
+//! * [`write_diagram`] writes a diagram as the text that other programs read.
+
+mod diagram;
+
+pub use diagram::{DiagramFormat, write_diagram};
+
+use crate::Producer;
+use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, VertexId};
+use coface_geometry::Positions;
+use coface_topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
+
+/// A function on the vertices of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub enum VertexFunction {
+    /// The coordinate with this number.
+    Coordinate(usize),
+    /// The number of the vertex.
+    Number,
+    /// One value for each vertex number, from 0 on.
+    Values {
+        /// Where they come from.
+        place: String,
+        /// The values.
+        values: Vec<f64>,
+    },
+}
+
+impl VertexFunction {
+    /// The last coordinate, the height; the vertex number where there are no positions.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::VertexFunction;
+    /// use coface_geometry::Positions;
+    /// assert_eq!(VertexFunction::of_positions(&Positions::default()), VertexFunction::Number);
+    /// ```
+    pub fn of_positions(positions: &Positions) -> Self {
+        positions.dimension().checked_sub(1).map_or(Self::Number, Self::Coordinate)
+    }
+
+    /// What the function is called: `x`, `vertex number`, or where the values come from.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::VertexFunction::Coordinate(1).name(), "y");
+    /// ```
+    pub fn name(&self) -> String {
+        match self {
+            Self::Coordinate(axis) => {
+                ["x", "y", "z"].get(*axis).map_or(format!("coordinate {axis}"), |name| (*name).to_owned())
+            }
+            Self::Number => "vertex number".to_owned(),
+            Self::Values { place, .. } => place.clone(),
+        }
+    }
+
+    /// The value of each vertex, in the order of the `count` cells of degree 0.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if the model has no such coordinate, or not
+    /// as many vertices as there are values.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{Producer, VertexFunction};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// assert_eq!(VertexFunction::Number.values(&edge, 2)?, [3.0, 8.0]);
+    /// assert!(VertexFunction::Coordinate(0).values(&edge, 2).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn values(&self, producer: &Producer, count: usize) -> Result<Vec<f64>, Error> {
+        let numbers = (0..count).map(|vertex| producer.cell_vertices(0, vertex)[0] as usize);
+        let positions = producer.positions();
+        Ok(match self {
+            Self::Coordinate(_) if positions.dimension() == 0 => {
+                return Err(Error::invalid(format!("there are no positions to take {} from", self.name()))
+                    .with_cure("give a file of values: --function FILE"));
+            }
+            Self::Coordinate(axis) if *axis >= positions.dimension() => {
+                let (name, dimension) = (self.name(), positions.dimension());
+                return Err(Error::invalid(format!(
+                    "there is no coordinate {name}: positions have {dimension} coordinates"
+                )));
+            }
+            Self::Coordinate(axis) => {
+                numbers.map(|number| positions.point(VertexId::new(number))[*axis]).collect()
+            }
+            Self::Number => numbers.map(|number| number as f64).collect(),
+            Self::Values { place, values } => {
+                let needed = numbers.clone().max().map_or(0, |last| last + 1);
+                if values.len() != needed {
+                    return Err(Error::invalid(format!("{} values for {needed} vertices", values.len()))
+                        .with_cure("write one number a line for each vertex number from 0 on")
+                        .in_file(place));
+                }
+                numbers.map(|number| values[number]).collect()
+            }
+        })
+    }
+}
+
+/// How a model grows.
+#[derive(Clone, Debug)]
+pub enum Growth {
+    /// By sublevel sets of a function on vertices: each cell enters with its highest vertex. `None` is
+    /// [`VertexFunction::of_positions`].
+    Lower(Option<VertexFunction>),
+    /// By superlevel sets: each cell enters with its lowest vertex.
+    Upper(Option<VertexFunction>),
+    /// By values of all cells: a list for each degree.
+    Cells {
+        /// Where they come from.
+        place: String,
+        /// The values.
+        values: Vec<Vec<f64>>,
+    },
+    /// By values of some cells, given by their vertices; the others enter with their first coface.
+    Listed {
+        /// Where they come from.
+        place: String,
+        /// The cells with their values.
+        values: Vec<(Vec<u32>, f64)>,
+    },
+}
+
+/// Asks for persistent homology.
+///
+/// # Examples
+/// Three points on a line, joined one after the other.
+/// ```
+/// use coface_answers::{PersistenceRequest, Producer};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+/// let found = PersistenceRequest::new().found("path.json", &path)?;
+/// let answer = found.answer();
+/// // Vertex 1 is joined to vertex 0 when vertex 2 comes.
+/// assert_eq!((answer.diagram[1].birth, answer.diagram[1].death), (1.0, Some(2.0)));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct PersistenceRequest {
+    coefficients: Coefficients,
+    growth: Growth,
+    min_persistence: f64,
+}
+
+impl Default for PersistenceRequest {
+    fn default() -> Self {
+        Self { coefficients: Coefficients::Modulo(2), growth: Growth::Lower(None), min_persistence: 0.0 }
+    }
+}
+
+impl PersistenceRequest {
+    /// Asks for persistence over two elements as the model grows by height.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The field of coefficients.
+    pub fn coefficients(mut self, coefficients: Coefficients) -> Self {
+        self.coefficients = coefficients;
+        self
+    }
+
+    /// How the model grows.
+    pub fn growth(mut self, growth: Growth) -> Self {
+        self.growth = growth;
+        self
+    }
+
+    /// Leaves out the pairs whose persistence is not greater; a negative number keeps all.
+    pub fn min_persistence(mut self, least: f64) -> Self {
+        self.min_persistence = least;
+        self
+    }
+
+    /// Finds the diagram of a model with this name.
+    ///
+    /// # Errors
+    /// Those of [`Producer::chain_complex`] and [`VertexFunction::values`];
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a cell enters before one of its faces, or
+    /// the coefficients are no prime field.
+    pub fn found<'a>(&self, name: &str, producer: &'a Producer) -> Result<FoundDiagram<'a>, Error> {
+        let complex = producer.chain_complex()?;
+        let steps = stage("sorting cells", 0);
+        let (function, star, filtration) = self.filtration(name, producer, &complex)?;
+        drop(steps);
+        let _steps = stage("pairing cells", 0);
+        let diagram =
+            persistence(&complex, &filtration, self.coefficients)?.longer_than(self.min_persistence);
+        Ok(FoundDiagram { producer, name: name.to_owned(), function, star, diagram })
+    }
+
+    fn filtration(
+        &self,
+        name: &str,
+        producer: &Producer,
+        complex: &ChainComplex,
+    ) -> Result<(String, Option<&'static str>, Filtration), Error> {
+        let (place, filtration) = match &self.growth {
+            Growth::Cells { place, values } => (place, Filtration::new(complex, values.clone())),
+            Growth::Listed { place, values } => (place, of_listed(values, producer, complex)),
+            Growth::Lower(function) | Growth::Upper(function) => {
+                let function =
+                    function.clone().unwrap_or_else(|| VertexFunction::of_positions(producer.positions()));
+                let values = function.values(producer, complex.cell_count(0))?;
+                let (star, filtration) = match self.growth {
+                    Growth::Upper(_) => ("upper", Filtration::upper_star(complex, &values)),
+                    _ => ("lower", Filtration::lower_star(complex, &values)),
+                };
+                let filtration = filtration.map_err(|error| error.in_file(name))?;
+                return Ok((function.name(), Some(star), filtration));
+            }
+        };
+        Ok((place.clone(), None, filtration.map_err(|error| error.in_file(place))?))
+    }
+}
+
+fn of_listed(
+    listed: &[(Vec<u32>, f64)],
+    producer: &Producer,
+    complex: &ChainComplex,
+) -> Result<Filtration, Error> {
+    let mut given: Vec<Vec<Option<f64>>> =
+        complex.f_vector().iter().map(|&count| vec![None; count]).collect();
+    let lists = listed.iter().map(|(vertices, _)| &vertices[..]);
+    for (cells, (_, value)) in producer.cells_with_vertices(complex, lists, None)?.iter().zip(listed) {
+        for (degree, cell) in cells {
+            given[*degree][cell.index()] = Some(*value);
+        }
+    }
+    Filtration::from_cofaces(complex, &given)
+}
+
+/// A persistence diagram of a model.
+#[derive(Clone, Debug)]
+pub struct FoundDiagram<'a> {
+    producer: &'a Producer,
+    name: String,
+    function: String,
+    star: Option<&'static str>,
+    diagram: PersistenceDiagram,
+}
+
+impl FoundDiagram<'_> {
+    /// The diagram.
+    pub fn diagram(&self) -> &PersistenceDiagram {
+        &self.diagram
+    }
+
+    /// The answer as plain data, with the vertices of the cells.
+    pub fn answer(&self) -> PersistenceAnswer {
+        let vertices =
+            |degree, cell: coface_algebra::CellId| self.producer.cell_vertices(degree, cell.index());
+        let pair = |pair: &PersistencePair| PersistencePairAnswer {
+            degree: pair.degree(),
+            birth: pair.birth(),
+            death: pair.death(),
+            birth_cell: vertices(pair.degree(), pair.birth_cell()),
+            death_cell: pair.death_cell().map(|cell| vertices(pair.degree() + 1, cell)),
+        };
+        PersistenceAnswer {
+            file: self.name.clone(),
+            field: self.diagram.prime(),
+            function: self.function.clone(),
+            star: self.star.map(str::to_owned),
+            diagram: self.diagram.pairs().iter().map(pair).collect(),
+            betti: self.diagram.betti_numbers(),
+            remarks: Vec::new(),
+        }
+    }
+}
