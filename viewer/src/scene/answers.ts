@@ -1044,7 +1044,7 @@ export interface ReducedShard {
  *
  * # Examples
  * ```
- * use coface_answers::answer::{Place, Remark, RemarkCode};
+ * use coface_io::{Place, Remark, RemarkCode};
  * let remark = Remark::new(RemarkCode::IsolatedVertex, "1 vertex is in no cell").at(1, [Place::cell(&[7])]);
  * assert_eq!(remark.places[0].cell.as_deref(), Some(&[7][..]));
  * ```
@@ -1061,7 +1061,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
