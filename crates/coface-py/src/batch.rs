@@ -92,7 +92,7 @@ pub(crate) fn _batch_write(
     let (pool, batch) = (options.pool(py)?, options.batch(py, files)?);
     let format = TableFormat::of_path(&out).or_raise(py)?;
     let summary = run(py, progress, || batch.write(&pool, &out, format))?;
-    Ok((summary.files, summary.errors, summary.resumed))
+    Ok((summary.files(), summary.errors().clone(), summary.resumed()))
 }
 
 /// Writes rows in a file of JSON lines as CSV.

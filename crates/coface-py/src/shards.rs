@@ -5,9 +5,7 @@ use crate::homology::Homology;
 use crate::model::source_of;
 use crate::work::run;
 use coface::scale::shards;
-use coface::scale::shards::{
-    FolderLevel, FolderSummary, ReducedSummary, ShardFolder, ShardPlace, ShardRequest,
-};
+use coface::scale::shards::{FolderLevel, ShardFolder, ShardPlace, ShardRequest};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;
@@ -72,18 +70,17 @@ pub(crate) fn _merge<'py>(
 /// The counts of a reduced shard.
 #[pyfunction]
 pub(crate) fn _summary<'py>(py: Python<'py>, reduced: &[u8]) -> PyResult<Bound<'py, PyDict>> {
-    let ReducedSummary { place, cells, strata, critical, bytes, is_root, checksum, sources, .. } =
-        shards::summary(reduced).or_raise(py)?;
+    let found = shards::summary(reduced).or_raise(py)?;
     let dict = PyDict::new(py);
-    dict.set_item("level", place.level)?;
-    dict.set_item("number", place.number)?;
-    dict.set_item("cells", cells)?;
-    dict.set_item("strata", strata)?;
-    dict.set_item("critical", critical)?;
-    dict.set_item("bytes", bytes)?;
-    dict.set_item("is_root", is_root)?;
-    dict.set_item("checksum", checksum)?;
-    dict.set_item("sources", sources)?;
+    dict.set_item("level", found.place().level)?;
+    dict.set_item("number", found.place().number)?;
+    dict.set_item("cells", found.cells())?;
+    dict.set_item("strata", found.strata())?;
+    dict.set_item("critical", found.critical())?;
+    dict.set_item("bytes", found.bytes())?;
+    dict.set_item("is_root", found.is_root())?;
+    dict.set_item("checksum", found.checksum())?;
+    dict.set_item("sources", found.sources())?;
     Ok(dict)
 }
 
@@ -110,16 +107,15 @@ pub(crate) fn _folder_homology<'py>(
         }
         folder.merge_all(replace)
     })?;
-    let FolderSummary { homology, cells, levels, .. } = summary;
-    let levels = levels.iter().map(|level| level_to_python(py, level)).collect::<PyResult<_>>()?;
-    Ok((Homology::of_groups(homology.groups(), false), cells, levels))
+    let levels = summary.levels().iter().map(|level| level_to_python(py, level)).collect::<PyResult<_>>()?;
+    Ok((Homology::of_groups(summary.homology().groups(), false), summary.cells().to_vec(), levels))
 }
 
 fn level_to_python<'py>(py: Python<'py>, level: &FolderLevel) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
-    dict.set_item("parts", level.parts)?;
-    dict.set_item("strata", level.strata)?;
-    dict.set_item("critical", &level.critical)?;
-    dict.set_item("bytes", level.bytes)?;
+    dict.set_item("parts", level.parts())?;
+    dict.set_item("strata", level.strata())?;
+    dict.set_item("critical", level.critical())?;
+    dict.set_item("bytes", level.bytes())?;
     Ok(dict)
 }

@@ -713,11 +713,11 @@ answer! { YinSet {
         };
         let counts = moved.counts();
         let facts = serde_json::json!({
-            "steps": counts.steps,
-            "added": counts.added,
-            "removed": counts.removed,
-            "vanished": moved.vanished().iter().map(|curve| serde_json::json!({"time": curve.time, "curve": curve.curve})).collect::<Vec<_>>(),
-            "repairs": moved.repairs().iter().map(|repair| serde_json::json!({"step": repair.step, "time": repair.time, "fault": repair.fault.to_string()})).collect::<Vec<_>>(),
+            "steps": counts.steps(),
+            "added": counts.added(),
+            "removed": counts.removed(),
+            "vanished": moved.vanished().iter().map(|curve| serde_json::json!({"time": curve.time(), "curve": curve.curve()})).collect::<Vec<_>>(),
+            "repairs": moved.repairs().iter().map(|repair| serde_json::json!({"step": repair.step(), "time": repair.time(), "fault": repair.fault().to_string()})).collect::<Vec<_>>(),
         });
         let set = run(py, None, || Self::of(PlanarSet::from_set(moved.into_set())))?;
         Ok((set, to_python(py, &facts)?))

@@ -94,9 +94,9 @@ impl PlanarSet {
     /// The decisions of a combination that were taken without proof.
     pub fn decisions(combination: &Combination) -> Vec<YinDecision> {
         let answer = |decision: &UncertifiedDecision| YinDecision {
-            point: decision.point,
-            pieces: decision.pieces.iter().map(piece_source).collect(),
-            assumed: match decision.assumption {
+            point: decision.point(),
+            pieces: decision.pieces().iter().map(piece_source).collect(),
+            assumed: match decision.assumption() {
                 Assumption::SamePoint => "the same point",
                 Assumption::SameArc => "the same arc",
                 Assumption::ArcOrder => "the order of arcs at a point",

@@ -181,11 +181,13 @@ impl PlanarSet {
             let counts = moved.counts();
             let before = motion.counts[0];
             motion.repairs.extend(moved.repairs().iter().map(|repair| YinRepairAnswer {
-                step: before + repair.step,
-                time: repair.time,
-                fault: repair.fault.to_string(),
+                step: before + repair.step(),
+                time: repair.time(),
+                fault: repair.fault().to_string(),
             }));
-            for (sum, count) in motion.counts.iter_mut().zip([counts.steps, counts.added, counts.removed]) {
+            for (sum, count) in
+                motion.counts.iter_mut().zip([counts.steps(), counts.added(), counts.removed()])
+            {
                 *sum += count;
             }
             let origin = |curve: u32| origins[curve as usize];
@@ -193,7 +195,7 @@ impl PlanarSet {
                 moved
                     .vanished()
                     .iter()
-                    .map(|curve| VanishedAnswer { time: curve.time, curve: origin(curve.curve) }),
+                    .map(|curve| VanishedAnswer { time: curve.time(), curve: origin(curve.curve()) }),
             );
             let curves = moved.curves().to_vec();
             origins = curves.iter().map(|&curve| origin(curve)).collect();

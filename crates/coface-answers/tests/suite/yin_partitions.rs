@@ -172,8 +172,8 @@ fn sets_that_come_to_meet_are_errors_or_repaired() {
     options = options.repair(InsideRule::Nonzero);
     let moved = set.advected(growth, &options).unwrap();
     let repair = moved.repairs()[0];
-    assert_eq!((repair.step, moved.curves()), (2, &[0u32][..]));
-    assert!(matches!(repair.fault, YinFault::Crossing { curves: [0, 1], .. }), "{repair:?}");
+    assert_eq!((repair.step(), moved.curves()), (2, &[0u32][..]));
+    assert!(matches!(repair.fault(), YinFault::Crossing { curves: [0, 1], .. }), "{repair:?}");
     let moved = moved.into_set();
     assert_eq!((moved.validate().unwrap(), moved.curve_counts(), moved.kinks().len()), (None, [1, 0], 2));
     // Two disks without their lens.
@@ -198,8 +198,8 @@ fn phases_that_come_to_meet_are_errors_or_repaired() {
     assert!(said.contains("in step 2, at time 0.2: phases 0 and 1 overlap at ("), "{said}");
     options = options.repair(InsideRule::Nonzero);
     let moved = graph.advected(growth, &options).unwrap();
-    assert_eq!(moved.repairs()[0].step, 2);
-    assert_eq!(moved.repairs()[0].fault.phases, [0, 1]);
+    assert_eq!(moved.repairs()[0].step(), 2);
+    assert_eq!(moved.repairs()[0].fault().phases(), [0, 1]);
     let graph = moved.graph();
     assert_eq!((graph.fault().unwrap(), graph.phases()), (None, vec![0, 1]));
     assert!(graph.junctions().count() == 2 && moved.edges().iter().all(Option::is_none));

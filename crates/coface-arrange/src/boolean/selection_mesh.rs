@@ -4,6 +4,9 @@ use coface_algebra::{CellId, Error, ErrorKind};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use coface_geometry::Positions;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// The boundary of a selection of cells of space as a mesh of polygons, each with the facet of the arrangement that it
 /// is part of.
 ///
@@ -96,7 +99,7 @@ impl SelectionMesh {
     /// Numbers the vertices of the arrangement that polygons have.
     fn number_vertices(&mut self) {
         let count = self.polygons.items().iter().max().map_or(0, |&last| last as usize + 1);
-        let mut numbers = vec![u32::MAX; count];
+        let mut numbers = vec![NONE; count];
         self.polygons.items().iter().for_each(|&vertex| numbers[vertex as usize] = 0);
         for (vertex, number) in numbers.iter_mut().enumerate().filter(|(_, number)| **number == 0) {
             *number = self.vertex_sources.len() as u32;
@@ -219,13 +222,13 @@ impl SelectionMesh {
             }
         }
         // The copy of each fan, by its root.
-        let mut copies = vec![u32::MAX; self.polygons.item_count()];
+        let mut copies = vec![NONE; self.polygons.item_count()];
         let mut is_taken = vec![false; self.vertex_sources.len()];
         let before = self.vertex_sources.len();
         for corner in 0..self.polygons.item_count() as u32 {
             let vertex = self.polygons.items()[corner as usize];
             let copy = &mut copies[fans.find(corner) as usize];
-            if *copy == u32::MAX {
+            if *copy == NONE {
                 *copy = if std::mem::replace(&mut is_taken[vertex as usize], true) {
                     self.vertex_sources.push(self.vertex_sources[vertex as usize]);
                     u32::try_from(self.vertex_sources.len() - 1)

@@ -6,6 +6,9 @@ use coface_algebra::progress::Steps;
 use coface_algebra::{ParityUnion, ParityUnionFind, RaggedArray, Sign};
 use rayon::prelude::*;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// A complex whose cells are sums of those of a finer one, with those sums.
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
@@ -57,17 +60,17 @@ pub(super) fn merge(
     }
     let ends: Vec<[u32; 2]> = ends.into_iter().map(|own| own.map(|vertex| number[vertex as usize])).collect();
     // One of the fine edges stands for the edge.
-    let mut edge_of_first = vec![u32::MAX; complex.edge_count()];
+    let mut edge_of_first = vec![NONE; complex.edge_count()];
     for (edge, own) in (0u32..).zip(edges.iter()) {
         edge_of_first[(own[0] >> 1) as usize] = 2 * edge + (own[0] & 1);
     }
-    let mut class_number = vec![u32::MAX; complex.face_count()];
+    let mut class_number = vec![NONE; complex.face_count()];
     let mut members: Vec<u32> = Vec::with_capacity(complex.face_count());
     let mut first_signs = Vec::new();
     let mut packed = Vec::with_capacity(complex.face_count());
     for face in 0..complex.face_count() as u32 {
         let (root, sign) = classes.find(face);
-        if class_number[root as usize] == u32::MAX {
+        if class_number[root as usize] == NONE {
             class_number[root as usize] = first_signs.len() as u32;
             first_signs.push(sign);
         }
@@ -84,7 +87,7 @@ pub(super) fn merge(
         for &face in own {
             for &side in complex.packed_sides().list((face >> 1) as usize) {
                 let edge = edge_of_first[(side >> 1) as usize];
-                if edge != u32::MAX {
+                if edge != NONE {
                     list.push(edge ^ (side & 1) ^ (face & 1));
                 }
             }
@@ -155,7 +158,6 @@ fn removable_vertices(
     is_removed: &[bool],
     rules: &impl MergeRules,
 ) -> (Vec<bool>, Vec<bool>) {
-    const NONE: u32 = u32::MAX;
     // The first two neighbors, and the number of edges up to three.
     let mut neighbors = vec![[NONE; 2]; complex.vertex_count()];
     let mut count = vec![0u8; complex.vertex_count()];
@@ -189,12 +191,12 @@ impl Chains {
     fn new(complex: &PolygonalComplex, is_removed: &[bool], is_left_out: &[bool]) -> Self {
         let edge_count = complex.edge_count();
         let kept = |edge: &usize| !is_removed[*edge];
-        let mut at_vertex = vec![[u32::MAX; 2]; complex.vertex_count()];
+        let mut at_vertex = vec![[NONE; 2]; complex.vertex_count()];
         for edge in (0..edge_count).filter(kept) {
             for vertex in complex.edges()[edge] {
                 if is_left_out[vertex as usize] {
                     let place = &mut at_vertex[vertex as usize];
-                    place[usize::from(place[0] != u32::MAX)] = edge as u32;
+                    place[usize::from(place[0] != NONE)] = edge as u32;
                 }
             }
         }

@@ -100,10 +100,10 @@ impl Batch {
         let summary = batch.write(&pool, out, format)?;
         drop(progress);
         let mut answer = BatchAnswer::new(out.display().to_string());
-        (answer.files, answer.resumed) = (summary.files, summary.resumed);
-        answer.errors.clone_from(&summary.errors);
-        let refused = summary.refused.iter();
-        answer.remarks.extend(refused.map(|why| Remark::new(RemarkCode::EarlierRunIgnored, why.clone())));
+        (answer.files, answer.resumed) = (summary.files(), summary.resumed());
+        answer.errors.clone_from(summary.errors());
+        let refused = summary.refused();
+        answer.remarks.extend(refused.map(|why| Remark::new(RemarkCode::EarlierRunIgnored, why)));
         say_remarks(&answer.remarks, common);
         if common.json {
             print_json(&answer)?;

@@ -89,26 +89,26 @@ impl Answer {
         let chains = question.generators.is_some().then(|| folder.generators()).transpose()?;
         let (name, fan_in) = (&folder.manifest().source.name, folder.manifest().fan_in);
         let groups = match question.cohomology {
-            true => summary.homology.dual(question.coefficients),
-            false => summary.homology.with_coefficients(question.coefficients),
+            true => summary.homology().dual(question.coefficients),
+            false => summary.homology().with_coefficients(question.coefficients),
         };
         let groups = groups.groups();
         let level = |level: &FolderLevel| LevelAnswer {
-            parts: level.parts,
-            strata: level.strata,
-            critical: level.critical.clone(),
+            parts: level.parts(),
+            strata: level.strata(),
+            critical: level.critical().to_vec(),
             critical_per_stratum: level.critical_per_stratum(),
-            bytes: level.bytes,
-            widest_bits: level.widest,
+            bytes: level.bytes(),
+            widest_bits: level.widest(),
         };
         let mut object = HomologyAnswer::of(name, question.coefficients, question.cohomology, groups);
-        object.f_vector = Some(summary.cells.clone());
+        object.f_vector = Some(summary.cells().to_vec());
         object.parts = Some(PartsAnswer {
-            count: summary.levels[0].parts,
+            count: summary.levels()[0].parts(),
             fan_in,
-            critical_per_stratum: summary.levels[0].critical_per_stratum(),
-            bytes: summary.levels.iter().map(|level| level.bytes).sum(),
-            levels: summary.levels.iter().map(level).collect(),
+            critical_per_stratum: summary.levels()[0].critical_per_stratum(),
+            bytes: summary.levels().iter().map(|level| level.bytes()).sum(),
+            levels: summary.levels().iter().map(level).collect(),
         });
         let mut page = page(name, question, groups, &summary);
         if let Some(chains) = &chains {
@@ -133,15 +133,15 @@ fn page(name: &str, question: &Question, groups: &[AbelianGroup], summary: &Fold
     let mut page =
         text::groups(&title, groups, if question.cohomology { "H^" } else { "H_" }, question.coefficients);
     let words = |counts: &[u64]| counts.iter().map(u64::to_string).collect::<Vec<_>>().join(" ");
-    page += &format!("  cells by dimension: {}\n", words(&summary.cells));
-    for (number, level) in summary.levels.iter().enumerate() {
+    page += &format!("  cells by dimension: {}\n", words(summary.cells()));
+    for (number, level) in summary.levels().iter().enumerate() {
         page += &format!(
             "  level {number}: parts {}, strata {}, critical cells {} ({:.2} a stratum), bytes {}\n",
-            level.parts,
-            level.strata,
-            words(&level.critical),
+            level.parts(),
+            level.strata(),
+            words(level.critical()),
             level.critical_per_stratum(),
-            level.bytes
+            level.bytes()
         );
     }
     page

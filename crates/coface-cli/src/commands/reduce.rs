@@ -54,29 +54,29 @@ impl Reduce {
 
 /// A step as plain data.
 fn reduced(step: &ReducedStep) -> ReducedShard {
-    let summary = &step.summary;
+    let summary = step.summary();
     ReducedShard {
-        file: step.path.display().to_string(),
-        skipped: !step.is_new,
-        level: summary.place.level,
-        number: summary.place.number,
-        cells: summary.cells.clone(),
-        strata: summary.strata,
-        critical: summary.critical.clone(),
-        bytes: summary.bytes,
-        checksum: format!("{:016x}", summary.checksum),
+        file: step.path().display().to_string(),
+        skipped: !step.is_new(),
+        level: summary.place().level,
+        number: summary.place().number,
+        cells: summary.cells().to_vec(),
+        strata: summary.strata(),
+        critical: summary.critical().to_vec(),
+        bytes: summary.bytes(),
+        checksum: format!("{:016x}", summary.checksum()),
     }
 }
 
 fn line(step: &ReducedStep) -> String {
-    let summary = &step.summary;
+    let summary = step.summary();
     format!(
         "{}: {} cells, {} strata, {} critical cells, {} bytes{}\n",
-        step.path.display(),
-        summary.cells.iter().sum::<u64>(),
-        summary.strata,
-        summary.critical.iter().sum::<u64>(),
-        summary.bytes,
-        if step.is_new { "" } else { " (finished before)" }
+        step.path().display(),
+        summary.cells().iter().sum::<u64>(),
+        summary.strata(),
+        summary.critical().iter().sum::<u64>(),
+        summary.bytes(),
+        if step.is_new() { "" } else { " (finished before)" }
     )
 }

@@ -4,6 +4,9 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_geometry::Positions;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// What the cells of one list are, and how they list their vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CellKind {
@@ -280,7 +283,7 @@ impl PlacedCells {
     /// ```
     #[must_use]
     pub fn compacted(&self) -> Self {
-        let mut number = vec![u32::MAX; self.vertex_count()];
+        let mut number = vec![NONE; self.vertex_count()];
         self.cells.items().iter().for_each(|&vertex| number[vertex as usize] = 0);
         let (mut next, mut coordinates) = (0, Vec::new());
         for (vertex, number) in number.iter_mut().enumerate().filter(|(_, number)| **number == 0) {

@@ -36,7 +36,7 @@ use std::path::{Path, PathBuf};
 /// let batch = Batch::new(find_files(&["models".into()], true, std::io::stdin())?);
 /// let pool = WorkerPool::new(WorkerCommand::new("coface", ["worker", "info"]), 2, Limits::default());
 /// let summary = batch.write(&pool, "models.jsonl".as_ref(), TableFormat::JsonLines)?;
-/// println!("{} files, {} errors", summary.files, summary.error_count());
+/// println!("{} files, {} errors", summary.files(), summary.error_count());
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
@@ -56,14 +56,32 @@ pub struct Batch {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Summary {
+    pub(crate) files: usize,
+    pub(crate) errors: BTreeMap<String, usize>,
+    pub(crate) resumed: usize,
+    pub(crate) refused: Option<String>,
+}
+
+impl Summary {
     /// The number of files, which is that of rows.
-    pub files: usize,
+    pub fn files(&self) -> usize {
+        self.files
+    }
+
     /// The number of rows that are errors, by kind.
-    pub errors: BTreeMap<String, usize>,
+    pub fn errors(&self) -> &BTreeMap<String, usize> {
+        &self.errors
+    }
+
     /// The number of rows taken from an earlier run that was cut short.
-    pub resumed: usize,
+    pub fn resumed(&self) -> usize {
+        self.resumed
+    }
+
     /// Why the rows of an earlier run were not taken, where they were not.
-    pub refused: Option<String>,
+    pub fn refused(&self) -> Option<&str> {
+        self.refused.as_deref()
+    }
 }
 
 impl Summary {

@@ -30,12 +30,12 @@ use std::path::{Path, PathBuf};
 /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
 /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
 /// for number in 0..3 {
-///     assert!(shards.reduce(number, false)?.is_new);
+///     assert!(shards.reduce(number, false)?.is_new());
 /// }
 /// let found = shards.merge_all(false)?;
-/// assert_eq!(found.homology.betti_numbers(), [1, 0, 1]);
-/// assert_eq!(found.cells, [4, 6, 4]);
-/// assert!(!shards.reduce(0, false)?.is_new);
+/// assert_eq!(found.homology().betti_numbers(), [1, 0, 1]);
+/// assert_eq!(found.cells(), [4, 6, 4]);
+/// assert!(!shards.reduce(0, false)?.is_new());
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok(()) }
 /// ```
@@ -49,28 +49,64 @@ pub struct ShardFolder {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct ReducedStep {
+    pub(crate) path: PathBuf,
+    pub(crate) is_new: bool,
+    pub(crate) summary: ReducedSummary,
+}
+
+impl ReducedStep {
     /// Where it is.
-    pub path: PathBuf,
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Whether it was made now, and not found finished.
-    pub is_new: bool,
+    pub fn is_new(&self) -> bool {
+        self.is_new
+    }
+
     /// Its counts.
-    pub summary: ReducedSummary,
+    pub fn summary(&self) -> &ReducedSummary {
+        &self.summary
+    }
 }
 
 /// The reduced shards of one level together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct FolderLevel {
+    pub(crate) parts: u32,
+    pub(crate) strata: u64,
+    pub(crate) critical: Vec<u64>,
+    pub(crate) bytes: u64,
+    pub(crate) widest: usize,
+}
+
+impl FolderLevel {
     /// How many there are.
-    pub parts: u32,
+    pub fn parts(&self) -> u32 {
+        self.parts
+    }
+
     /// The strata before the level was reduced.
-    pub strata: u64,
+    pub fn strata(&self) -> u64 {
+        self.strata
+    }
+
     /// The critical cells in each degree.
-    pub critical: Vec<u64>,
+    pub fn critical(&self) -> &[u64] {
+        &self.critical
+    }
+
     /// The bytes of all files: what is sent to the next level.
-    pub bytes: u64,
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
     /// The bits of the largest incidence.
-    pub widest: usize,
+    pub fn widest(&self) -> usize {
+        self.widest
+    }
 }
 
 impl FolderLevel {
@@ -84,12 +120,26 @@ impl FolderLevel {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct FolderSummary {
+    pub(crate) homology: Homology,
+    pub(crate) cells: Vec<u64>,
+    pub(crate) levels: Vec<FolderLevel>,
+}
+
+impl FolderSummary {
     /// The homology of the whole.
-    pub homology: Homology,
+    pub fn homology(&self) -> &Homology {
+        &self.homology
+    }
+
     /// The number of cells of the whole in each degree.
-    pub cells: Vec<u64>,
+    pub fn cells(&self) -> &[u64] {
+        &self.cells
+    }
+
     /// The levels, from the shards on.
-    pub levels: Vec<FolderLevel>,
+    pub fn levels(&self) -> &[FolderLevel] {
+        &self.levels
+    }
 }
 
 /// The name of the file that lists the shards.
@@ -144,7 +194,7 @@ fn stated_checksum(path: &Path, kind: Kind) -> Result<u64, Error> {
 /// let folder = std::env::temp_dir().join("coface-shards-reduce-file");
 /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
 /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
-/// assert!(reduce_file(&shards.shard_path(1), false)?.is_new);
+/// assert!(reduce_file(&shards.shard_path(1), false)?.is_new());
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), coface_algebra::Error>(())
 /// ```
@@ -372,7 +422,7 @@ impl ShardFolder {
     /// let folder = std::env::temp_dir().join("coface-shards-reduce");
     /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
     /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
-    /// assert!(shards.reduce(0, false)?.is_new && !shards.reduce(0, false)?.is_new);
+    /// assert!(shards.reduce(0, false)?.is_new() && !shards.reduce(0, false)?.is_new());
     /// # std::fs::remove_dir_all(&folder)?;
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
@@ -397,7 +447,7 @@ impl ShardFolder {
     /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
     /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
     /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
-    /// assert!(shards.merge(1, 0, false)?.summary.is_root);
+    /// assert!(shards.merge(1, 0, false)?.summary().is_root());
     /// # std::fs::remove_dir_all(&folder)?;
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
@@ -513,7 +563,7 @@ impl ShardFolder {
     /// let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json)?;
     /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
     /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
-    /// assert_eq!(shards.merge_all(false)?.homology.betti_numbers(), [1, 0, 1]);
+    /// assert_eq!(shards.merge_all(false)?.homology().betti_numbers(), [1, 0, 1]);
     /// # std::fs::remove_dir_all(&folder)?;
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
@@ -537,7 +587,7 @@ impl ShardFolder {
     /// let shards = shard_model(model, &folder, &ShardRequest::new("sphere", 3))?;
     /// (0..3).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
     /// let found = shards.merge_all_by(|level, number| shards.merge(level, number, false))?;
-    /// assert_eq!(found.cells, [4, 6, 4]);
+    /// assert_eq!(found.cells(), [4, 6, 4]);
     /// # std::fs::remove_dir_all(&folder)?;
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```

@@ -30,7 +30,7 @@ pub enum GridSort {
 /// let grid = GridShards::new(GridSort::Cubes, boxes, 8);
 /// let shards = grid.shard_full(&folder, ShardSource::default(), false)?;
 /// (0..8).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
-/// assert_eq!(shards.merge_all(false)?.homology.betti_numbers(), [1, 3, 3, 1]);
+/// assert_eq!(shards.merge_all(false)?.homology().betti_numbers(), [1, 3, 3, 1]);
 /// assert!(std::fs::metadata(shards.shard_path(0))?.len() < 1000);
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok(()) }

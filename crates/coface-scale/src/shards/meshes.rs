@@ -53,7 +53,7 @@ const RECORD: usize = 5;
 /// std::fs::write(&file, format!("{text}Tetrahedra 2\n1 2 3 4 0\n2 3 4 5 0\nEnd\n"))?;
 /// let shards = shard_mesh_file(&file, None, &folder, &ShardRequest::new("two", 2))?.expect("these are simplices");
 /// (0..2).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
-/// assert_eq!(shards.merge_all(false)?.cells, [5, 9, 7, 2]);
+/// assert_eq!(shards.merge_all(false)?.cells(), [5, 9, 7, 2]);
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok(()) }
 /// ```

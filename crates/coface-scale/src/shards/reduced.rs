@@ -36,24 +36,62 @@ struct Wall {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ReducedSummary {
+    pub(crate) place: ShardPlace,
+    pub(crate) cells: Vec<u64>,
+    pub(crate) strata: u64,
+    pub(crate) critical: Vec<u64>,
+    pub(crate) widest: usize,
+    pub(crate) bytes: u64,
+    pub(crate) is_root: bool,
+    pub(crate) checksum: u64,
+    pub(crate) sources: Vec<u64>,
+}
+
+impl ReducedSummary {
     /// Where it belongs.
-    pub place: ShardPlace,
+    pub fn place(&self) -> ShardPlace {
+        self.place
+    }
+
     /// The cells of the complex that are its own, in each degree.
-    pub cells: Vec<u64>,
+    pub fn cells(&self) -> &[u64] {
+        &self.cells
+    }
+
     /// The strata that are its own.
-    pub strata: u64,
+    pub fn strata(&self) -> u64 {
+        self.strata
+    }
+
     /// The critical cells that are its own, in each degree.
-    pub critical: Vec<u64>,
+    pub fn critical(&self) -> &[u64] {
+        &self.critical
+    }
+
     /// The bits of the largest incidence.
-    pub widest: usize,
+    pub fn widest(&self) -> usize {
+        self.widest
+    }
+
     /// Its length.
-    pub bytes: u64,
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
     /// Whether it is the root: nothing is left to merge.
-    pub is_root: bool,
+    pub fn is_root(&self) -> bool {
+        self.is_root
+    }
+
     /// The checksum of the whole.
-    pub checksum: u64,
+    pub fn checksum(&self) -> u64 {
+        self.checksum
+    }
+
     /// The checksums of what it was made from.
-    pub sources: Vec<u64>,
+    pub fn sources(&self) -> &[u64] {
+        &self.sources
+    }
 }
 
 /// Reduces a shard.
@@ -164,7 +202,7 @@ pub fn root_homology(root: &[u8]) -> Result<Homology, Error> {
 /// let part = Partition::by_walk(&bottle, 1)?.part(0)?;
 /// let shard = shards::shard_of_part(ShardPlace::new(7, 1, 2, 0)?, &part, None)?;
 /// let summary = shards::summary(&shards::reduce(&shard)?)?;
-/// assert_eq!((&summary.cells[..], &summary.critical[..], summary.strata), (&[36, 108, 72][..], &[1, 2, 1][..], 1));
+/// assert_eq!((summary.cells(), summary.critical(), summary.strata()), (&[36, 108, 72][..], &[1, 2, 1][..], 1));
 /// # Ok(()) }
 /// ```
 pub fn summary(reduced: &[u8]) -> Result<ReducedSummary, Error> {

@@ -77,8 +77,8 @@ fn source(request: &ShardRequest, kind: &str) -> ShardSource {
 /// let shards = shard_grid(GridSort::Simplices, &[4, 4], &[true, true], &folder, &request)?;
 /// (0..4).try_for_each(|number| shards.reduce(number, false).map(|_| ()))?;
 /// let found = shards.merge_all(false)?;
-/// assert_eq!(found.cells, [16, 48, 32]);
-/// assert_eq!(found.homology.betti_numbers(), [1, 2, 1]);
+/// assert_eq!(found.cells(), [16, 48, 32]);
+/// assert_eq!(found.homology().betti_numbers(), [1, 2, 1]);
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok(()) }
 /// ```

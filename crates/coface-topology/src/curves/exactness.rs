@@ -6,6 +6,9 @@ use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{Integer, RaggedArray};
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// Whether a cochain of degree 1 is closed, and whether it is exact: the coboundary of a function on the vertices.
 ///
 /// Closed means that the sum around the rim of each face is zero. Every exact cochain is closed.
@@ -136,7 +139,6 @@ fn decide<C: Coefficient>(
             return Ok(Exactness::NotClosed { face: FaceId::new(face), sum });
         }
     }
-    const NONE: u32 = u32::MAX;
     let ends = skeleton.edge_ends();
     let steps_at = RaggedArray::grouped(vertex_count, ends.iter().copied());
     let mut tree = vec![NONE; vertex_count];
@@ -189,7 +191,7 @@ fn closed_up(ends: &[u32], tree: &[u32], step: u32) -> Vec<u32> {
     let way_up = |vertex: u32| {
         let mut way = Vec::new();
         let mut at = VertexId::from_u32(vertex);
-        while tree[at.index()] != u32::MAX {
+        while tree[at.index()] != NONE {
             let step = tree[at.index()];
             way.push(step);
             at = VertexId::from_u32(ends[step as usize]);

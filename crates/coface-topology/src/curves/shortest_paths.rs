@@ -7,6 +7,9 @@ use coface_complexes::surface::GeneralizedMap;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// Trees of shortest paths, one in each component with edges. Ties are decided by numbers, so that the trees are always
 /// the same.
 #[derive(Clone, Debug)]
@@ -15,7 +18,7 @@ pub(super) struct ShortestPaths {
     pub(super) bases: Vec<VertexId>,
     /// The length of the path to each vertex; infinite for isolated vertices.
     pub(super) distances: Vec<f64>,
-    /// The last step of each path (2e along edge e, 2e + 1 against it); `u32::MAX` where there is none.
+    /// The last step of each path (2e along edge e, 2e + 1 against it); `NONE` where there is none.
     pub(super) steps: Vec<u32>,
 }
 
@@ -49,7 +52,7 @@ impl ShortestPaths {
         let mut found = Self {
             bases: Vec::new(),
             distances: vec![f64::INFINITY; vertex_count],
-            steps: vec![u32::MAX; vertex_count],
+            steps: vec![NONE; vertex_count],
         };
         let mut heap = BinaryHeap::new();
         let steps = stage("finding shortest paths", vertex_count);

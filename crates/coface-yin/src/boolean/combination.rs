@@ -32,12 +32,26 @@ pub enum Assumption {
 /// A decision below the resolution of curves of order 4 and more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UncertifiedDecision {
+    pub(crate) point: [f64; 2],
+    pub(crate) pieces: [PieceSource; 2],
+    pub(crate) assumption: Assumption,
+}
+
+impl UncertifiedDecision {
     /// Where.
-    pub point: [f64; 2],
+    pub fn point(&self) -> [f64; 2] {
+        self.point
+    }
+
     /// The pieces that are so close, with the parts that the decision is about.
-    pub pieces: [PieceSource; 2],
+    pub fn pieces(&self) -> [PieceSource; 2] {
+        self.pieces
+    }
+
     /// What was taken to be so.
-    pub assumption: Assumption,
+    pub fn assumption(&self) -> Assumption {
+        self.assumption
+    }
 }
 
 /// A Boolean combination of Yin sets.

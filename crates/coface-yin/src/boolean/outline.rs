@@ -6,6 +6,9 @@ use coface_arrange::planar::PlanarPolygons;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// The rings around selected faces as curves in canonical form.
 pub(super) struct Outline {
     pub(super) curves: CurveArena,
@@ -61,7 +64,7 @@ impl Outline {
             parent
         };
         let kept: Vec<u32> = (0..lists.len() as u32).filter(|&ring| !is_collapsed(ring as usize)).collect();
-        let mut place_of_ring = vec![u32::MAX; lists.len()];
+        let mut place_of_ring = vec![NONE; lists.len()];
         for (place, &ring) in (0..).zip(&kept) {
             place_of_ring[ring as usize] = place;
         }

@@ -11,12 +11,26 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct InterfaceFault {
+    pub(crate) phases: Vec<u32>,
+    pub(crate) point: Option<[f64; 2]>,
+    pub(crate) area: Option<f64>,
+}
+
+impl InterfaceFault {
     /// The phases that lie over each other at a place, rising; one phase lies over itself, or what is outside of it does.
-    pub phases: Vec<u32>,
+    pub fn phases(&self) -> &[u32] {
+        &self.phases
+    }
+
     /// A point of the place.
-    pub point: Option<[f64; 2]>,
+    pub fn point(&self) -> Option<[f64; 2]> {
+        self.point
+    }
+
     /// The area of all such places; none if it is infinite.
-    pub area: Option<f64>,
+    pub fn area(&self) -> Option<f64> {
+        self.area
+    }
 }
 
 impl fmt::Display for InterfaceFault {
@@ -61,7 +75,7 @@ impl InterfaceGraph {
     /// let crossed = edge(vec![[2.0, 2.0], [2.0, 0.0], [0.0, 2.0]]);
     /// let fault = |edge| InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[], Order::LINEAR)?.fault();
     /// assert_eq!(fault(good)?, None);
-    /// assert_eq!(fault(crossed)?.map(|fault| fault.area), Some(Some(1.0)));
+    /// assert_eq!(fault(crossed)?.map(|fault| fault.area()), Some(Some(1.0)));
     /// # Ok(()) }
     /// ```
     pub fn fault(&self) -> Result<Option<InterfaceFault>, Error> {

@@ -9,6 +9,9 @@ use coface_algebra::Error;
 use coface_algebra::Sign;
 use coface_arrange::planar::RingCells;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// Where points go that several sets have in common.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Overlaps {
@@ -76,7 +79,7 @@ impl Partition {
             is_kink: Vec::new(),
             order: sets.iter().map(|set| set.order()).max().unwrap_or(Order::LINEAR),
         };
-        let mut vertex_of_node = vec![u32::MAX; cells.orbits().rotation().len()];
+        let mut vertex_of_node = vec![NONE; cells.orbits().rotation().len()];
         let mut edge_of_halfedge = vec![None; halfedge_count as usize];
         // First the ways that begin where others end, then what is closed.
         for is_closed in [false, true] {
@@ -95,7 +98,7 @@ impl Partition {
                 let ends = [first, last ^ 1].map(|halfedge| {
                     let node = cells.tail(halfedge);
                     let vertex = &mut vertex_of_node[node as usize];
-                    if *vertex == u32::MAX {
+                    if *vertex == NONE {
                         *vertex = found.arcs.vertices.len() as u32;
                         found.arcs.vertices.push([0.0; 2]);
                         // At junctions phases have corners, though the way may go on smoothly.
@@ -109,7 +112,7 @@ impl Partition {
             }
         }
         found.around = vec![Vec::new(); found.arcs.vertices.len()];
-        for (node, &vertex) in (0..).zip(&vertex_of_node).filter(|(_, vertex)| **vertex != u32::MAX) {
+        for (node, &vertex) in (0..).zip(&vertex_of_node).filter(|(_, vertex)| **vertex != NONE) {
             found.around[vertex as usize] =
                 leaving(node).filter_map(|halfedge| edge_of_halfedge[halfedge as usize]).collect();
         }

@@ -8,6 +8,9 @@ use coface_geometry::Sum;
 use coface_geometry::predicates::direction_turn;
 use std::cmp::Ordering;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 impl InterfaceGraph {
     /// The edges that leave each vertex, counterclockwise by their directions there.
     pub(super) fn edges_around(&self) -> Result<Vec<Vec<DirectedEdge>>, Error> {
@@ -95,7 +98,7 @@ impl InterfaceGraph {
         }
         let mut is_used = vec![false; 2 * self.edge_count()];
         // The place on the current walk at which a vertex was left.
-        let mut stamp = vec![u32::MAX; self.vertices.len()];
+        let mut stamp = vec![NONE; self.vertices.len()];
         let mut walks = Vec::new();
         for first in 0..2 * self.edge_count() {
             let mut edge = DirectedEdge::at(first);
@@ -108,10 +111,10 @@ impl InterfaceGraph {
                 stamp[self.tail(edge)] = walk.len() as u32;
                 walk.push(edge);
                 let head = self.head(edge);
-                if stamp[head] != u32::MAX {
+                if stamp[head] != NONE {
                     let cut = walk.split_off(stamp[head] as usize);
                     for own in &cut {
-                        stamp[self.tail(*own)] = u32::MAX;
+                        stamp[self.tail(*own)] = NONE;
                     }
                     walks.push(cut);
                 }

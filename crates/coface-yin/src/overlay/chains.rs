@@ -8,6 +8,9 @@ use coface_algebra::{ParityUnion, ParityUnionFind, Sign};
 use coface_arrange::planar::ChainEdges;
 use std::fmt::Write;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// Chains have the numbers of the breaks that they begin at.
 pub(super) struct Chains<'a> {
     pub(super) boundaries: &'a Boundaries<'a>,
@@ -71,11 +74,11 @@ impl Chains<'_> {
                 ));
             }
         }
-        let mut first_of_class = vec![u32::MAX; count];
+        let mut first_of_class = vec![NONE; count];
         let mut first_of = Vec::with_capacity(count);
         for chain in 0..count as u32 {
             let class = equal.find(chain).0 as usize;
-            if first_of_class[class] == u32::MAX {
+            if first_of_class[class] == NONE {
                 first_of_class[class] = chain;
             }
             first_of.push(first_of_class[class]);

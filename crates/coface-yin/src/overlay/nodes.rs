@@ -8,6 +8,9 @@ use coface_algebra::UnionFind;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// Parameters of meetings that are known no better than this are found anew.
 const WIDE: f64 = 1e-10;
 
@@ -206,7 +209,7 @@ impl Gathering<'_> {
         };
         self.points.push(point);
         for position in positions {
-            self.events.push(Event { position, site, at: u32::MAX });
+            self.events.push(Event { position, site, at: NONE });
         }
         OverlapEnd { site, positions }
     }
@@ -308,7 +311,7 @@ impl Gathering<'_> {
                         let part = (event.position.parameter - from[0]) / (from[1] - from[0]);
                         let parameter = to[0] + part * (to[1] - to[0]);
                         let position = self.boundaries.position(overlap.pieces[1 - side], parameter);
-                        added.push(Event { position, site: event.site, at: u32::MAX });
+                        added.push(Event { position, site: event.site, at: NONE });
                     }
                 }
             }
@@ -338,7 +341,7 @@ impl Gathering<'_> {
             let (own, is_tiny) = (&mut self.events[first..next], &is_tiny[first..next]);
             if own.is_empty() {
                 let knot = Position { piece: pieces.start, parameter: 0.0 };
-                breaks.push(Break { arrive: knot, leave: knot, node: u32::MAX });
+                breaks.push(Break { arrive: knot, leave: knot, node: NONE });
             } else if is_tiny.iter().all(|&is_tiny| is_tiny) {
                 let place = self.points[own[0].site as usize];
                 let parts = [(pieces.start, [0.0, 1.0]), (pieces.end - 1, [0.0, 1.0])];
@@ -366,16 +369,16 @@ impl Gathering<'_> {
             starts.push(breaks.len() as u32);
         }
         // Nodes in the order in which curves come to them; the point of one is that of a knot, if there is one.
-        let mut number_of = vec![u32::MAX; self.points.len()];
+        let mut number_of = vec![NONE; self.points.len()];
         let mut points: Vec<[f64; 2]> = Vec::new();
         for own in &mut breaks {
-            if own.node == u32::MAX {
+            if own.node == NONE {
                 own.node = points.len() as u32;
                 points.push(boundaries.point(own.leave));
                 continue;
             }
             let number = &mut number_of[own.node as usize];
-            if *number == u32::MAX {
+            if *number == NONE {
                 *number = points.len() as u32;
                 points.push(self.points[own.node as usize]);
             }
@@ -391,7 +394,7 @@ impl Gathering<'_> {
         let mut is_merged = vec![false; points.len()];
         for event in &self.events {
             let node = number_of[self.classes.find(event.site) as usize];
-            if node == u32::MAX {
+            if node == NONE {
                 continue;
             }
             let node = node as usize;
@@ -402,7 +405,7 @@ impl Gathering<'_> {
         }
         for site in 0..self.points.len() as u32 {
             let node = number_of[self.classes.find(site) as usize];
-            if node != u32::MAX {
+            if node != NONE {
                 let [a, b] = [points[node as usize], self.points[site as usize]];
                 // Points that are equal up to rounding are told where they are not certain in themselves.
                 let is_far = (0..2).any(|axis| (a[axis] - b[axis]).abs() > self.boundaries.rounding);
@@ -412,7 +415,7 @@ impl Gathering<'_> {
         let mut merged: Vec<(u32, Position)> = Vec::new();
         for event in &self.events {
             let node = number_of[self.classes.find(event.site) as usize];
-            if node != u32::MAX && is_merged[node as usize] {
+            if node != NONE && is_merged[node as usize] {
                 merged.push((node, event.position));
             }
         }

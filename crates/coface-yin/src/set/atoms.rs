@@ -4,6 +4,9 @@ use super::YinSet;
 use coface_algebra::Error;
 use coface_algebra::{RaggedArray, UnionFind};
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// What sort of region an atom has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AtomKind {
@@ -81,7 +84,7 @@ impl YinSet {
 
     /// For each curve the number of the atom that it bounds.
     fn atom_of_curves(&self) -> Vec<u32> {
-        let mut number_of_outer = vec![u32::MAX; self.curve_count()];
+        let mut number_of_outer = vec![NONE; self.curve_count()];
         let first = u32::from(!self.is_bounded());
         for (number, curve) in (first..).zip((0..self.curve_count()).filter(|&c| self.is_positive(c))) {
             number_of_outer[curve] = number;

@@ -1,5 +1,8 @@
 //! Which curve lies in which.
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// The Hasse diagram of almost disjoint curves under inclusion of what they bound: a forest. The parent of a curve is the smallest
 /// curve around it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -11,11 +14,11 @@ pub struct HasseForest {
 impl HasseForest {
     /// The forest in which each curve has this parent.
     pub(crate) fn new(parents: Vec<Option<u32>>) -> Self {
-        let mut depths = vec![u32::MAX; parents.len()];
+        let mut depths = vec![NONE; parents.len()];
         let mut way = Vec::new();
         for curve in 0..parents.len() {
             let mut at = Some(curve as u32);
-            while let Some(own) = at.filter(|&own| depths[own as usize] == u32::MAX) {
+            while let Some(own) = at.filter(|&own| depths[own as usize] == NONE) {
                 way.push(own);
                 at = parents[own as usize];
             }

@@ -9,6 +9,9 @@ use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
 use std::collections::BTreeSet;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// A curve on its way.
 struct Front {
     curve: Curve<'static>,
@@ -125,7 +128,7 @@ impl Fronts {
 
     /// Leaves curves out in which no others lie.
     fn retain(&mut self, stays: &[bool]) {
-        let mut numbers = vec![u32::MAX; stays.len()];
+        let mut numbers = vec![NONE; stays.len()];
         let kept_numbers = numbers.iter_mut().zip(stays).filter(|(_, stays)| **stays);
         (0..).zip(kept_numbers).for_each(|(at, (number, _))| *number = at);
         let mut kept = stays.iter();

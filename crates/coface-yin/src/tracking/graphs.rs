@@ -10,6 +10,9 @@ use coface_algebra::Error;
 use coface_algebra::progress::stage;
 use coface_arrange::boolean::InsideRule;
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
 /// no more than rounding.
 const SMOOTH_ANGLE: f64 = 1e-6;
@@ -17,12 +20,26 @@ const SMOOTH_ANGLE: f64 = 1e-6;
 /// An interface whose edges came to meet, and was cut and pasted by a rule.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InterfaceRepair {
+    pub(crate) step: usize,
+    pub(crate) time: f64,
+    pub(crate) fault: InterfaceFault,
+}
+
+impl InterfaceRepair {
     /// The step, counted from 1.
-    pub step: usize,
+    pub fn step(&self) -> usize {
+        self.step
+    }
+
     /// The time at its end.
-    pub time: f64,
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
     /// What was found first.
-    pub fault: InterfaceFault,
+    pub fn fault(&self) -> &InterfaceFault {
+        &self.fault
+    }
 }
 
 /// An interface that has moved.
@@ -63,7 +80,7 @@ impl TrackedGraph {
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
-    /// assert_eq!(moved.counts().steps, 2);
+    /// assert_eq!(moved.counts().steps(), 2);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn counts(&self) -> TrackingCounts {
@@ -248,7 +265,7 @@ impl InterfaceGraph {
         points: &[Vec<[f64; 2]>],
         stays: &[bool],
     ) -> Result<Self, Error> {
-        let mut numbers = vec![u32::MAX; stays.len()];
+        let mut numbers = vec![NONE; stays.len()];
         let mut count = 0;
         for edge in 0..stays.len() {
             if stays[edge] {
@@ -262,14 +279,14 @@ impl InterfaceGraph {
         }
         let around = (0..vertices.len()).map(|vertex| {
             let leaving = self.edges_at(vertex).iter().map(|&edge| renumbered(edge));
-            leaving.filter(|edge| edge.edge != u32::MAX).collect()
+            leaving.filter(|edge| edge.edge != NONE).collect()
         });
         let around = around.collect();
         let ends = kept((0..stays.len()).map(|edge| self.ends(edge)), stays);
         let phases = kept((0..stays.len()).map(|edge| self.phases_of(edge)), stays);
         let points: Vec<Vec<[f64; 2]>> = kept(points.iter().cloned(), stays);
         let pairs = self.smooth_pairs().iter().map(|pair| pair.map(renumbered));
-        let pairs = pairs.filter(|pair| pair[0].edge != u32::MAX && pair[1].edge != u32::MAX).collect();
+        let pairs = pairs.filter(|pair| pair[0].edge != NONE && pair[1].edge != NONE).collect();
         // The flow is a homeomorphism: edges leave vertices in the order in which they did.
         let arcs = Arcs { vertices, ends, phases, smooth_pairs: pairs };
         Self::with_points(arcs, &points, self.order(), Some(around))

@@ -9,12 +9,26 @@ use rayon::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct TrackingCounts {
+    pub(crate) steps: usize,
+    pub(crate) added: usize,
+    pub(crate) removed: usize,
+}
+
+impl TrackingCounts {
     /// The number of steps of time.
-    pub steps: usize,
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
     /// The markers that were added.
-    pub added: usize,
+    pub fn added(&self) -> usize {
+        self.added
+    }
+
     /// The markers that were left out.
-    pub removed: usize,
+    pub fn removed(&self) -> usize {
+        self.removed
+    }
 }
 
 /// Distances of neighboring markers.

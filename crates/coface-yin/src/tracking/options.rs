@@ -51,7 +51,7 @@ impl TrackingOptions {
     /// ```
     /// use coface_yin::{Order, TrackingOptions, YinSet};
     /// let options = TrackingOptions::new(1.0, 0.25, 0.1);
-    /// assert_eq!(YinSet::empty(Order::LINEAR).advected(|_, _| [0.0; 2], &options)?.counts().steps, 4);
+    /// assert_eq!(YinSet::empty(Order::LINEAR).advected(|_, _| [0.0; 2], &options)?.counts().steps(), 4);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn new(end: f64, time_step: f64, spacing: f64) -> Self {
@@ -115,7 +115,7 @@ impl TrackingOptions {
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let options = TrackingOptions::new(1.0, 0.5, 2.0).least_ratio(0.3);
     /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
-    /// assert_eq!(moved.counts().removed, 0);
+    /// assert_eq!(moved.counts().removed(), 0);
     /// assert!(square.advected(|_, _| [0.0; 2], &options.least_ratio(0.5)).is_err());
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
@@ -134,7 +134,7 @@ impl TrackingOptions {
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let options = TrackingOptions::new(1.0, 0.5, 2.0).most_turn(2.0);
     /// let moved = square.advected(|point, time| shift.velocity(point, time), &options)?;
-    /// assert_eq!(moved.counts().added, 0);
+    /// assert_eq!(moved.counts().added(), 0);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     #[must_use]

@@ -9,23 +9,51 @@ use coface_algebra::progress::stage;
 /// A curve that became too short to have a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VanishedCurve {
+    pub(crate) curve: u32,
+    pub(crate) time: f64,
+    pub(crate) length: f64,
+}
+
+impl VanishedCurve {
     /// Its number at the beginning.
-    pub curve: u32,
+    pub fn curve(&self) -> u32 {
+        self.curve
+    }
+
     /// The time at the end of the step in which it vanished.
-    pub time: f64,
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
     /// The length of the polygon of its markers then.
-    pub length: f64,
+    pub fn length(&self) -> f64 {
+        self.length
+    }
 }
 
 /// A boundary that came to meet itself, and was cut and pasted by a rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repair {
+    pub(crate) step: usize,
+    pub(crate) time: f64,
+    pub(crate) fault: YinFault,
+}
+
+impl Repair {
     /// The step, counted from 1.
-    pub step: usize,
+    pub fn step(&self) -> usize {
+        self.step
+    }
+
     /// The time at its end.
-    pub time: f64,
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
     /// What was found first; curves have the numbers that they had at the beginning.
-    pub fault: YinFault,
+    pub fn fault(&self) -> YinFault {
+        self.fault
+    }
 }
 
 /// A Yin set that has moved.
@@ -78,7 +106,7 @@ impl TrackedSet {
     /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = square.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
-    /// assert_eq!((moved.counts().steps, moved.counts().added), (2, 0));
+    /// assert_eq!((moved.counts().steps(), moved.counts().added()), (2, 0));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn counts(&self) -> TrackingCounts {

@@ -5,6 +5,9 @@ use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error, ErrorKind, HalfedgeId, IdVec, VertexId};
 use coface_algebra::{Sign, UnionFind};
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 /// A surface with sides of its boundary glued in pairs, and what its cells became.
 ///
 /// Of cells that become one the smallest keeps its number among those that stay; the numbers close up in order. An edge
@@ -118,9 +121,9 @@ impl GeneralizedMap {
         })
     }
 
-    /// The side of each step, `u32::MAX` where no side has it. All faces agree.
+    /// The side of each step, `NONE` where no side has it. All faces agree.
     pub(in crate::surface) fn sides_of_steps(&self) -> Vec<u32> {
-        let mut sides = vec![u32::MAX; 2 * self.skeleton().edge_count()];
+        let mut sides = vec![NONE; 2 * self.skeleton().edge_count()];
         for side in self.sides() {
             sides[self.step(side) as usize] = side.to_u32();
         }

@@ -8,6 +8,9 @@ use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error};
 use coface_algebra::{RaggedArray, Sign};
 
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+
 pub fn map_of(space: Result<SimplicialComplex, Error>) -> GeneralizedMap {
     GeneralizedMap::new(space.unwrap().freeze().two_skeleton().unwrap()).unwrap()
 }
@@ -63,11 +66,11 @@ pub fn without_faces(map: &GeneralizedMap, gone: &[usize]) -> Option<Generalized
     let rims =
         skeleton.faces().iter().enumerate().filter(|(face, _)| !gone.contains(face)).map(|(_, rim)| rim);
     let mut faces = RaggedArray::from_lists(rims);
-    let mut number = vec![u32::MAX; skeleton.edge_count()];
+    let mut number = vec![NONE; skeleton.edge_count()];
     let mut ends = Vec::new();
     for step in faces.items_mut() {
         let edge = EdgeId::from_u32(*step >> 1);
-        if number[edge.index()] == u32::MAX {
+        if number[edge.index()] == NONE {
             number[edge.index()] = ends.len() as u32 / 2;
             ends.extend(skeleton.edge(edge).map(|vertex| vertex.to_u32()));
         }
