@@ -139,7 +139,7 @@ impl FoundOperator {
         let entries = |by_rows: &SparseMatrix| {
             let mut list = Vec::with_capacity(by_rows.entries().len());
             for (row, entries) in by_rows.columns().enumerate() {
-                list.extend(entries.iter().map(|(column, x)| (row, column as usize, i64::from(x))));
+                list.extend(entries.iter().map(|(column, x)| (row, column, i64::from(x))));
             }
             list
         };

@@ -77,7 +77,7 @@ impl Incidence {
                 matrix.map_or(Ok(()), |matrix| matrix_market::write(&matrix, field(kind), out))
             })?,
             Some(Output::Json(path)) => {
-                replace_file(path, |out| Ok(write_entries(&found, &file, true, out)?))?
+                replace_file(path, |out| Ok(write_entries(&found, &file, true, out)?))?;
             }
             None => {}
         }

@@ -145,7 +145,7 @@ impl Drop for WorkFolder {
 #[derive(Serialize, Deserialize)]
 enum Request {
     /// Cut an input into shards.
-    Shard(ShardTask),
+    Shard(Box<ShardTask>),
     /// Reduce a part.
     Reduce { folder: String, number: u32 },
     /// Merge parts to one of this level.
@@ -242,7 +242,7 @@ impl<'a> Runner<'a> {
         {
             return Ok((folder.manifest().part_count, folder.manifest().fan_in));
         }
-        let request = Request::Shard(ShardTask {
+        let request = Request::Shard(Box::new(ShardTask {
             folder: self.folder_text.clone(),
             input: text(input)?,
             name: name.map(str::to_owned),
@@ -257,7 +257,7 @@ impl<'a> Runner<'a> {
             voxels: common.voxels.clone(),
             grid: self.options.grid.grid.clone(),
             simplicial: self.options.grid.simplicial,
-        });
+        }));
         let answer = self.ask("cutting into shards", 1, 1, |_| line(&request))?.remove(0);
         let answer = answer.map_err(|loss| {
             Failure::new(match loss {
