@@ -42,6 +42,13 @@ impl<Witness> Decision<Witness> {
 }
 
 impl<Witness, Findings> Verdict<Witness, Findings> {
+    /// The same findings with the answer no, for a crate above that refutes what stayed open.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn refuted(self, witness: Witness) -> Self {
+        Self { decision: Decision::No(witness), ..self }
+    }
+
     /// Yes, no, or `None` for unknown.
     ///
     /// # Examples

@@ -4,7 +4,7 @@ use crate::gluing::faces::FaceClasses;
 use crate::gluing::table::GluingTable;
 use crate::simplicial::collapse::is_seen_as_ball;
 use crate::simplicial::collapse::is_seen_as_sphere;
-use crate::simplicial::manifold::homology_sizes;
+use crate::simplicial::links::homology_sizes;
 use crate::verdict::{Decision, LinkFindings, Verdict};
 use coface_algebra::Error;
 use std::fmt;

@@ -1,7 +1,7 @@
 //! Bistellar moves: changing a triangulation of a manifold into a smaller one, as a certificate that it is a sphere or a ball.
 
 use super::{Simplex, SimplicialComplex};
-use coface_algebra::Error;
+use coface_algebra::{Error, RaggedArray};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// A bistellar move: a simplex A whose link is the boundary of a simplex B that is not in the complex gives way to B.
@@ -64,6 +64,9 @@ impl SphereCertificate {
     /// # Ok(()) }
     /// ```
     pub fn check(&self, complex: &SimplicialComplex) -> Result<(), Error> {
+        if complex.dimension().is_none_or(|dimension| dimension > MOST_DIMENSIONS) {
+            return Err(Error::invalid(format!("certificates are for dimensions 1 to {MOST_DIMENSIONS}")));
+        }
         let (apex, mut triangulation) = match self.apex {
             None => (None, Triangulation::of_closed(complex)?),
             Some(_) => {
@@ -159,6 +162,33 @@ pub fn recognize_ball(
     Ok(triangulation.reduce(budget).map(|moves| SphereCertificate { apex: Some(apex), moves }))
 }
 
+/// Whether facets of one size, given rising, are a sphere or a ball: a simplex, the boundary of one, or what moves lead there.
+pub(super) fn is_sphere_or_ball(facets: &RaggedArray) -> bool {
+    if facets.len() == 1 {
+        return true;
+    }
+    let size = facets.iter().next().map_or(0, <[u32]>::len);
+    if facets.len() == size + 1 {
+        let mut vertices: Vec<u32> = facets.iter().flatten().copied().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        if vertices.len() == size + 1 {
+            return true;
+        }
+    }
+    if size < 2 || size > MOST_VERTICES {
+        return false;
+    }
+    let lists = facets.iter().map(|facet| Face::of(facet).expect("the size is checked"));
+    let Ok((mut triangulation, rim)) = Triangulation::of_faces(size - 1, lists) else { return false };
+    if !rim.is_empty() {
+        triangulation.close(&rim);
+    }
+    triangulation.reduce(LINK_MOVES + 20 * facets.len()).is_some()
+}
+
+/// So many moves are tried on a link, and more on a large one.
+const LINK_MOVES: usize = 10_000;
 /// Above this dimension nothing is tried: a facet has more faces than are worth it.
 const MOST_DIMENSIONS: usize = 7;
 const MOST_VERTICES: usize = MOST_DIMENSIONS + 1;
@@ -256,15 +286,33 @@ impl Triangulation {
         if rim.is_empty() {
             return Err(Error::invalid("the complex has no boundary; a ball has one"));
         }
-        let apex = triangulation.unused_vertex();
+        Ok((triangulation.close(&rim), triangulation))
+    }
+
+    /// Adds a cone over these ridges; gives its apex.
+    fn close(&mut self, rim: &[Face]) -> u32 {
+        let apex = self.unused_vertex();
         let point = Face::of(&[apex]).expect("one vertex fits");
-        rim.iter().for_each(|ridge| triangulation.insert(ridge.join(&point)));
-        Ok((apex, triangulation))
+        rim.iter().for_each(|ridge| self.insert(ridge.join(&point)));
+        apex
     }
 
     /// The facets, and the ridges in one facet only.
     fn of_facets(complex: &SimplicialComplex) -> Result<(Self, Vec<Face>), Error> {
         let dimension = complex.dimension().unwrap_or(0);
+        let facets = complex.facets();
+        if let Some(facet) = facets.iter().find(|facet| facet.dimension() != dimension || dimension == 0) {
+            return Err(Error::invalid(format!(
+                "{facet} is a facet of dimension {}; moves are for complexes whose facets have one dimension, at least 1",
+                facet.dimension()
+            )));
+        }
+        let faces = facets.iter().map(|facet| Face::of(facet.numbers()).expect("the dimension is checked"));
+        Self::of_faces(dimension, faces)
+    }
+
+    /// The same for facets of this dimension.
+    fn of_faces(dimension: usize, facets: impl Iterator<Item = Face>) -> Result<(Self, Vec<Face>), Error> {
         let mut triangulation = Self {
             dimension,
             degrees: HashMap::new(),
@@ -273,15 +321,7 @@ impl Triangulation {
             facet_count: 0,
             random: 0x9e37_79b9_7f4a_7c15,
         };
-        for facet in complex.facets() {
-            if facet.dimension() != dimension || dimension == 0 || dimension > MOST_DIMENSIONS {
-                return Err(Error::invalid(format!(
-                    "{facet} is a facet of dimension {}; moves are for complexes whose facets have one dimension from 1 to {MOST_DIMENSIONS}",
-                    facet.dimension()
-                )));
-            }
-            triangulation.insert(Face::of(facet.numbers()).expect("the dimension is checked"));
-        }
+        facets.for_each(|facet| triangulation.insert(facet));
         // Sorted, so that of several crowded faces the least is named whatever the order of the hash map.
         let mut unpaired: Vec<(Face, u32)> = triangulation
             .degrees

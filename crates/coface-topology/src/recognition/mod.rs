@@ -1,4 +1,5 @@
-//! Recognition of groups: which well-known group a presentation gives, by proof or not at all.
+//! Recognition of groups: which well-known group a presentation gives, by proof or not at all; and of manifolds, whose links are told
+//! from spheres by their groups.
 //!
 //! # Words and conventions
 //! * A [`GroupName`] is a statement with a proof behind it: the group is isomorphic to the one of this name.
@@ -9,8 +10,10 @@
 
 mod finite_group;
 mod group_name;
+mod manifold;
 mod presentations;
 mod rewriting;
 mod surface_groups;
 
 pub use group_name::GroupName;
+pub use manifold::manifold_verdict;
