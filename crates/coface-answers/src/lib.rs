@@ -30,8 +30,8 @@ pub use cocycles::{
 };
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use facts::{
-    Answer, BoundaryPart, DataSummary, Kind, Moment, Problem, ProblemKind, Report, Skin, Witness,
-    homology_of_volume,
+    Answer, BoundaryPart, DataSummary, Kind, Moment, Problem, ProblemKind, Report, ReportRequest, Skin,
+    Witness, homology_of_volume,
 };
 pub use homology::{
     FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,

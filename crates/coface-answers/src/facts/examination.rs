@@ -6,7 +6,49 @@ use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
 use crate::answer::{Place, Remark};
 use crate::producer::{Cells, Producer};
 use coface_algebra::Error;
+use coface_complexes::simplicial::LINK_BUDGET;
 use coface_io::{Model, Structure};
+
+/// What a report says beside the usual, and how hard it tries.
+///
+/// # Examples
+/// ```
+/// use coface_answers::ReportRequest;
+/// let request = ReportRequest::new().moments(vec![[2, 0, 0]]).full_verdict(true);
+/// assert_ne!(request, ReportRequest::new());
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReportRequest {
+    moments: Vec<[u32; 3]>,
+    link_budget: u64,
+}
+
+impl Default for ReportRequest {
+    fn default() -> Self {
+        Self { moments: Vec::new(), link_budget: LINK_BUDGET }
+    }
+}
+
+impl ReportRequest {
+    /// No moments, and a verdict within [`LINK_BUDGET`].
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Integrates monomials $x^a y^b z^c$ with these exponents a, b, c.
+    #[must_use]
+    pub fn moments(mut self, exponents: Vec<[u32; 3]>) -> Self {
+        self.moments = exponents;
+        self
+    }
+
+    /// Whether the manifold verdict looks at all links, however many simplices they have.
+    #[must_use]
+    pub fn full_verdict(mut self, is_full: bool) -> Self {
+        self.link_budget = if is_full { u64::MAX } else { LINK_BUDGET };
+        self
+    }
+}
 
 impl Report {
     /// Examines a model. The model is taken along, so that its arrays become those of the structures made from it.
@@ -58,6 +100,28 @@ impl Report {
     /// # Ok(()) }
     /// ```
     pub fn with_moments(model: Model, exponents: &[[u32; 3]]) -> Result<Self, Error> {
+        Self::answering(model, &ReportRequest::new().moments(exponents.to_vec()))
+    }
+
+    /// Examines a model as a request asks.
+    ///
+    /// # Errors
+    /// Those of [`Self::with_moments`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_answers::{Report, ReportRequest};
+    /// use coface_io::{Model, Structure};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let facets = RaggedArray::from_lists(vec![vec![0, 1, 2], vec![5]]);
+    /// let report = Report::answering(Model::from_structure(Structure::Facets(facets)), &ReportRequest::new())?;
+    /// let witness = report.witness().expect("a facet is a point");
+    /// assert_eq!((witness.kind, &witness.cells[..]), ("not_pure", &[vec![5]][..]));
+    /// # Ok(()) }
+    /// ```
+    pub fn answering(model: Model, request: &ReportRequest) -> Result<Self, Error> {
+        let exponents = &request.moments[..];
         check_exponents(exponents)?;
         let kind = kind_of(&model);
         let mut model = model.into_parts();
@@ -73,7 +137,7 @@ impl Report {
         };
         let mut report = match &volume {
             Some(volume) => volume::report(volume)?,
-            None => report_of(Producer::of(model.into_model())?, kind, exponents)?,
+            None => report_of(Producer::of(model.into_model())?, kind, request)?,
         };
         if report.moments.is_empty() {
             let nothing = |&exponents: &[u32; 3]| Moment { exponents, volume: None, surface: None };
@@ -97,12 +161,13 @@ impl Report {
 }
 
 /// The report on cells whose faces are identified.
-fn report_of(producer: Producer, kind: Kind, exponents: &[[u32; 3]]) -> Result<Report, Error> {
+fn report_of(producer: Producer, kind: Kind, request: &ReportRequest) -> Result<Report, Error> {
+    let exponents = &request.moments[..];
     let Producer { cells, labels, positions, .. } = producer;
     Ok(match cells {
         Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, exponents),
         Cells::Solids(mesh) => cells::report(*mesh, &positions, exponents),
-        Cells::Simplices(complex) => simplicial::report(&complex)?,
+        Cells::Simplices(complex) => simplicial::report(&complex, request.link_budget)?,
         Cells::Halfedges(mesh) => halfedges::report(&mesh),
         Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
         Cells::Chains(complex) => chains::report(&complex),
@@ -188,7 +253,7 @@ mod tests {
             let facets: Vec<Vec<u32>> = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
             let polygons = report_of(&facets);
             let complex = FrozenComplex::from_facets(&RaggedArray::from_lists(&facets)).unwrap();
-            let simplices = simplicial::report(&complex).unwrap();
+            let simplices = simplicial::report(&complex, LINK_BUDGET).unwrap();
             prop_assert_eq!(polygons.f_vector(), simplices.f_vector());
             prop_assert_eq!(polygons.components(), simplices.components());
             prop_assert_eq!(polygons.manifold(), simplices.manifold());

@@ -19,6 +19,7 @@ mod report;
 mod simplicial;
 mod volume;
 
+pub use examination::ReportRequest;
 pub use moments::Moment;
 pub(crate) use polygons::witness;
 pub use problem::{Problem, ProblemKind};

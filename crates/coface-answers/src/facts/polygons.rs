@@ -35,11 +35,46 @@ pub(crate) fn report(
         Some(1) => degrees.isolated.is_empty(),
         _ => true,
     });
+    if kind == Kind::Complex && report.dimension() > Some(0) && report.pure == Some(false) {
+        not_pure(&mesh, &degrees, labels, &mut report);
+    }
     drop(degrees);
     let complex = mesh.into_chain_complex().expect("a mesh has a chain complex");
     report.euler_characteristic = complex.euler_characteristic();
     report.homology = homology(&complex).groups().to_vec();
     report
+}
+
+/// A facet list with facets of lower dimension is no manifold; says so, and whether the other facets alone are one.
+fn not_pure(mesh: &PolygonMesh, degrees: &VertexDegrees, labels: &Labels, report: &mut Report) {
+    if report.witness.as_ref().is_some_and(|witness| witness.kind != "edge_in_no_face") {
+        return;
+    }
+    let is_manifold_without = match report.dimension() {
+        Some(2) => PolygonMesh::new(mesh.vertex_count(), mesh.polygons().clone(), &[])
+            .is_ok_and(|faces| faces.survey().verdict().is_manifold()),
+        _ => report.manifold == Answer::Yes,
+    };
+    let loose = report.problems.iter().find(|problem| problem.kind() == ProblemKind::LooseCell);
+    let first = match (degrees.isolated.first(), loose) {
+        (Some(&vertex), _) => vec![labels.of(vertex)],
+        (None, Some(problem)) => problem.cells().list(0).to_vec(),
+        (None, None) => return,
+    };
+    let count = degrees.isolated.len() + loose.map_or(0, Problem::count);
+    let listed: Vec<String> = first.iter().map(u32::to_string).collect();
+    let mut message = format!(
+        "the facet [{}] has dimension {}, others have {}: the complex is not pure",
+        listed.join(", "),
+        first.len() - 1,
+        report.dimension().unwrap_or(0)
+    );
+    if is_manifold_without {
+        let such = if count == 1 { "that facet" } else { "such facets" };
+        message += &format!("; without {such} it is a manifold");
+    }
+    report.manifold = Answer::No;
+    report.witness = Some(Witness { kind: "not_pure", cells: vec![first], message });
 }
 
 fn has(report: &Report, kind: ProblemKind) -> bool {

@@ -6,19 +6,19 @@ use super::{Problem, ProblemKind};
 use coface_algebra::Error;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{RaggedArray, UnionFind};
-use coface_complexes::simplicial::{FrozenComplex, LinkFault, ManifoldWitness, Simplex, orientability};
-use coface_topology::homology;
+use coface_complexes::simplicial::{FaultyCells, FrozenComplex, LinkFault, ManifoldWitness, orientability};
+use coface_topology::{homology, manifold_verdict};
 
 /// The report on a complex of dimension 3 or more.
 ///
 /// # Errors
 /// [`coface_algebra::ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
-pub(crate) fn report(complex: &FrozenComplex) -> Result<Report, Error> {
+pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Error> {
     let chains = complex.chain_complex()?;
     let dimension = complex.dimension().unwrap_or(0);
     let isolated = isolated(complex);
     let mut problems = Vec::new();
-    let (manifold, closed, witness) = manifold(complex, &chains, &isolated, &mut problems)?;
+    let (manifold, closed, witness) = manifold(complex, &chains, budget, &mut problems)?;
     let orientation = orientability(&chains);
     if let Some(cycle) = orientation.odd_cycle() {
         let facets: Vec<Vec<u32>> =
@@ -97,42 +97,93 @@ fn maximal_dimensions_agree(chains: &ChainComplex, dimension: usize) -> bool {
     (1..=dimension).all(|degree| !ridge_degrees(chains, degree).contains(&0))
 }
 
-/// The answer, whether there is no boundary, and the witness, for the complex without its isolated vertices, which do not count against it.
+/// The verdict, whether the complex is closed, and the witness; adds every place where it is no manifold to the problems.
 fn manifold(
     complex: &FrozenComplex,
     chains: &ChainComplex,
-    isolated: &[u32],
+    budget: u64,
     problems: &mut Vec<Problem>,
 ) -> Result<(Answer, bool, Option<Witness>), Error> {
-    let verdict = if isolated.is_empty() {
-        complex.manifold_verdict_with(chains)
-    } else {
-        let mut rest = complex.thaw();
-        for &vertex in isolated {
-            rest.erase(&Simplex::from([vertex]));
-        }
-        rest.manifold_verdict()?
-    };
+    let verdict = manifold_verdict(complex, chains, budget)?;
     let (answer, closed) = (Answer::of(verdict.to_bool()), verdict.is_closed());
     let Some(found) = verdict.witness() else { return Ok((answer, closed, None)) };
-    let witness = witness(found);
+    let mut witness = witness(found);
+    if found.fault() == LinkFault::NotPure && pure_part_is_manifold(complex, budget)? {
+        witness.message += "; without such simplices it is a manifold";
+    }
     if answer == Answer::No {
-        let kind = match found.fault() {
-            LinkFault::NotPure => ProblemKind::LooseCell,
-            LinkFault::BranchingRidge => ProblemKind::NonManifoldRidge,
-            _ => match found.cells().first().map(Simplex::dimension) {
-                Some(0) => ProblemKind::NonManifoldVertex,
-                _ => ProblemKind::NonManifoldEdge,
-            },
-        };
-        let cells = RaggedArray::from_lists(witness.cells.iter().take(1));
-        let mut message = witness.message.clone();
-        if found.count() > 1 {
-            message += &format!(" (the first of {})", found.count());
+        let faults = complex.manifold_faults(chains);
+        let is_listed = faults.iter().any(|group| group.fault() == found.fault());
+        for group in &faults {
+            problems.extend(problem_of(complex, group, found, &witness.message));
         }
-        problems.push(Problem::new(kind, message, cells, RaggedArray::new(), "cell"));
+        if !is_listed {
+            let mut message = witness.message.clone();
+            if found.count() > 1 {
+                message += &format!(" (the first of {})", found.count());
+            }
+            let cells = RaggedArray::from_lists(witness.cells.iter().take(1));
+            let kind = kind_of(found.fault(), witness.cells[0].len() - 1);
+            problems.push(Problem::new(kind, message, cells, RaggedArray::new(), "cell"));
+        }
     }
     Ok((answer, closed, Some(witness)))
+}
+
+/// Whether the simplices of the top dimension, with their faces, are a manifold.
+fn pure_part_is_manifold(complex: &FrozenComplex, budget: u64) -> Result<bool, Error> {
+    let dimension = complex.dimension().unwrap_or(0);
+    let facets = RaggedArray::uniform(dimension + 1, complex.flat(dimension).to_vec())?;
+    let part = FrozenComplex::from_facets(&facets)?;
+    Ok(manifold_verdict(&part, &part.chain_complex()?, budget)?.is_manifold())
+}
+
+fn kind_of(fault: LinkFault, dimension: usize) -> ProblemKind {
+    match (fault, dimension) {
+        (LinkFault::NotPure, _) => ProblemKind::LooseCell,
+        (LinkFault::BranchingRidge, _) => ProblemKind::NonManifoldRidge,
+        (_, 0) => ProblemKind::NonManifoldVertex,
+        _ => ProblemKind::NonManifoldEdge,
+    }
+}
+
+/// All cells with one fault. Vertices that are facets are listed as isolated vertices, not here.
+fn problem_of(
+    complex: &FrozenComplex,
+    group: &FaultyCells,
+    found: &ManifoldWitness,
+    message: &str,
+) -> Option<Problem> {
+    let (fault, dimension, count) = (group.fault(), group.dimension(), group.cells().len());
+    if (fault, dimension) == (LinkFault::NotPure, 0) {
+        return None;
+    }
+    let named = |&cell: &u32| complex.numbers(dimension, cell as usize);
+    let is_first = fault == found.fault() && found.cells()[0].numbers() == named(&group.cells()[0]);
+    let top = complex.dimension().unwrap_or(0);
+    let what = match dimension {
+        0 => counted(count, "vertex", "vertices"),
+        1 => counted(count, "edge", "edges"),
+        2 => counted(count, "triangle", "triangles"),
+        _ => format!("{} of dimension {dimension}", counted(count, "simplex", "simplices")),
+    };
+    let is = if count == 1 { "is" } else { "are" };
+    let message = match fault {
+        _ if is_first && count == 1 => message.to_owned(),
+        _ if is_first => format!("{message} (the first of {count})"),
+        LinkFault::NotPure => format!("{what} {is} in no simplex of dimension {top}"),
+        LinkFault::BranchingRidge => {
+            format!("{what} {is} in three or more simplices of dimension {top}; a manifold allows two")
+        }
+        LinkFault::LinkNotConnected => {
+            format!("{what} {is} not surrounded by a single fan or ring of simplices of dimension {top}")
+        }
+        _ => format!(
+            "around {what}, simplices form no ball: the link is a surface other than the sphere and the disk"
+        ),
+    };
+    let cells = RaggedArray::from_lists(group.cells().iter().map(named));
+    Some(Problem::new(kind_of(fault, dimension), message, cells, RaggedArray::new(), "cell"))
 }
 
 fn witness(found: &ManifoldWitness) -> Witness {

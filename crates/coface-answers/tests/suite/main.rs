@@ -12,5 +12,6 @@ mod schema;
 mod shapes;
 mod solid_booleans;
 mod surface_curves;
+mod verdicts;
 mod volumes;
 mod yin_partitions;

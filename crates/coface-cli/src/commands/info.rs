@@ -7,10 +7,10 @@ use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use coface::answers::answer::{FailedInput, InfoAnswer, InfoEntry, InfoReports, to_pretty_json};
 use coface::answers::text;
-use coface::answers::{Producer, Report};
+use coface::answers::{Producer, Report, ReportRequest};
 use coface::io::{Format, Model};
 use coface::pictures::pages::html::{self, Figure, Section};
 use coface::pictures::{Picture, PictureStyle, Scene, matrix_picture};
@@ -40,6 +40,18 @@ pub(crate) struct Info {
     /// Integrate x^A y^B z^C over the volume and over the surface; may be given several times
     #[arg(long, value_name = "A,B,C", value_parser = exponents)]
     moment: Vec<[u32; 3]>,
+    /// How hard to try for the manifold verdict above dimension 3: `full` looks at all links, however long it takes
+    #[arg(long, value_name = "EFFORT", default_value = "usual")]
+    verdict: VerdictEffort,
+}
+
+/// How many links are looked at.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum VerdictEffort {
+    /// Up to 200 million simplices of links; beyond, the verdict is unknown
+    Usual,
+    /// All links
+    Full,
 }
 
 /// Three exponents with commas between them.
@@ -132,7 +144,10 @@ impl Info {
         progress.stage(format!("examining {}", loaded.name));
         let format = loaded.format;
         let model = if is_drawn { Some(loaded.model.clone()) } else { None };
-        let report = Report::with_moments(loaded.model, &self.moment).map_err(in_file)?;
+        let request = ReportRequest::new()
+            .moments(self.moment.clone())
+            .full_verdict(self.verdict == VerdictEffort::Full);
+        let report = Report::answering(loaded.model, &request).map_err(in_file)?;
         let mut figures = Vec::new();
         if let Some(model) = model {
             progress.stage("drawing");

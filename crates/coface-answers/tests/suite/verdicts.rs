@@ -1,0 +1,93 @@
+//! Manifold verdicts of reports: every fault with its places, and what is proved above dimension 3.
+
+use coface_algebra::RaggedArray;
+use coface_answers::{Answer, ProblemKind, Report, ReportRequest};
+use coface_complexes::known_spaces::{self, Solid, glued_solid};
+use coface_complexes::simplicial::SimplicialComplex;
+use coface_io::{Model, Structure};
+
+fn report(facets: &[Vec<u32>]) -> Report {
+    Report::of(Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets)))).unwrap()
+}
+
+fn of_complex(complex: &SimplicialComplex) -> Report {
+    report(&complex.facets().iter().map(|facet| facet.numbers().to_vec()).collect::<Vec<_>>())
+}
+
+fn counts(report: &Report) -> Vec<(ProblemKind, usize)> {
+    report.problems().iter().map(|problem| (problem.kind(), problem.count())).collect()
+}
+
+/// A facet of lower dimension makes a complex impure, and an impure complex is no manifold.
+#[test]
+fn impure_complexes_are_no_manifolds() {
+    for (facets, cells, rest) in [
+        (vec![vec![0, 1, 2], vec![5]], vec![5], "without that facet it is a manifold"),
+        (vec![vec![0, 1], vec![1, 2], vec![7], vec![8]], vec![7], "without such facets it is a manifold"),
+        (vec![vec![0, 1, 2], vec![2, 5]], vec![2, 5], "without that facet it is a manifold"),
+        (vec![vec![0, 1, 2, 3], vec![9]], vec![9], "without such simplices it is a manifold"),
+        (vec![vec![0, 1, 2, 3], vec![3, 4, 5]], vec![3, 4, 5], "without such simplices it is a manifold"),
+    ] {
+        let report = report(&facets);
+        let witness = report.witness().expect("no has a witness");
+        assert_eq!((report.is_pure(), report.manifold()), (Some(false), Answer::No), "{facets:?}");
+        assert_eq!((witness.kind, &witness.cells[0]), ("not_pure", &cells), "{facets:?}");
+        assert!(witness.message.contains(rest), "{}", witness.message);
+    }
+}
+
+#[test]
+fn every_fault_has_its_places_in_every_dimension() {
+    let report = report(&[
+        vec![0, 1, 2, 3],
+        vec![0, 1, 2, 4],
+        vec![0, 1, 2, 5],
+        vec![3, 10, 11, 12],
+        vec![10, 11, 13, 14],
+        vec![20, 21],
+        vec![30],
+    ]);
+    assert_eq!(
+        counts(&report),
+        [
+            (ProblemKind::LooseCell, 1),
+            (ProblemKind::NonManifoldRidge, 1),
+            (ProblemKind::NonManifoldEdge, 1),
+            (ProblemKind::NonManifoldVertex, 3),
+            (ProblemKind::IsolatedVertex, 1),
+        ]
+    );
+    let places: Vec<&[u32]> = report.problems().iter().map(|problem| problem.cells().list(0)).collect();
+    assert_eq!(places, [&[20, 21][..], &[0, 1, 2], &[10, 11], &[3], &[30]]);
+}
+
+/// The link of an apex over the Poincare sphere has the homology of a sphere and another group.
+#[test]
+fn cones_and_suspensions_of_the_poincare_sphere_are_no_manifolds() {
+    let poincare = glued_solid(Solid::Dodecahedron, 2).unwrap();
+    assert_eq!(of_complex(&poincare).manifold(), Answer::Yes);
+    for complex in [poincare.cone().unwrap().0, poincare.suspension().unwrap().0] {
+        let report = of_complex(&complex);
+        assert_eq!(report.manifold(), Answer::No);
+        assert_eq!(report.witness().unwrap().kind, "link_not_simply_connected");
+    }
+}
+
+#[test]
+fn products_and_joins_of_spheres_are_manifolds_by_proof() {
+    for complex in [
+        known_spaces::complex_projective_plane().unwrap(),
+        known_spaces::cross_polytope_boundary(6).unwrap(),
+        known_spaces::simplex(17).unwrap(),
+    ] {
+        assert_eq!(of_complex(&complex).manifold(), Answer::Yes);
+    }
+}
+
+#[test]
+fn a_full_verdict_is_that_of_the_usual_effort_on_small_complexes() {
+    let facets = RaggedArray::from_lists([[0, 1, 2, 3, 4], [1, 2, 3, 4, 5]]);
+    let model = || Model::from_structure(Structure::Facets(facets.clone()));
+    let full = Report::answering(model(), &ReportRequest::new().full_verdict(true)).unwrap();
+    assert_eq!(full.manifold(), Report::of(model()).unwrap().manifold());
+}
