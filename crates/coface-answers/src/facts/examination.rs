@@ -117,7 +117,7 @@ impl Report {
     /// let facets = RaggedArray::from_lists(vec![vec![0, 1, 2], vec![5]]);
     /// let report = Report::answering(Model::from_structure(Structure::Facets(facets)), &ReportRequest::new())?;
     /// let witness = report.witness().expect("a facet is a point");
-    /// assert_eq!((witness.kind, &witness.cells[..]), ("not_pure", &[vec![5]][..]));
+    /// assert_eq!((witness.kind(), &witness.cells()[..]), ("not_pure", &[vec![5]][..]));
     /// # Ok(()) }
     /// ```
     pub fn answering(model: Model, request: &ReportRequest) -> Result<Self, Error> {

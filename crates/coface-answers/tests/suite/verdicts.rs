@@ -31,8 +31,8 @@ fn impure_complexes_are_no_manifolds() {
         let report = report(&facets);
         let witness = report.witness().expect("no has a witness");
         assert_eq!((report.is_pure(), report.manifold()), (Some(false), Answer::No), "{facets:?}");
-        assert_eq!((witness.kind, &witness.cells[0]), ("not_pure", &cells), "{facets:?}");
-        assert!(witness.message.contains(rest), "{}", witness.message);
+        assert_eq!((witness.kind(), &witness.cells()[0]), ("not_pure", &cells), "{facets:?}");
+        assert!(witness.message().contains(rest), "{}", witness.message());
     }
 }
 
@@ -69,7 +69,7 @@ fn cones_and_suspensions_of_the_poincare_sphere_are_no_manifolds() {
     for complex in [poincare.cone().unwrap().0, poincare.suspension().unwrap().0] {
         let report = of_complex(&complex);
         assert_eq!(report.manifold(), Answer::No);
-        assert_eq!(report.witness().unwrap().kind, "link_not_simply_connected");
+        assert_eq!(report.witness().unwrap().kind(), "link_not_simply_connected");
     }
 }
 
