@@ -45,7 +45,9 @@ pub use planar::{
     is_planar,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
-pub use repair::{RepairRequest, repaired, triangulated};
+pub use repair::{
+    RepairRequest, SurfaceRepair, SurfaceRepairRequest, repaired, repaired_surface, triangulated,
+};
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{
     InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,

@@ -18,7 +18,9 @@ use crate::volumes::voxels_of;
 use crate::work::run;
 use cells::{Parts, kind_of, kind_word, model_of_parts, shape_word};
 use coface::algebra::RaggedArray;
-use coface::answers::{Pair, RepairRequest, repaired, simplicial_complex, triangulated};
+use coface::answers::{
+    Pair, RepairRequest, SurfaceRepairRequest, repaired, repaired_surface, simplicial_complex, triangulated,
+};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
 use coface::complexes::surface::FacesAtEdge;
@@ -846,6 +848,60 @@ impl Model {
         let (model, repair) = run(py, progress, || repaired(self.model(), request))?;
         let sources = arrays::id_array(py, repair.vertex_sources().iter().map(|vertex| vertex.to_u32()));
         Ok((Self::of(model), sources))
+    }
+
+    /// A surface made of the polygons of the model: vertices merged, collapsed and repeated polygons left out, split, turned and, on
+    /// request, closed.
+    ///
+    /// Parameters
+    /// ----------
+    /// tolerance : float
+    ///     Vertices within this distance are merged, in the unit of the positions; 0 merges equal positions.
+    /// closed : bool
+    ///     Whether holes are filled.
+    ///
+    /// Returns
+    /// -------
+    /// model : Model
+    ///     The surface.
+    /// done : dict
+    ///     How much was done: the keys ``vertices_merged``, ``vertices_left_out``, ``polygons_collapsed``, ``polygons_repeated``,
+    ///     ``lines_left_out``, ``edges_split``, ``vertices_split``, ``faces_turned``, ``holes_filled`` and ``triangles_added``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> disk = coface.Model.from_facets([[0, 1, 2]])
+    /// >>> sphere, done = disk.repaired_surface(closed=True)
+    /// >>> done["holes_filled"], coface.Surface(sphere).genus
+    /// (1, 0)
+    #[pyo3(signature = (*, tolerance=0.0, closed=false, progress=None))]
+    fn repaired_surface<'py>(
+        &self,
+        py: Python<'py>,
+        tolerance: f64,
+        closed: bool,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Self, Bound<'py, PyDict>)> {
+        let request = SurfaceRepairRequest::new().tolerance(tolerance).closed(closed);
+        let (model, done) = run(py, progress, || repaired_surface(self.model(), &request))?;
+        let counts = [
+            ("vertices_merged", done.merged_count()),
+            ("vertices_left_out", done.unused_count()),
+            ("polygons_collapsed", done.collapsed_count()),
+            ("polygons_repeated", done.duplicate_count()),
+            ("lines_left_out", done.loose_line_count()),
+            ("edges_split", done.mesh().edges_split().len()),
+            ("vertices_split", done.mesh().vertices_split().len()),
+            ("faces_turned", done.mesh().faces_turned().len()),
+            ("holes_filled", done.hole_count()),
+            ("triangles_added", done.added_face_count()),
+        ];
+        let dict = PyDict::new(py);
+        for (key, count) in counts {
+            dict.set_item(key, count)?;
+        }
+        Ok((Self::of(model), dict))
     }
 
     /// A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.

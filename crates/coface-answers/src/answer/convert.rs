@@ -1,7 +1,7 @@
 //! What `convert` answers: the file that was written.
 
 use super::Remark;
-use crate::PlanarSet;
+use crate::{PlanarSet, SurfaceRepair};
 use coface_complexes::surface::MeshRepair;
 use coface_io::Model;
 use schemars::JsonSchema;
@@ -77,6 +77,45 @@ pub struct MeshRepairAnswer {
     pub faces_turned: Vec<usize>,
     /// The new vertices, each with the vertex that it is a copy of.
     pub copies: Vec<(usize, usize)>,
+    /// What else was done to make a surface; absent unless that was asked for. The other lists are then by the vertices and faces after
+    /// merging and cleaning.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub surface: Option<SurfaceRepairAnswer>,
+}
+
+/// What was merged, left out and filled to make a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SurfaceRepairAnswer {
+    /// How many vertices were merged with another one.
+    pub vertices_merged: usize,
+    /// How many vertices that were in no face were left out.
+    pub vertices_left_out: usize,
+    /// How many polygons that collapsed or met themselves were left out.
+    pub polygons_collapsed: usize,
+    /// How many polygons that repeated an earlier one were left out.
+    pub polygons_repeated: usize,
+    /// How many lines that were no sides of faces were left out.
+    pub lines_left_out: usize,
+    /// How many holes were filled.
+    pub holes_filled: usize,
+    /// How many triangles fill the holes.
+    pub triangles_added: usize,
+}
+
+impl From<&SurfaceRepair> for MeshRepairAnswer {
+    fn from(repair: &SurfaceRepair) -> Self {
+        let surface = SurfaceRepairAnswer {
+            vertices_merged: repair.merged_count(),
+            vertices_left_out: repair.unused_count(),
+            polygons_collapsed: repair.collapsed_count(),
+            polygons_repeated: repair.duplicate_count(),
+            lines_left_out: repair.loose_line_count(),
+            holes_filled: repair.hole_count(),
+            triangles_added: repair.added_face_count(),
+        };
+        Self { surface: Some(surface), ..Self::from(repair.mesh()) }
+    }
 }
 
 impl From<&MeshRepair> for MeshRepairAnswer {
@@ -94,6 +133,7 @@ impl From<&MeshRepair> for MeshRepairAnswer {
                 .filter(|(copy, source)| *copy != source.index())
                 .map(|(copy, source)| (copy, source.index()))
                 .collect(),
+            surface: None,
         }
     }
 }
@@ -148,8 +188,8 @@ impl ConvertAnswer {
 
     /// The same with what was repaired.
     #[must_use]
-    pub fn with_repair(mut self, repair: Option<&MeshRepair>) -> Self {
-        self.repair = repair.map(MeshRepairAnswer::from);
+    pub fn with_repair(mut self, repair: Option<MeshRepairAnswer>) -> Self {
+        self.repair = repair;
         self
     }
 }

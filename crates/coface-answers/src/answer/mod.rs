@@ -54,7 +54,10 @@ pub use cocycles::{
     LoopAnswer, LoopIntersections,
 };
 pub use congruence::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput};
-pub use convert::{CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts};
+pub use convert::{
+    CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts,
+    SurfaceRepairAnswer,
+};
 pub use generate::GenerateAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,

@@ -1,8 +1,11 @@
-//! Models made ready for other questions: a manifold by splitting and turning ([`repaired`]), simplices by subdivision
-//! ([`triangulated`]).
+//! Models made ready for other questions: a manifold by splitting and turning ([`repaired`]), a surface by all that it takes
+//! ([`repaired_surface`]), simplices by subdivision ([`triangulated`]).
 
+mod polygons_of;
 mod splitting;
+mod surface;
 mod triangulation;
 
 pub use splitting::{RepairRequest, repaired};
+pub use surface::{SurfaceRepair, SurfaceRepairRequest, repaired_surface};
 pub use triangulation::triangulated;

@@ -1,7 +1,8 @@
 //! Repair of models, on request only.
 
+use super::polygons_of::PolygonsOf;
 use coface_algebra::RaggedArray;
-use coface_algebra::{Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{Error, FaceId, VertexId};
 use coface_complexes::surface::{FacesAtEdge, MeshRepair, PolygonMesh};
 use coface_geometry::Positions;
 use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
@@ -16,6 +17,8 @@ pub struct RepairRequest {
     pub split_vertices: bool,
     /// Turn faces so that all agree; see [`MeshRepair::orient`].
     pub orient: bool,
+    /// Turn faces so that those of each part agree where they can; see [`MeshRepair::orient_parts`].
+    pub orient_parts: bool,
 }
 
 /// The model with its polygons repaired as requested, first edges, then vertices, then orientation, and what was done.
@@ -25,7 +28,7 @@ pub struct RepairRequest {
 /// of its groups. Points stay. Polygons that repeat an earlier one stay beside it.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] for models with 3-cells, and for abstract structures; those of [`PolygonMesh::new`] and
+/// [`ErrorKind::UnsupportedFormat`] for models with 3-cells, and for structures that are no facet list of dimension 2; those of [`PolygonMesh::new`] and
 /// of the steps of [`MeshRepair`].
 ///
 /// # Examples
@@ -45,16 +48,18 @@ pub struct RepairRequest {
 /// # Ok(()) }
 /// ```
 pub fn repaired(model: &Model, request: RepairRequest) -> Result<(Model, MeshRepair), Error> {
-    let refused = |what: &str| {
-        Err(Error::new(ErrorKind::UnsupportedFormat, format!("{what} cannot be repaired"))
-            .with_cure("give a model of polygons"))
-    };
-    if model.structure().is_some() {
-        return refused("an abstract structure");
-    }
-    if !model.cells().is_empty() {
-        return refused("a model with 3-cells");
-    }
+    let PolygonsOf { model: polygons, labels } = PolygonsOf::new(model)?;
+    let vertex_count = polygons.vertex_count();
+    let (made, repair) = repaired_polygons_model(polygons, request)?;
+    let sources: Vec<usize> = (0..vertex_count).collect();
+    Ok((PolygonsOf { model: made, labels }.into_given(&sources), repair))
+}
+
+/// The same for a model of polygons.
+pub(super) fn repaired_polygons_model(
+    model: Model,
+    request: RepairRequest,
+) -> Result<(Model, MeshRepair), Error> {
     let steps: Vec<[u32; 2]> =
         model.lines().iter().flat_map(|line| line.windows(2).map(|step| [step[0], step[1]])).collect();
     let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &steps)?;
@@ -68,6 +73,9 @@ pub fn repaired(model: &Model, request: RepairRequest) -> Result<(Model, MeshRep
     if request.orient {
         repair.orient()?;
     }
+    if request.orient_parts {
+        repair.orient_parts();
+    }
     let (lines, line_starts) = repaired_lines(model.lines(), &repair);
     let repaired = ModelParts {
         vertex_count: repair.mesh().vertex_count(),
@@ -76,7 +84,7 @@ pub fn repaired(model: &Model, request: RepairRequest) -> Result<(Model, MeshRep
         lines,
         groups: model.groups().iter().map(|group| repaired_group(group, &repair, &line_starts)).collect(),
         data: model.data().iter().map(|data| repaired_data(data, &repair, &line_starts)).collect(),
-        ..model.clone().into_parts()
+        ..model.into_parts()
     }
     .into_model();
     Ok((repaired, repair))

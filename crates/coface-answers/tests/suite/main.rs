@@ -8,6 +8,7 @@ mod lar;
 mod planar_drawings;
 mod planar_files;
 
+mod repairs;
 mod schema;
 mod shapes;
 mod solid_booleans;

@@ -4,14 +4,16 @@ use super::view::read_result;
 use crate::arguments::{Common, format_of_name};
 use crate::commands::yin::lost_kinks;
 use crate::failure::Failure;
-use crate::input;
+use crate::input::{self, Loaded};
 use crate::output::{print_bytes, print_json, say_remarks, write_json};
 use crate::progress::Progress;
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{CarriersAnswer, ConvertAnswer, Remark, RemarkCode};
-use coface::answers::{PlanarSet, RepairRequest, SetRequest, repaired, triangulated};
-use coface::complexes::surface::{FacesAtEdge, MeshRepair};
+use coface::answers::answer::{CarriersAnswer, ConvertAnswer, MeshRepairAnswer, Remark, RemarkCode};
+use coface::answers::{
+    PlanarSet, RepairRequest, SetRequest, SurfaceRepairRequest, repaired, repaired_surface, triangulated,
+};
+use coface::complexes::surface::FacesAtEdge;
 use coface::io;
 use coface::io::{CellData, Format, GroupKind, Model, Structure};
 use coface::pictures::{Coloring, GltfForm, Scene, colored, gltf, vertex_colors};
@@ -49,6 +51,28 @@ pub(crate) struct Convert {
     /// Turn faces so that all agree
     #[arg(long)]
     orient: bool,
+    /// Make a surface: merge equal vertices, leave out collapsed and repeated polygons and what is in no face, split, turn; `closed` also
+    /// fills the holes
+    #[arg(long, value_name = "GOAL", num_args = 0..=1, default_missing_value = "surface",
+          conflicts_with_all = ["split_vertices", "split_edges", "orient"])]
+    repair: Option<RepairGoal>,
+    /// With --repair: merge vertices within this distance of each other, in the unit of the file
+    #[arg(long, value_name = "LENGTH", requires = "repair", value_parser = weld_length)]
+    weld: Option<f64>,
+}
+
+/// What a repair ends in.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum RepairGoal {
+    Surface,
+    Closed,
+}
+
+fn weld_length(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|length: &f64| length.is_finite() && *length >= 0.0)
+        .ok_or_else(|| "give a finite length from 0".to_owned())
 }
 
 /// What is written.
@@ -130,14 +154,7 @@ impl Convert {
             let (positions, squares) = volume.boundary_squares().map_err(in_file)?;
             loaded.model = Model::from_polygons(positions, squares).map_err(in_file)?;
         }
-        let repair = self.request().map(|request| {
-            progress.stage("repairing");
-            let (model, repair) =
-                repaired(&loaded.model, request).map_err(|error| error.in_file(loaded.name.clone()))?;
-            loaded.model = model;
-            Ok::<MeshRepair, Failure>(repair)
-        });
-        let repair = repair.transpose()?;
+        let repair = self.repaired(&mut loaded, &progress)?;
         let (model, scene) = self.colored(loaded.model, &loaded.name, format)?;
         progress.stage("writing");
         let write = |out: &mut dyn std::io::Write| match (format, &scene) {
@@ -168,7 +185,7 @@ impl Convert {
             let output = path.display().to_string();
             let mut answer =
                 ConvertAnswer::of_model(&loaded.name, loaded.format.name(), &output, format.name(), &model)
-                    .with_repair(repair.as_ref());
+                    .with_repair(repair);
             answer.remarks = losses.into_iter().chain(repaired).collect();
             return print_json(&answer);
         }
@@ -273,7 +290,32 @@ impl Convert {
         Ok(())
     }
 
-    /// The repairs that were asked for, if any.
+    /// Repairs the model as was asked for, if anything was: says what was done.
+    fn repaired(
+        &self,
+        loaded: &mut Loaded,
+        progress: &Progress,
+    ) -> Result<Option<MeshRepairAnswer>, Failure> {
+        let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
+        let (model, answer) = if let Some(goal) = self.repair {
+            progress.stage("repairing");
+            let request = SurfaceRepairRequest::new()
+                .tolerance(self.weld.unwrap_or(0.0))
+                .closed(goal == RepairGoal::Closed);
+            let (model, done) = repaired_surface(&loaded.model, &request).map_err(in_file)?;
+            (model, MeshRepairAnswer::from(&done))
+        } else if let Some(request) = self.request() {
+            progress.stage("repairing");
+            let (model, done) = repaired(&loaded.model, request).map_err(in_file)?;
+            (model, MeshRepairAnswer::from(&done))
+        } else {
+            return Ok(None);
+        };
+        loaded.model = model;
+        Ok(Some(answer))
+    }
+
+    /// The single repairs that were asked for, if any.
     fn request(&self) -> Option<RepairRequest> {
         let mut request = RepairRequest::default();
         request.split_edges = self.split_edges.map(|together| match together {
@@ -287,11 +329,27 @@ impl Convert {
 }
 
 /// What was repaired, in numbers.
-fn remark_of_repair(repair: &MeshRepair) -> Remark {
-    let (edges, vertices) = (repair.edges_split().len(), repair.vertices_split().len());
-    let turned = repair.faces_turned().len();
-    let message = format!("edges split: {edges}; vertices split: {vertices}; faces turned: {turned}");
-    Remark::new(RemarkCode::ModelRepaired, message).at(edges + vertices + turned, [])
+fn remark_of_repair(repair: &MeshRepairAnswer) -> Remark {
+    let (edges, vertices) = (repair.edges_split.len(), repair.vertices_split.len());
+    let turned = repair.faces_turned.len();
+    let mut message = format!("edges split: {edges}; vertices split: {vertices}; faces turned: {turned}");
+    let mut count = edges + vertices + turned;
+    if let Some(done) = repair.surface {
+        let steps = [
+            ("vertices merged", done.vertices_merged),
+            ("vertices without a face left out", done.vertices_left_out),
+            ("collapsed polygons left out", done.polygons_collapsed),
+            ("repeated polygons left out", done.polygons_repeated),
+            ("loose lines left out", done.lines_left_out),
+            ("holes filled", done.holes_filled),
+            ("triangles added", done.triangles_added),
+        ];
+        for (what, number) in steps.into_iter().filter(|&(_, number)| number > 0) {
+            message += &format!("; {what}: {number}");
+            count += number;
+        }
+    }
+    Remark::new(RemarkCode::ModelRepaired, message).at(count, [])
 }
 
 /// That the format has no room for the groups or the data of the model, where that is so.

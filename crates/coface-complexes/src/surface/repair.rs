@@ -228,13 +228,84 @@ impl MeshRepair {
             .filter(|&face| orientation.sign(face) == Sign::Minus)
             .collect();
         self.mesh = self.mesh.oriented()?;
+        self.note_turned(&turned);
+        Ok(())
+    }
+
+    /// Turns faces so that all of each part agree where they can; a part, strongly connected through edges in two faces, that is not
+    /// orientable stays as it is.
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// # Examples
+    /// A Moebius band of five triangles beside two triangles that run against each other.
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::{MeshRepair, PolygonMesh};
+    /// use coface_algebra::FaceId;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let band = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]];
+    /// let faces = RaggedArray::from_lists(band.into_iter().chain([[5, 6, 7], [6, 7, 8]]));
+    /// let mut repair = MeshRepair::new(PolygonMesh::new(9, faces, &[])?);
+    /// repair.orient_parts();
+    /// assert_eq!(repair.faces_turned(), [FaceId::new(6)]);
+    /// # Ok(()) }
+    /// ```
+    pub fn orient_parts(&mut self) {
+        let mesh = &self.mesh;
+        let mut signs: Vec<Option<Sign>> = vec![None; mesh.face_count()];
+        let mut part = Vec::new();
+        for first in 0..mesh.face_count() {
+            if signs[first].is_some() {
+                continue;
+            }
+            signs[first] = Some(Sign::Plus);
+            part.clear();
+            part.push(first);
+            let (mut next, mut is_orientable) = (0, true);
+            while let Some(&face) = part.get(next) {
+                next += 1;
+                for (edge, sign) in mesh.face_edges(FaceId::new(face)) {
+                    if mesh.face_count_at(edge) != 2 {
+                        continue;
+                    }
+                    let of_face = signs[face].expect("a face of the part has a sign");
+                    let others = mesh.faces_of_edge(edge).filter(|(other, _)| other.index() != face);
+                    for (other, at_other) in others {
+                        // Two faces agree when they run along the edge in opposite directions.
+                        let agree = sign != at_other;
+                        let wanted = if agree { of_face } else { of_face.opposite() };
+                        match signs[other.index()] {
+                            None => {
+                                signs[other.index()] = Some(wanted);
+                                part.push(other.index());
+                            }
+                            Some(found) => is_orientable &= found == wanted,
+                        }
+                    }
+                }
+            }
+            if !is_orientable {
+                part.iter().for_each(|&face| signs[face] = Some(Sign::Plus));
+            }
+        }
+        let signs: Vec<Sign> = signs.into_iter().map(|sign| sign.unwrap_or(Sign::Plus)).collect();
+        let turned: Vec<FaceId> =
+            (0..signs.len()).filter(|&face| signs[face] == Sign::Minus).map(FaceId::new).collect();
+        if !turned.is_empty() {
+            self.mesh = self.mesh.with_face_signs(&signs);
+            self.note_turned(&turned);
+        }
+    }
+
+    fn note_turned(&mut self, turned: &[FaceId]) {
         // Turning a second time brings a face back.
         let before = std::mem::take(&mut self.faces_turned);
         let differs = |list: &[FaceId], face: &FaceId| list.binary_search(face).is_err();
-        self.faces_turned = before.iter().filter(|face| differs(&turned, face)).copied().collect();
+        self.faces_turned = before.iter().filter(|face| differs(turned, face)).copied().collect();
         self.faces_turned.extend(turned.iter().filter(|face| differs(&before, face)));
         self.faces_turned.sort_unstable();
-        Ok(())
     }
 
     /// Puts the copies in the place of the vertices at the corners.
