@@ -5,9 +5,10 @@ use super::data::without_repeated_names;
 use super::element_kind::Kind;
 use super::lists::Lists;
 use super::model::{Model, repeated_vertex};
+use super::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
 use super::scratch_mesh::ScratchMesh;
 use super::{Group, GroupKind};
-use crate::{Remark, RemarkCode};
+use crate::{Place, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
@@ -33,6 +34,7 @@ pub(crate) struct Assembly {
     reduced_count: u64,
     data: Vec<CellData>,
     pub(crate) remarks: Vec<Remark>,
+    pub(crate) oddities: Oddities,
     /// Where vertices and elements go instead of being kept.
     scratch: Option<ScratchMesh>,
 }
@@ -71,7 +73,8 @@ impl Assembly {
     }
 
     /// Adds an element with the given corners; what more `vertices` has lies inside its edges, faces or itself. Gives
-    /// the member for a group: its position among the elements of its kind, or the vertex of a point.
+    /// the member for a group: its position among the elements of its kind, or the vertex of a point; `None` if it repeats
+    /// so many vertices that nothing is left of it.
     ///
     /// `number` is how the file numbers a vertex, for an error.
     pub(crate) fn add(
@@ -80,7 +83,7 @@ impl Assembly {
         corner_count: usize,
         vertices: &[u32],
         number: impl Fn(u32) -> u64,
-    ) -> Result<u32, Error> {
+    ) -> Result<Option<u32>, Error> {
         let name = || kind.name(corner_count);
         if let Some(&vertex) = vertices.iter().find(|&&vertex| vertex as usize >= self.vertex_count) {
             return Err(Error::invalid(format!(
@@ -97,17 +100,43 @@ impl Assembly {
             Kind::Line => corners.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]),
             _ => repeated_vertex(corners),
         };
-        if let Some(vertex) = repeated {
-            return Err(Error::invalid(format!("a {} repeats vertex {}", name(), number(vertex)))
-                .with_cure(format!("remove the {}, or the repeated vertex", name())));
-        }
+        let Some(vertex) = repeated else {
+            return self.add_sound(kind, corners, &vertices[corner_count..]).map(Some);
+        };
+        let distinct = match kind {
+            Kind::Line => without_standing_still(corners),
+            _ => without_repetition(corners),
+        };
+        let place = || Place::cell(corners);
+        let (kind, corners) = match kind {
+            Kind::Point | Kind::Line if distinct.len() > 1 => (kind, distinct.as_slice()),
+            Kind::Polygon if distinct.len() > 2 => (kind, distinct.as_slice()),
+            Kind::Cell(shape) if distinct.len() > 3 => {
+                let Some((simpler, corners)) = simpler_cell(shape, corners) else {
+                    return Err(Error::invalid(format!("a {} repeats vertex {}", name(), number(vertex)))
+                        .with_cure(format!("remove the {}, or the repeated vertex", name())));
+                };
+                self.oddities.note(Oddity::CellIsSimpler, place);
+                return self.add_sound(Kind::Cell(simpler), &corners, &[]).map(Some);
+            }
+            _ => {
+                self.oddities.note(Oddity::Collapsed, place);
+                return Ok(None);
+            }
+        };
+        self.oddities.note(Oddity::Repeated, place);
+        self.add_sound(kind, corners, &vertices[corner_count..]).map(Some)
+    }
+
+    /// Adds an element that repeats no corner; more vertices lie inside.
+    fn add_sound(&mut self, kind: Kind, corners: &[u32], inner: &[u32]) -> Result<u32, Error> {
         if let Some(scratch) = &mut self.scratch {
-            return scratch.add(kind, corners, vertices.len()).map(|()| 0);
+            return scratch.add(kind, corners, corners.len() + inner.len()).map(|()| 0);
         }
-        if vertices.len() > corner_count {
+        if !inner.is_empty() {
             self.reduced_count += 1;
             self.is_inner.resize(self.vertex_count, false);
-            for &vertex in &vertices[corner_count..] {
+            for &vertex in inner {
                 self.is_inner[vertex as usize] = true;
             }
         }
@@ -131,7 +160,10 @@ impl Assembly {
             }
         };
         u32::try_from(position).map_err(|_| {
-            Error::new(ErrorKind::TooLarge, format!("more than 2^32 - 1 elements like a {}", name()))
+            Error::new(
+                ErrorKind::TooLarge,
+                format!("more than 2^32 - 1 elements like a {}", kind.name(corners.len())),
+            )
         })
     }
 
@@ -166,6 +198,7 @@ impl Assembly {
 
     /// The mesh. Vertices that only lie inside elements of higher order are left out.
     pub(crate) fn finish(mut self) -> Result<Model, Error> {
+        self.remarks.extend(std::mem::take(&mut self.oddities).into_remarks());
         let renumbered = if self.reduced_count > 0 { self.drop_inner_vertices() } else { None };
         let mut model = Model {
             vertex_count: self.vertex_count,
@@ -243,6 +276,74 @@ impl Assembly {
     }
 }
 
+/// The cell of another shape that a cell is whose edges or faces have collapsed: the one with the faces that are left.
+fn simpler_cell(shape: CellShape, corners: &[u32]) -> Option<(CellShape, Vec<u32>)> {
+    let collapsed = |face: &&[usize]| -> Vec<u32> {
+        let mut face: Vec<u32> = face.iter().map(|&corner| corners[corner]).collect();
+        face.dedup();
+        while face.len() > 1 && face.first() == face.last() {
+            face.pop();
+        }
+        face
+    };
+    let faces: Vec<Vec<u32>> = shape.faces().iter().map(collapsed).filter(|face| face.len() > 2).collect();
+    if faces.iter().any(|face| repeated_vertex(face).is_some()) {
+        return None;
+    }
+    let distinct = without_repetition(corners);
+    [CellShape::Tetrahedron, CellShape::Pyramid, CellShape::Wedge].into_iter().find_map(|simpler| {
+        if simpler.vertex_count() != distinct.len() || simpler.faces().len() != faces.len() {
+            return None;
+        }
+        let first = simpler.faces()[0];
+        let bases = faces.iter().filter(|face| face.len() == first.len());
+        let turned = bases.flat_map(|face| (0..face.len()).map(move |turn| (face, turn)));
+        turned.into_iter().find_map(|(face, turn)| {
+            let mut cell: Vec<Option<u32>> = vec![None; simpler.vertex_count()];
+            for (i, &corner) in first.iter().enumerate() {
+                cell[corner] = Some(face[(i + turn) % face.len()]);
+            }
+            // Each other corner has the one neighbor that the faces give it.
+            let others: Vec<u32> = distinct.iter().copied().filter(|vertex| !face.contains(vertex)).collect();
+            let open: Vec<usize> = (0..cell.len()).filter(|&corner| cell[corner].is_none()).collect();
+            orders(&others).into_iter().find_map(|order| {
+                let mut cell = cell.clone();
+                for (&corner, &vertex) in open.iter().zip(&order) {
+                    cell[corner] = Some(vertex);
+                }
+                let cell: Vec<u32> = cell.into_iter().collect::<Option<_>>()?;
+                let has = |wanted: &&[usize]| {
+                    let wanted: Vec<u32> = wanted.iter().map(|&corner| cell[corner]).collect();
+                    faces.iter().any(|face| is_turned(face, &wanted))
+                };
+                simpler.faces().iter().all(|face| has(&face)).then_some((simpler, cell))
+            })
+        })
+    })
+}
+
+/// Whether two cycles of vertices are one, turned.
+fn is_turned(one: &[u32], other: &[u32]) -> bool {
+    one.len() == other.len()
+        && (0..one.len()).any(|turn| (0..one.len()).all(|i| one[(i + turn) % one.len()] == other[i]))
+}
+
+/// All orders of at most three vertices.
+fn orders(vertices: &[u32]) -> Vec<Vec<u32>> {
+    if vertices.len() < 2 || vertices.len() > 3 {
+        return vec![vertices.to_vec()];
+    }
+    let mut all = Vec::new();
+    for i in 0..vertices.len() {
+        let mut rest = vertices.to_vec();
+        let first = rest.remove(i);
+        for tail in orders(&rest) {
+            all.push(std::iter::once(first).chain(tail).collect());
+        }
+    }
+    all
+}
+
 /// A number for each group, distinct among groups of one kind: the name if it is a number, otherwise the lowest that is
 /// free.
 pub(crate) fn group_numbers(groups: &[Group]) -> Vec<i32> {
@@ -305,7 +406,7 @@ mod tests {
         let number = |v| u64::from(v) + 1;
         // Corners 6 4 2 with 5 3 1 between them; vertex 0 is isolated, 3 is a point of its own.
         assembly.add(Kind::Polygon, 3, &[6, 4, 2, 5, 3, 1], number).unwrap();
-        assert_eq!(assembly.add(Kind::Point, 1, &[3], number).unwrap(), 3);
+        assert_eq!(assembly.add(Kind::Point, 1, &[3], number).unwrap(), Some(3));
         for vertex in [3, 5] {
             assembly.add_to_group(GroupKind::Vertices, 9, vertex);
         }
@@ -333,8 +434,36 @@ mod tests {
             fault(Kind::Polygon, &[0, 1, 2])
                 .contains("a triangle names vertex 3, but there are 2 vertices, numbered from 1")
         );
-        assert!(fault(Kind::TETRAHEDRON, &[0, 1, 1, 0]).contains("a tetrahedron repeats vertex 2"));
-        assert!(fault(Kind::Line, &[1, 1]).contains("a line repeats vertex 2"));
+    }
+
+    #[test]
+    fn elements_that_repeat_a_vertex_are_what_is_left_of_them() {
+        let mut assembly = Assembly::new(3);
+        for v in 0..8usize {
+            // The cube of side 1, in the order of a hexahedron.
+            let [x, y, z] = [[0u8, 1, 1, 0][v % 4], (v % 4 / 2) as u8, (v / 4) as u8];
+            assembly.add_vertex(&[x, y, z].map(f64::from)).unwrap();
+        }
+        let number = |v| u64::from(v);
+        let mut add = |kind, vertices: &[u32]| assembly.add(kind, vertices.len(), vertices, number).unwrap();
+        assert_eq!(add(Kind::Line, &[1, 1]), None);
+        assert_eq!(add(Kind::Line, &[1, 1, 2]), Some(0));
+        assert_eq!(add(Kind::Polygon, &[0, 1, 1]), None);
+        assert_eq!(add(Kind::Polygon, &[0, 1, 1, 2]), Some(0));
+        assert_eq!(add(Kind::TETRAHEDRON, &[0, 1, 1, 4]), None);
+        // A hexahedron with a collapsed edge pair is a wedge, one with a collapsed face a pyramid.
+        assert_eq!(add(Kind::HEXAHEDRON, &[0, 1, 2, 2, 4, 5, 6, 6]), Some(0));
+        assert_eq!(add(Kind::HEXAHEDRON, &[0, 1, 2, 3, 4, 4, 4, 4]), Some(1));
+        assert_eq!(add(Kind::WEDGE, &[0, 1, 2, 5, 5, 5]), Some(2));
+        let model = assembly.finish().unwrap();
+        model.check().unwrap();
+        assert_eq!(model.shapes, [CellShape::Wedge, CellShape::Pyramid, CellShape::Tetrahedron]);
+        let volumes =
+            coface_complexes::cell_mesh::cell_volumes(&model.positions, &model.shapes, &model.cells);
+        assert!((volumes.unwrap().signed() - (0.5 + 1.0 / 3.0 + 1.0 / 6.0)).abs() < 1e-15);
+        let codes: Vec<_> = model.remarks.iter().map(|remark| (remark.code, remark.count)).collect();
+        let collapsed = RemarkCode::CollapsedCell;
+        assert_eq!(codes, [(RemarkCode::RepeatedVertex, 2), (collapsed, 3), (collapsed, 3)]);
     }
 
     #[test]

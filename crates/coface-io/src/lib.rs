@@ -39,6 +39,7 @@ mod model;
 pub mod msh;
 mod numbers;
 pub mod obj;
+mod oddities;
 pub mod off;
 mod output;
 pub mod ply;

@@ -1,5 +1,8 @@
 //! Polygons, lines and points as they are read, grown piece by piece.
 
+use crate::Place;
+use crate::model::repeated_vertex;
+use crate::oddities::{Oddities, Oddity, without_repetition};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 
@@ -161,6 +164,11 @@ pub(crate) struct Elements {
 }
 
 impl Elements {
+    /// Whether there is none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.polygons.len() == 0 && self.lines.len() == 0 && self.points.is_empty()
+    }
+
     /// Sorts the open list of the polygons in by its length: one vertex is a point, two are a line.
     pub(crate) fn finish(&mut self) {
         match *self.polygons.open() {
@@ -175,6 +183,28 @@ impl Elements {
             }
             _ => self.polygons.finish(),
         }
+    }
+
+    /// Sorts the open list of the polygons in, without its repetitions; if they leave too little of it, it is left out.
+    pub(crate) fn finish_face(&mut self, oddities: &mut Oddities, place: Place) {
+        let face = self.polygons.open();
+        let has_repetition = match *face {
+            [a, b, c] => a == b || b == c || c == a,
+            _ => repeated_vertex(face).is_some(),
+        };
+        if face.is_empty() || has_repetition {
+            let distinct = without_repetition(face);
+            let place = || Place { cell: Some(face.to_vec()), ..place };
+            if distinct.len() < 3 {
+                oddities.note(Oddity::Collapsed, place);
+                self.polygons.abandon();
+                return;
+            }
+            oddities.note(Oddity::Repeated, place);
+            self.polygons.abandon();
+            self.polygons.items_mut().extend_from_slice(&distinct);
+        }
+        self.finish();
     }
 
     pub(crate) fn append(&mut self, other: &Self) -> Result<(), Error> {

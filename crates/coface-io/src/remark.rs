@@ -3,6 +3,7 @@
 //! A reader that meets an ordinary oddity, such as a face that repeats a vertex, reads on and leaves a [`Remark`] in the model.
 //! [`crate::ReadOptions::strict`] turns the first of them into an error.
 
+use coface_algebra::Error;
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -46,6 +47,16 @@ impl Remark {
     }
 }
 
+/// The remark of partial reading: what stands before this fault was read.
+pub(crate) fn partial(fault: &Error) -> Remark {
+    let place = fault.line().map(Place::line);
+    Remark::new(
+        RemarkCode::PartialFile,
+        format!("only what stands before a fault is read: {}", fault.message()),
+    )
+    .at(1, place)
+}
+
 /// Where a [`Remark`] applies. The fields that say nothing are `None` and absent from the JSON.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
@@ -60,12 +71,38 @@ pub struct Place {
     /// A point, in the unit of the input.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub point: Option<Vec<f64>>,
+    /// The line of the file, counted from 1.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub line: Option<u64>,
 }
 
 impl Place {
     /// The cell with these vertices.
     pub fn cell(vertices: &[u32]) -> Self {
         Self { cell: Some(vertices.to_vec()), ..Self::default() }
+    }
+
+    /// The line of a file, counted from 1.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_io::Place::line(3).line, Some(3));
+    /// ```
+    pub fn line(number: u64) -> Self {
+        Self { line: Some(number), ..Self::default() }
+    }
+
+    /// The same place with its line in the file, counted from 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Place;
+    /// let place = Place::cell(&[0, 1, 1]).on_line(7);
+    /// assert_eq!((place.cell, place.line), (Some(vec![0, 1, 1]), Some(7)));
+    /// ```
+    pub fn on_line(mut self, number: u64) -> Self {
+        self.line = Some(number);
+        self
     }
 
     /// The input of this name.

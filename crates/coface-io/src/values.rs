@@ -1,7 +1,7 @@
 //! Numbers from a stream that is text or binary.
 
 use super::numbers::Numbers;
-use super::scanner::Scanner;
+use super::scanner::{Scanner, parse_f64, parse_i64};
 use coface_algebra::Error;
 use std::io::Read;
 
@@ -77,6 +77,22 @@ impl<R: Read> Values<R> {
             }
             NumberType::Float64 => whole(f64::from_bits(bytes), what).map_err(|e| self.located(e))?,
         })
+    }
+
+    /// The next label: an integer, which a text may write as a fraction such as `0.0`; then the second is true.
+    pub(crate) fn label(&mut self, number: NumberType, what: &str) -> Result<(i64, bool), Error> {
+        if !self.is_ascii() {
+            return self.integer(number, what).map(|value| (value, false));
+        }
+        let token = self.scanner.expect_token(what)?;
+        let value = match parse_i64(token, what) {
+            Ok(value) => Ok((value, false)),
+            Err(fault) => match parse_f64(token, what) {
+                Ok(value) if value.fract() == 0.0 && value.abs() < 9e15 => Ok((value as i64, true)),
+                _ => Err(fault),
+            },
+        };
+        value.map_err(|fault| self.located(fault))
     }
 
     /// The next integer, which must not be negative.

@@ -13,4 +13,5 @@ mod writing;
 
 pub use reading::read;
 pub(super) use reading::read_into;
+pub(crate) use reading::read_with;
 pub use writing::write;

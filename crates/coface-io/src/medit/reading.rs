@@ -1,12 +1,12 @@
 //! Reading, text and binary.
 
 use super::sections::{Elements, Marks, Section};
-use crate::GroupKind;
-use crate::Model;
 use crate::assembly::Assembly;
+use crate::oddities::Oddity;
 use crate::scanner::{Scanner, quoted};
 use crate::scratch_mesh::ScratchMesh;
 use crate::values::{Encoding, NumberType, Values};
+use crate::{GroupKind, Model, Place, ReadOptions};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Read;
 
@@ -17,8 +17,8 @@ const FIRST_MARK: i64 = i64::MAX / 2;
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] and [`ErrorKind::InvalidInput`] with the line (the byte of a binary file): a word or number out
-/// of place, an index outside the vertices, an element that repeats a vertex, a file that was cut short;
-/// [`ErrorKind::UnsupportedFormat`] for a dimension other than 2 and 3.
+/// of place, an index outside the vertices, a file that was cut short;
+/// [`ErrorKind::UnsupportedFormat`] for a dimension above 3.
 ///
 /// # Complexity
 /// Linear; memory is the model.
@@ -43,19 +43,39 @@ const FIRST_MARK: i64 = i64::MAX / 2;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    read_with(input, None)?.finish()
+    read_with(input, &ReadOptions::default())
+}
+
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+    let (reader, fault) = read_up_to_fault(input, None)?;
+    match fault {
+        Some(fault) if !options.partial || reader.assembly.is_none() => Err(fault),
+        Some(fault) => {
+            let mut model = reader.finish()?;
+            model.remarks.insert(0, crate::remark::partial(&fault));
+            Ok(model)
+        }
+        None => reader.finish(),
+    }
 }
 
 /// Reads a mesh into files.
 pub(crate) fn read_into(input: impl Read, scratch: ScratchMesh) -> Result<ScratchMesh, Error> {
-    let reader = read_with(input, Some(scratch))?;
+    let (reader, fault) = read_up_to_fault(input, Some(scratch))?;
+    if let Some(fault) = fault {
+        return Err(fault);
+    }
     let scratch = reader.assembly.and_then(|(assembly, _)| assembly.into_scratch());
     scratch.ok_or_else(|| {
         Error::parse("the file ends without a dimension").with_cure("it was cut short: write it again")
     })
 }
 
-fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Reader<impl Read>, Error> {
+/// What was read, and the fault that reading ended at.
+fn read_up_to_fault(
+    input: impl Read,
+    scratch: Option<ScratchMesh>,
+) -> Result<(Reader<impl Read>, Option<Error>), Error> {
     let mut first = [0; 1];
     let mut input = input;
     let start = loop {
@@ -80,12 +100,8 @@ fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Reader<im
         runs: Vec::new(),
         marked: Vec::new(),
     };
-    if encoding == Encoding::Ascii {
-        reader.read_text()?;
-    } else {
-        reader.read_binary()?;
-    }
-    Ok(reader)
+    let read = if encoding == Encoding::Ascii { reader.read_text() } else { reader.read_binary() };
+    Ok((reader, read.err()))
 }
 
 struct Reader<R> {
@@ -97,10 +113,21 @@ struct Reader<R> {
     assembly: Option<(Assembly, usize)>,
     /// Where the mesh goes instead of being kept, until the file has stated its dimension.
     scratch: Option<ScratchMesh>,
-    /// The sections of elements so far, with the position of their first among the elements of their kind.
-    runs: Vec<(Elements, usize, usize)>,
+    /// The sections of elements so far.
+    runs: Vec<Run>,
     /// Marked vertices and elements, by number from 0.
     marked: Vec<(Marks, Vec<u64>)>,
+}
+
+/// A section of elements.
+struct Run {
+    elements: Elements,
+    /// The position of its first among the elements of their kind.
+    first: usize,
+    /// How many elements the file lists.
+    count: usize,
+    /// The places in the section of those that were left out.
+    left_out: Vec<usize>,
 }
 
 impl<R: Read> Reader<R> {
@@ -174,18 +201,17 @@ impl<R: Read> Reader<R> {
     }
 
     fn set_dimension(&mut self, dimension: i64) -> Result<(), Error> {
-        if let (2 | 3, None) = (dimension, &self.assembly) {
+        if let (1..=3, None) = (dimension, &self.assembly) {
             self.assembly =
                 Some((Assembly::streaming(dimension as usize, self.scratch.take()), dimension as usize));
             return Ok(());
         }
         let message = match self.assembly {
             Some(_) => "the dimension is given twice".to_owned(),
-            None => format!("the dimension is {dimension}; MEDIT has 2 and 3"),
+            None => format!("the dimension is {dimension}; MEDIT has 1 to 3"),
         };
         Err(self.values.located(
-            Error::new(ErrorKind::UnsupportedFormat, message)
-                .with_cure("give Dimension 2 or Dimension 3, once"),
+            Error::new(ErrorKind::UnsupportedFormat, message).with_cure("give Dimension 1, 2 or 3, once"),
         ))
     }
 
@@ -215,7 +241,11 @@ impl<R: Read> Reader<R> {
                     for coordinate in &mut point[..*dimension] {
                         *coordinate = values.float(float, "a coordinate")?;
                     }
-                    let reference = values.integer(integer, "the reference of a vertex")?;
+                    let (reference, is_fraction) = values.label(integer, "the reference of a vertex")?;
+                    if is_fraction {
+                        let line = values.scanner.line_number();
+                        assembly.oddities.note(Oddity::Fraction, || Place::line(line));
+                    }
                     let vertex = assembly.vertex_count() as u32;
                     assembly.add_vertex(&point[..*dimension]).map_err(|fault| values.located(fault))?;
                     if reference != 0 {
@@ -231,7 +261,8 @@ impl<R: Read> Reader<R> {
                 }
                 let mut vertices = [0; 27];
                 let mut first = None;
-                for _ in 0..count {
+                let mut left_out = Vec::new();
+                for place in 0..count as usize {
                     for vertex in &mut vertices[..vertex_count] {
                         let number = values.integer(integer, "a vertex")?;
                         *vertex = match u32::try_from(number) {
@@ -251,13 +282,22 @@ impl<R: Read> Reader<R> {
                     let position = assembly
                         .add(kind, corner_count, &vertices[..vertex_count], |vertex| u64::from(vertex) + 1)
                         .map_err(|fault| values.located(fault))?;
+                    let (reference, is_fraction) = values.label(integer, "the reference of an element")?;
+                    if is_fraction {
+                        let line = values.scanner.line_number();
+                        assembly.oddities.note(Oddity::Fraction, || Place::line(line));
+                    }
+                    let Some(position) = position else {
+                        left_out.push(place);
+                        continue;
+                    };
                     first.get_or_insert(position as usize);
-                    let reference = values.integer(integer, "the reference of an element")?;
                     if reference != 0 {
                         assembly.add_to_group(kind.group_kind(), reference, position);
                     }
                 }
-                self.runs.push((elements, first.unwrap_or(0), count as usize));
+                let (first, count) = (first.unwrap_or(0), count as usize);
+                self.runs.push(Run { elements, first, count, left_out });
             }
             Section::Marks(_) | Section::End | Section::Unknown => {}
         }
@@ -271,12 +311,12 @@ impl<R: Read> Reader<R> {
                 .with_cure("it was cut short: write it again"));
         };
         for (i, (marks, numbers)) in self.marked.into_iter().enumerate() {
-            let runs = self.runs.iter().filter(|(elements, ..)| {
+            let runs = self.runs.iter().filter(|Run { elements, .. }| {
                 elements.kind.group_kind() == marks.kind && elements.corner_count == marks.corner_count
             });
             let count = match marks.kind {
                 GroupKind::Vertices => assembly.vertex_count(),
-                _ => runs.clone().map(|&(_, _, count)| count).sum(),
+                _ => runs.clone().map(|run| run.count).sum(),
             };
             let group = FIRST_MARK + i as i64;
             assembly.name_group(marks.kind, group, marks.name.to_owned());
@@ -289,14 +329,21 @@ impl<R: Read> Reader<R> {
                     ))
                     .with_cure("the file is damaged, or was written wrongly: write it again"));
                 };
-                for &(_, first, count) in runs.clone() {
-                    if left < count {
-                        left += first;
-                        break;
-                    }
-                    left -= count;
+                if marks.kind == GroupKind::Vertices {
+                    assembly.add_to_group(marks.kind, group, left as u32);
+                    continue;
                 }
-                assembly.add_to_group(marks.kind, group, left as u32);
+                for run in runs.clone() {
+                    if left >= run.count {
+                        left -= run.count;
+                        continue;
+                    }
+                    // What was left out before this one has no position.
+                    if let Err(before) = run.left_out.binary_search(&left) {
+                        assembly.add_to_group(marks.kind, group, (run.first + left - before) as u32);
+                    }
+                    break;
+                }
             }
         }
         assembly.finish()

@@ -14,7 +14,6 @@ fn faults_are_placed() {
     for (rest, message) in [
         ("Tetrahedra 1\n1 2 3 5 0\n", "line 10: Tetrahedra name vertex 5, but there are 4"),
         ("Tetrahedra 1\n0 2 3 4 0\n", "name vertex 0"),
-        ("Triangles 1\n1 2 1 0\n", "line 10: a triangle repeats vertex 1"),
         ("Triangles 1000000000\n1 2 3 0\n", "the file ends where a vertex should be"),
         ("Triangles 2\n1 2 3 0\n1 2 x 0\n", "line 11: \"x\" is not an integer"),
         ("Triangles -1\n", "cannot be negative"),

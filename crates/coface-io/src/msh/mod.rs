@@ -6,6 +6,7 @@
 //! groups of vertices. Elements of higher order are read by their corners, with a warning. Sections other than those of
 //! names, entities, nodes and elements are passed over.
 
+mod data;
 mod elements;
 mod nodes;
 mod reader;
@@ -18,4 +19,5 @@ mod writing;
 
 pub use reading::read;
 pub(super) use reading::read_into;
+pub(crate) use reading::read_with;
 pub use writing::{Version, write};

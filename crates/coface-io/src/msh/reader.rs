@@ -1,12 +1,13 @@
 //! What the sections of all versions have in common.
 
+use super::data::ElementTags;
 use super::elements::{ElementType, MOST_NODES};
 use super::nodes::Nodes;
-use crate::GroupKind;
 use crate::assembly::Assembly;
 use crate::scanner::{Scanner, quoted};
 use crate::scratch_mesh::ScratchMesh;
 use crate::values::{Encoding, NumberType, Values};
+use crate::{GroupKind, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -32,6 +33,10 @@ pub(super) struct Reader<R> {
     pub(super) size: NumberType,
     pub(super) assembly: Assembly,
     pub(super) nodes: Nodes,
+    /// The tags of the elements, for data on them.
+    pub(super) element_tags: ElementTags,
+    /// Whether data on nodes and elements are read.
+    pub(super) keeps_data: bool,
     /// The physical groups of the entities of version 4, by dimension and tag.
     pub(super) physical: BTreeMap<(usize, i64), Vec<i64>>,
 }
@@ -44,6 +49,8 @@ impl<R: Read> Reader<R> {
             size: NumberType::UInt64,
             assembly: Assembly::streaming(3, scratch),
             nodes: Nodes::default(),
+            element_tags: ElementTags::default(),
+            keeps_data: true,
             physical: BTreeMap::new(),
         }
     }
@@ -64,7 +71,10 @@ impl<R: Read> Reader<R> {
     }
 
     pub(super) fn end_section(&mut self, section: &[u8]) -> Result<(), Error> {
-        let end = self.values.scanner.expect_token("the end of a section")?;
+        let Some(end) = self.values.scanner.next_token()? else {
+            self.miss_end(section);
+            return Ok(());
+        };
         if end.strip_prefix(b"$End") != Some(section) {
             let message = format!(
                 "{} stands where $End{} should",
@@ -78,16 +88,29 @@ impl<R: Read> Reader<R> {
     }
 
     pub(super) fn skip_section(&mut self, section: &[u8]) -> Result<(), Error> {
-        let begin = self.values.scanner.line_number();
         while let Some(line) = self.values.scanner.next_line()? {
             if line.trim_ascii().strip_prefix(b"$End") == Some(section) {
                 return Ok(());
             }
         }
+        self.miss_end(section);
+        Ok(())
+    }
+
+    /// Says that a section with data is passed over; the other sections are comments, or say what the mesh says too.
+    pub(super) fn pass_over(&mut self, section: &[u8]) {
+        if matches!(section, b"NodeData" | b"ElementData" | b"ElementNodeData") && self.keeps_data {
+            let name = String::from_utf8_lossy(section);
+            let message = format!("the data of a section ${} are left out", name.escape_debug());
+            self.assembly.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
+        }
+    }
+
+    /// The file ends before the end of a section.
+    fn miss_end(&mut self, section: &[u8]) {
         let name = String::from_utf8_lossy(section);
-        Err(Error::parse(format!("the section ${} has no end", name.escape_debug()))
-            .at_line(begin)
-            .with_cure("the file was cut short: write it again"))
+        let message = format!("the file ends without $End{}", name.escape_debug());
+        self.assembly.remarks.push(Remark::new(RemarkCode::MissingEnd, message));
     }
 
     pub(super) fn unsupported(&self, message: impl Into<String>) -> Error {
@@ -178,16 +201,17 @@ impl<R: Read> Reader<R> {
     pub(super) fn read_element(
         &mut self,
         element: ElementType,
+        tag: i64,
         tag_type: NumberType,
         groups: &[i64],
     ) -> Result<(), Error> {
         let mut vertices = [0; MOST_NODES];
         let vertices = &mut vertices[..element.node_count];
         for vertex in vertices.iter_mut() {
-            let tag = self.values.integer(tag_type, "a node of an element")?;
-            *vertex = self.nodes.vertex(tag).ok_or_else(|| {
+            let node = self.values.integer(tag_type, "a node of an element")?;
+            *vertex = self.nodes.vertex(node).ok_or_else(|| {
                 self.values.located(
-                    Error::invalid(format!("an element names node {tag}, which is not among the nodes"))
+                    Error::invalid(format!("an element names node {node}, which is not among the nodes"))
                         .with_cure("the file is damaged, or was written wrongly: write it again"),
                 )
             })?;
@@ -197,8 +221,13 @@ impl<R: Read> Reader<R> {
             .assembly
             .add(element.kind, element.corner_count, vertices, |vertex| nodes.tag(vertex))
             .map_err(|fault| self.values.located(fault))?;
-        for &group in groups {
-            self.assembly.add_to_group(element.kind.group_kind(), group, member);
+        if let Some(member) = member {
+            if self.keeps_data {
+                self.element_tags.add(tag, element.kind.group_kind(), member);
+            }
+            for &group in groups {
+                self.assembly.add_to_group(element.kind.group_kind(), group, member);
+            }
         }
         Ok(())
     }

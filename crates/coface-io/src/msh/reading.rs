@@ -1,10 +1,9 @@
 //! The sections of a file.
 
 use super::reader::Reader;
-use super::{version_2, version_4};
-use crate::Model;
-use crate::assembly::Assembly;
+use super::{data, version_2, version_4};
 use crate::scratch_mesh::ScratchMesh;
+use crate::{Model, ReadOptions};
 use coface_algebra::Error;
 use std::io::Read;
 
@@ -49,16 +48,28 @@ use std::io::Read;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    read_with(input, None)?.finish()
+    read_with(input, &ReadOptions::default())
+}
+
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+    let mut reader = Reader::new(input, None);
+    let Err(fault) = read_sections(&mut reader) else { return reader.assembly.finish() };
+    if !options.partial || reader.assembly.vertex_count() == 0 {
+        return Err(fault);
+    }
+    reader.assembly.remarks.insert(0, crate::remark::partial(&fault));
+    reader.assembly.finish()
 }
 
 /// Reads a mesh into files.
 pub(crate) fn read_into(input: impl Read, scratch: ScratchMesh) -> Result<ScratchMesh, Error> {
-    Ok(read_with(input, Some(scratch))?.into_scratch().expect("the files that were given"))
+    let mut reader = Reader::new(input, Some(scratch));
+    reader.keeps_data = false;
+    read_sections(&mut reader)?;
+    Ok(reader.assembly.into_scratch().expect("the files that were given"))
 }
 
-fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Assembly, Error> {
-    let mut reader = Reader::new(input, scratch);
+fn read_sections<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
     let mut version = None;
     let (mut has_nodes, mut has_elements) = (false, false);
     while let Some(section) = reader.next_section()? {
@@ -74,13 +85,13 @@ fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Assembly,
             (b"NOD" | b"NOE", _) => {
                 return Err(reader.unsupported("this is version 1 of MSH; 2 and 4 are read"));
             }
-            (b"Entities", Some(version)) if version.is_4() => version_4::read_entities(&mut reader, version)?,
+            (b"Entities", Some(version)) if version.is_4() => version_4::read_entities(reader, version)?,
             (b"Nodes", Some(version)) => {
                 has_nodes = true;
                 if version.is_4() {
-                    version_4::read_nodes(&mut reader, version)?;
+                    version_4::read_nodes(reader, version)?;
                 } else {
-                    version_2::read_nodes(&mut reader)?;
+                    version_2::read_nodes(reader)?;
                 }
                 reader.nodes.finish().map_err(|fault| reader.values.located(fault))?;
             }
@@ -91,16 +102,25 @@ fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Assembly,
                 }
                 has_elements = true;
                 if version.is_4() {
-                    version_4::read_elements(&mut reader, version)?;
+                    version_4::read_elements(reader, version)?;
                 } else {
-                    version_2::read_elements(&mut reader)?;
+                    version_2::read_elements(reader)?;
                 }
+            }
+            (b"NodeData", Some(_)) if has_nodes && reader.keeps_data => {
+                data::read(reader, &section)?;
+                continue;
+            }
+            (b"ElementData", Some(_)) if has_elements && reader.keeps_data => {
+                data::read(reader, &section)?;
+                continue;
             }
             (b"Nodes" | b"Elements" | b"Entities", None) => {
                 let fault = reader.values.error("$MeshFormat is missing");
                 return Err(fault.with_cure("put the section $MeshFormat first"));
             }
             _ => {
+                reader.pass_over(&section);
                 reader.skip_section(&section)?;
                 continue;
             }
@@ -113,5 +133,5 @@ fn read_with(input: impl Read, scratch: Option<ScratchMesh>) -> Result<Assembly,
             .at_line(reader.values.scanner.line_number())
             .with_cure("it was cut short: write it again"));
     }
-    Ok(reader.assembly)
+    Ok(())
 }

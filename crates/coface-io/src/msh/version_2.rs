@@ -28,8 +28,9 @@ pub(super) fn read_elements<R: Read>(reader: &mut Reader<R>) -> Result<(), Error
     let mut left = count;
     while left > 0 {
         let is_ascii = reader.values.is_ascii();
+        let mut tag = 0;
         if is_ascii {
-            reader.values.integer(INT, "the number of an element")?;
+            tag = reader.values.integer(INT, "the number of an element")?;
         }
         let number = reader.values.integer(INT, "the type of an element")?;
         let element = reader.element_type(number)?;
@@ -43,17 +44,17 @@ pub(super) fn read_elements<R: Read>(reader: &mut Reader<R>) -> Result<(), Error
         let tag_count = reader.values.count(INT, "the count of tags")?;
         for _ in 0..together {
             if !is_ascii {
-                reader.values.integer(INT, "the number of an element")?;
+                tag = reader.values.integer(INT, "the number of an element")?;
             }
             let mut physical = 0;
             for i in 0..tag_count {
-                let tag = reader.values.integer(INT, "a tag of an element")?;
+                let entity = reader.values.integer(INT, "a tag of an element")?;
                 if i == 0 {
-                    physical = tag.saturating_abs();
+                    physical = entity.saturating_abs();
                 }
             }
             let groups = [physical];
-            reader.read_element(element, INT, if physical == 0 { &[] } else { &groups })?;
+            reader.read_element(element, tag, INT, if physical == 0 { &[] } else { &groups })?;
         }
         left -= together;
     }

@@ -105,8 +105,8 @@ pub(super) fn read_elements<R: Read>(reader: &mut Reader<R>, version: FileVersio
         let count = reader.values.count(size, "the count of elements in a block")?;
         let groups = reader.physical.get(&entity).cloned().unwrap_or_default();
         for _ in 0..count {
-            reader.values.integer(tag_type, "the tag of an element")?;
-            reader.read_element(element, tag_type, &groups)?;
+            let tag = reader.values.integer(tag_type, "the tag of an element")?;
+            reader.read_element(element, tag, tag_type, &groups)?;
         }
     }
     Ok(())

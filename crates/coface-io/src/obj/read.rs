@@ -2,10 +2,12 @@
 
 use super::groups::{Change, Groups, Statement};
 use crate::Model;
+use crate::Place;
 use crate::blocks::{Block, Blocks};
 use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
 use crate::lists::Elements;
 use crate::model::repeated_vertex;
+use crate::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
 use crate::scanner::{parse_f64, parse_i64, quoted};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_geometry::Positions;
@@ -14,12 +16,12 @@ use std::io::Read;
 
 /// Reads a model in OBJ.
 ///
-/// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them.
+/// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them. A vertex that a face or
+/// line repeats is dropped; what two different vertices are left of is an edge, and what is less is left out. A remark says so.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a statement that is none, a number that is none
-/// or not finite, a face of fewer than three vertices, one that repeats a vertex, index 0 or an index of a vertex that
-/// the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
+/// or not finite, a face without vertices, index 0 or an index of a vertex that the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
 /// stream fails.
 ///
 /// # Complexity
@@ -43,6 +45,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut groups = Groups::default();
     let mut ahead: Vec<(u32, u64)> = Vec::new();
     let mut seen = false;
+    let mut oddities = Oddities::default();
     Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
         count_vertices,
         parse_block,
@@ -52,6 +55,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             elements.append(&piece.elements)?;
             ahead.extend(piece.ahead);
             seen |= piece.seen;
+            oddities.append(piece.oddities);
             for (polygon, change) in piece.changes {
                 groups.change(change, before + polygon);
             }
@@ -76,6 +80,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         lines: lines.into_ragged()?,
         points,
         groups,
+        remarks: oddities.into_remarks(),
         ..Model::default()
     };
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");
@@ -93,6 +98,7 @@ struct Piece {
     ahead: Vec<(u32, u64)>,
     /// Whether there was anything but blanks.
     seen: bool,
+    oddities: Oddities,
     fault: Option<Error>,
 }
 
@@ -272,34 +278,43 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
         b"v" => read_vertex(rest, piece),
         b"f" => {
             let face = read_vertices(rest, count)?;
-            if face.len() < 3 {
-                return Err(Error::invalid(format!("a face with {} vertices; it needs 3", face.len()))
-                    .with_cure("remove it, or write a line as \"l\" and a point as \"p\""));
+            if face.is_empty() {
+                return Err(Error::invalid("a face with 0 vertices; it needs 3").with_cure("remove it"));
             }
-            if let Some(vertex) = repeated_vertex(&face) {
-                return Err(Error::invalid(format!(
-                    "a face of {} vertices repeats vertex {}",
-                    face.len(),
-                    vertex + 1
-                ))
-                .with_cure("remove the face, or leave the repeated vertex out"));
-            }
-            piece.elements.polygons.push(&face);
             piece.look_ahead(&face, count, line);
+            let place = || Place::cell(&face).on_line(line);
+            let distinct = without_repetition(&face);
+            match *distinct.as_slice() {
+                [_] => piece.oddities.note(Oddity::Collapsed, place),
+                [from, to] => {
+                    piece.oddities.note(Oddity::FaceIsEdge, place);
+                    piece.elements.lines.push(&[from, to]);
+                }
+                _ => {
+                    if distinct.len() < face.len() {
+                        piece.oddities.note(Oddity::Repeated, place);
+                    }
+                    piece.elements.polygons.push(&distinct);
+                }
+            }
             Ok(())
         }
         b"l" => {
             let path = read_vertices(rest, count)?;
-            if path.len() < 2 {
-                return Err(Error::invalid(format!("a line with {} vertices; it needs 2", path.len()))
-                    .with_cure("remove it, or write a point as \"p\""));
+            if path.is_empty() {
+                return Err(Error::invalid("a line with 0 vertices; it needs 2").with_cure("remove it"));
             }
-            if let Some(pair) = path.windows(2).find(|pair| pair[0] == pair[1]) {
-                return Err(Error::invalid(format!("a line repeats vertex {}", pair[0] + 1))
-                    .with_cure("leave the repeated vertex out"));
-            }
-            piece.elements.lines.push(&path);
             piece.look_ahead(&path, count, line);
+            let place = || Place::cell(&path).on_line(line);
+            let moving = without_standing_still(&path);
+            if moving.len() < 2 {
+                piece.oddities.note(Oddity::Collapsed, place);
+                return Ok(());
+            }
+            if moving.len() < path.len() {
+                piece.oddities.note(Oddity::Repeated, place);
+            }
+            piece.elements.lines.push(&moving);
             Ok(())
         }
         b"p" => {

@@ -107,10 +107,15 @@ impl Element {
         self.properties.iter().position(|p| p.name == name && p.count.is_none())
     }
 
-    /// The position of the property that lists vertices.
+    /// The position of the property that lists vertices: the one of that name, or the only list of whole numbers.
     pub(super) fn vertex_list(&self) -> Option<usize> {
         let named = |p: &Property| matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
-        self.properties.iter().position(|p| named(p) && p.count.is_some())
+        let is_list = |p: &Property| p.count.is_some() && !matches!(p.value, Scalar::F32 | Scalar::F64);
+        let only = || {
+            let mut lists = (0..self.properties.len()).filter(|&i| is_list(&self.properties[i]));
+            lists.next().filter(|_| lists.next().is_none())
+        };
+        self.properties.iter().position(|p| named(p) && p.count.is_some()).or_else(only)
     }
 }
 

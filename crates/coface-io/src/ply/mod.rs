@@ -13,6 +13,7 @@ mod read;
 mod write;
 
 pub use read::read;
+pub(crate) use read::read_with;
 pub use write::write;
 
 /// How the data behind the header are written.

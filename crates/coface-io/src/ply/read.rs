@@ -5,10 +5,9 @@ use super::columns::Columns;
 use super::header::{Element, Header, Property, Scalar, read_header};
 use crate::data::without_repeated_names;
 use crate::lists::Elements;
-use crate::model::repeated_vertex;
+use crate::oddities::{Oddities, Oddity};
 use crate::scanner::{Scanner, parse_f64};
-use crate::{CellData, GroupKind, Model};
-use crate::{Remark, RemarkCode};
+use crate::{CellData, GroupKind, Model, Place, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
 use std::io::Read;
@@ -21,7 +20,7 @@ use std::io::Read;
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line or the byte: a header that is none, a number that is
-/// none or not finite, an index out of range, a face that repeats a vertex, fewer data than the counts promise;
+/// none or not finite, an index out of range, fewer data than the counts promise;
 /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
@@ -40,6 +39,10 @@ use std::io::Read;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, &ReadOptions::default())
+}
+
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let mut scanner = Scanner::new(input);
     let Header { encoding, elements } = read_header(&mut scanner)?;
     let mut reader = Reader { scanner, encoding };
@@ -52,50 +55,61 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         )
         .with_cure("write the number of vertices that are there, or divide the model"));
     }
+    let mut found = Found::default();
+    let mut fault =
+        elements.iter().find_map(|element| reader.element(element, vertex_count, &mut found).err());
     let mut model = Model { vertex_count: vertex_count as usize, ..Model::default() };
-    let mut found = Elements::default();
-    let mut columns: Vec<(GroupKind, Columns)> = Vec::new();
-    for element in &elements {
-        match element.name.as_str() {
-            "vertex" => {
-                let (positions, read) = reader.vertices(element)?;
-                model.positions = positions;
-                columns.push((GroupKind::Vertices, read));
-            }
-            "face" => match element.vertex_list() {
-                Some(list) => {
-                    let read = reader.faces(element, list, vertex_count, &mut found)?;
-                    columns.push((GroupKind::Polygons, read));
-                }
-                None if element.count == 0 => {}
-                None => return Err(reader.missing("face", "a list vertex_indices")),
-            },
-            "tristrips" => match element.vertex_list() {
-                Some(list) => reader.strips(element, list, vertex_count, &mut found)?,
-                None => return Err(reader.missing("tristrips", "a list vertex_indices")),
-            },
-            "edge" => match (element.number("vertex1"), element.number("vertex2")) {
-                (Some(from), Some(to)) => {
-                    let read = reader.edges(element, [from, to], vertex_count, &mut found)?;
-                    columns.push((GroupKind::Lines, read));
-                }
-                _ => reader.skip_element(element)?,
-            },
-            _ => reader.skip_element(element)?,
+    if let Some(fault) = fault.take() {
+        let vertices_read = found.coordinates.len().checked_div(found.dimension).unwrap_or(0);
+        // Faces that came before the vertices may name those that are missing.
+        if !options.partial || (vertices_read < model.vertex_count && !found.elements.is_empty()) {
+            return Err(fault);
         }
-    }
-    if reader.has_more()? {
+        model.vertex_count = vertices_read;
+        found.elements.polygons.abandon();
+        model.remarks.push(crate::remark::partial(&fault));
+    } else if reader.has_more()? {
         let message = "the file goes on behind the last element of its header; that is left out";
         model.remarks.push(Remark::new(RemarkCode::TrailingContent, message));
     }
-    model.polygons = found.polygons.into_ragged()?;
-    model.lines = found.lines.into_ragged()?;
-    model.points = found.points;
-    let arrays = |(kind, columns): (GroupKind, Columns)| columns.into_data(kind, model.count_of(kind));
-    let data: Vec<CellData> = columns.into_iter().flat_map(arrays).collect();
+    model.remarks.extend(found.oddities.into_remarks());
+    model.positions = Positions::from_flat(found.dimension, found.coordinates)?;
+    model.polygons = found.elements.polygons.into_ragged()?;
+    model.lines = found.elements.lines.into_ragged()?;
+    model.points = found.elements.points;
+    let mut data: Vec<CellData> = Vec::new();
+    for (kind, first, mut columns) in found.columns {
+        let count = model.count_of(kind);
+        columns.truncate(count - first);
+        columns.prepend_zeros(first);
+        data.extend(columns.into_data(kind, count));
+    }
     model.data = without_repeated_names(data, &mut model.remarks);
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");
     Ok(model)
+}
+
+/// What was read so far.
+#[derive(Default)]
+struct Found {
+    dimension: usize,
+    coordinates: Vec<f64>,
+    elements: Elements,
+    /// Data on things of a kind, and how many of these came before.
+    columns: Vec<(GroupKind, usize, Columns)>,
+    oddities: Oddities,
+}
+
+impl Found {
+    /// Columns for things of this kind, of which there are so many.
+    fn begin(&mut self, kind: GroupKind, first: usize, columns: Columns) {
+        self.columns.push((kind, first, columns));
+    }
+
+    /// The columns that were begun last.
+    fn columns(&mut self) -> &mut Columns {
+        &mut self.columns.last_mut().expect("columns were begun").2
+    }
 }
 
 /// The data behind the header.
@@ -107,6 +121,27 @@ struct Reader<R> {
 impl<R: Read> Reader<R> {
     fn big(&self) -> bool {
         self.encoding == Encoding::BigEndian
+    }
+
+    /// Reads all records of an element.
+    fn element(&mut self, element: &Element, vertices: u64, found: &mut Found) -> Result<(), Error> {
+        match element.name.as_str() {
+            "vertex" => self.vertices(element, found),
+            "face" => match element.vertex_list() {
+                Some(list) => self.faces(element, list, vertices, found),
+                None if element.count == 0 => Ok(()),
+                None => Err(self.missing("face", "a list vertex_indices")),
+            },
+            "tristrips" => match element.vertex_list() {
+                Some(list) => self.strips(element, list, vertices, &mut found.elements),
+                None => Err(self.missing("tristrips", "a list vertex_indices")),
+            },
+            "edge" => match (element.number("vertex1"), element.number("vertex2")) {
+                (Some(from), Some(to)) => self.edges(element, [from, to], vertices, found),
+                _ => self.skip_element(element),
+            },
+            _ => self.skip_element(element),
+        }
     }
 
     /// The error at the place that was read last.
@@ -124,8 +159,13 @@ impl<R: Read> Reader<R> {
 
     /// The error of a record, with its number and how many the header promises.
     fn in_record(error: &Error, element: &Element, i: u64) -> Error {
+        let left = element.count - i;
+        let missing = match error.message().starts_with("the file ends") {
+            true if left > 1 => format!("; {left} of them are missing"),
+            _ => String::new(),
+        };
         let message = format!(
-            "{} ({} {i} of the {} that the header promises)",
+            "{} ({} {i} of the {} that the header promises{missing})",
             error.message(),
             element.name,
             element.count
@@ -139,7 +179,9 @@ impl<R: Read> Reader<R> {
         }
         match error.cure() {
             Some(cure) => with_record.with_cure(cure),
-            None => with_record.with_cure("correct the count or complete the file"),
+            None => with_record.with_cure(
+                "correct the count or complete the file, or read what is there with partial reading",
+            ),
         }
     }
 
@@ -212,31 +254,30 @@ impl<R: Read> Reader<R> {
         })
     }
 
-    fn vertices(&mut self, element: &Element) -> Result<(Positions, Columns), Error> {
+    fn vertices(&mut self, element: &Element, found: &mut Found) -> Result<(), Error> {
         let axes: Vec<Option<usize>> = ["x", "y", "z"].iter().map(|axis| element.number(axis)).collect();
         let axes: Vec<usize> = match axes.as_slice() {
             [Some(x), Some(y), Some(z)] => vec![*x, *y, *z],
             [Some(x), Some(y), None] => vec![*x, *y],
             [Some(x), None, None] => vec![*x],
-            _ if element.count == 0 => return Ok((Positions::default(), Columns::new(element, &[]))),
+            _ if element.count == 0 => {
+                found.begin(GroupKind::Vertices, 0, Columns::new(element, &[]));
+                return Ok(());
+            }
             _ => return Err(self.missing("vertex", "properties x, y and z")),
         };
-        let mut coordinates = Vec::new();
-        let mut columns = Columns::new(element, &axes);
-        match element.stride() {
-            Some(stride) if self.encoding != Encoding::Ascii => {
-                self.packed_vertices(element, &axes, stride, &mut coordinates, &mut columns)?;
-            }
-            _ => {
-                let mut point = vec![0.0; axes.len()];
-                for i in 0..element.count {
-                    self.vertex(element, &axes, &mut point, &mut columns)
-                        .map_err(|error| Self::in_record(&error, element, i))?;
-                    coordinates.extend_from_slice(&point);
-                }
-            }
+        found.dimension = axes.len();
+        found.begin(GroupKind::Vertices, 0, Columns::new(element, &axes));
+        if let Some(stride) = element.stride().filter(|_| self.encoding != Encoding::Ascii) {
+            return self.packed_vertices(element, &axes, stride, found);
         }
-        Ok((Positions::from_flat(axes.len(), coordinates)?, columns))
+        let mut point = vec![0.0; axes.len()];
+        for i in 0..element.count {
+            self.vertex(element, &axes, &mut point, found.columns())
+                .map_err(|error| Self::in_record(&error, element, i))?;
+            found.coordinates.extend_from_slice(&point);
+        }
+        Ok(())
     }
 
     /// One vertex, property by property.
@@ -268,8 +309,7 @@ impl<R: Read> Reader<R> {
         element: &Element,
         axes: &[usize],
         stride: usize,
-        coordinates: &mut Vec<f64>,
-        columns: &mut Columns,
+        found: &mut Found,
     ) -> Result<(), Error> {
         let offset = |axis: usize| element.properties[..axis].iter().map(|p| p.value.size()).sum::<usize>();
         let fields: Vec<(usize, Scalar)> =
@@ -285,6 +325,7 @@ impl<R: Read> Reader<R> {
                 let error = Error::parse("the file ends inside a vertex").at_byte(base + bytes.len() as u64);
                 return Err(Self::in_record(&error, element, read));
             }
+            let coordinates = &mut found.coordinates;
             let bytes = &bytes[..records * stride];
             let first = coordinates.len();
             match *fields.as_slice() {
@@ -307,10 +348,11 @@ impl<R: Read> Reader<R> {
                 let record = bad / fields.len();
                 let byte = base + (record * stride + fields[bad % fields.len()].0) as u64;
                 let error = not_finite(coordinates[first + bad]).at_byte(byte);
+                coordinates.truncate(first + record * fields.len());
                 return Err(Self::in_record(&error, element, read + record as u64));
             }
             for (i, property) in element.properties.iter().enumerate() {
-                let Some(numbers) = columns.of_property(i) else { continue };
+                let Some(numbers) = found.columns().of_property(i) else { continue };
                 let at = offset(i);
                 let values =
                     bytes.chunks_exact(stride).map(|record| property.value.decode(&record[at..], big));
@@ -327,32 +369,37 @@ impl<R: Read> Reader<R> {
         element: &Element,
         list: usize,
         vertices: u64,
-        found: &mut Elements,
-    ) -> Result<Columns, Error> {
-        let mut columns = Columns::new(element, &[list]);
-        let (first, mut read) = (found.polygons.len(), 0);
+        found: &mut Found,
+    ) -> Result<(), Error> {
+        let first = found.elements.polygons.len();
+        found.begin(GroupKind::Polygons, first, Columns::new(element, &[list]));
+        let mut read = 0;
         while read < element.count {
             if let [Property { count: Some(Scalar::U8), value: Scalar::I32 | Scalar::U32, .. }] =
                 element.properties.as_slice()
             {
-                read += self.packed_triangles(element.count - read, vertices, found)?;
+                read += self.packed_triangles(element.count - read, vertices, &mut found.elements)?;
                 if read == element.count {
                     break;
                 }
             }
-            let byte = self.scanner.byte_offset();
-            self.list_record(element, list, Some(&mut columns), |vertex| {
-                found.polygons.items_mut().push(checked_vertex(vertex, vertices)?);
+            let Found { elements, columns, oddities, .. } = &mut *found;
+            let columns = &mut columns.last_mut().expect("columns were begun").2;
+            self.list_record(element, list, Some(&mut *columns), |vertex| {
+                elements.polygons.items_mut().push(checked_vertex(vertex, vertices)?);
                 Ok(())
             })
-            .and_then(|()| finish_face(found).map_err(|error| self.here(error, byte)))
             .map_err(|error| Self::in_record(&error, element, read))?;
-            // What is said of a face that is a line or a point is not kept.
-            columns.truncate(found.polygons.len() - first);
+            let place = match self.encoding {
+                Encoding::Ascii => Place::line(self.scanner.line_number()),
+                _ => Place::default(),
+            };
+            elements.finish_face(oddities, place);
+            // What is said of a face that is a line, a point or nothing is not kept.
+            columns.truncate(elements.polygons.len() - first);
             read += 1;
         }
-        columns.prepend_zeros(first);
-        Ok(columns)
+        Ok(())
     }
 
     /// Sound binary triangles as far as they go in the bytes at hand, each a byte 3 and three indices of four bytes; the
@@ -442,16 +489,16 @@ impl<R: Read> Reader<R> {
         element: &Element,
         ends: [usize; 2],
         vertices: u64,
-        found: &mut Elements,
-    ) -> Result<Columns, Error> {
-        let mut columns = Columns::new(element, &ends);
-        let first = found.lines.len();
+        found: &mut Found,
+    ) -> Result<(), Error> {
+        let first = found.elements.lines.len();
+        found.begin(GroupKind::Lines, first, Columns::new(element, &ends));
         for i in 0..element.count {
-            self.edge(element, ends, vertices, found, &mut columns)
-                .map_err(|error| Self::in_record(&error, element, i))?;
+            self.edge(element, ends, vertices, found).map_err(|error| Self::in_record(&error, element, i))?;
+            let count = found.elements.lines.len() - first;
+            found.columns().truncate(count);
         }
-        columns.prepend_zeros(first);
-        Ok(columns)
+        Ok(())
     }
 
     fn edge(
@@ -459,10 +506,8 @@ impl<R: Read> Reader<R> {
         element: &Element,
         ends: [usize; 2],
         vertices: u64,
-        found: &mut Elements,
-        columns: &mut Columns,
+        found: &mut Found,
     ) -> Result<(), Error> {
-        let start = self.scanner.byte_offset();
         let mut edge = [0; 2];
         for (i, property) in element.properties.iter().enumerate() {
             match ends.iter().position(|&end| end == i) {
@@ -471,15 +516,14 @@ impl<R: Read> Reader<R> {
                     let vertex = self.scalar(property.value, "an end of an edge")?;
                     edge[end] = checked_vertex(vertex, vertices).map_err(|error| self.here(error, byte))?;
                 }
-                None => self.datum(element, i, columns)?,
+                None => self.datum(element, i, found.columns())?,
             }
         }
         if edge[0] == edge[1] {
-            let error =
-                Error::invalid(format!("an edge from vertex {} to itself", edge[0])).with_cure("remove it");
-            return Err(self.here(error, start));
+            found.oddities.note(Oddity::Collapsed, || Place::cell(&edge));
+        } else {
+            found.elements.lines.push(&edge);
         }
-        found.lines.push(&edge);
         Ok(())
     }
 }
@@ -496,18 +540,4 @@ fn checked_vertex(vertex: f64, count: u64) -> Result<u32, Error> {
     }
     Err(Error::invalid(format!("vertex index {vertex}, but there are {count} vertices, numbered from 0"))
         .with_cure("correct the index"))
-}
-
-/// Ends the open face, which must have a vertex and repeat none.
-fn finish_face(found: &mut Elements) -> Result<(), Error> {
-    let face = found.polygons.open();
-    if face.is_empty() {
-        return Err(Error::invalid("a face without vertices").with_cure("remove it"));
-    }
-    if let Some(vertex) = repeated_vertex(face) {
-        return Err(Error::invalid(format!("a face of {} vertices repeats vertex {vertex}", face.len()))
-            .with_cure("remove the face, or leave the repeated vertex out"));
-    }
-    found.finish();
-    Ok(())
 }

@@ -11,6 +11,7 @@ mod weld;
 mod write;
 
 pub use read::read;
+pub(crate) use read::read_with;
 pub use write::write;
 
 /// How triangles are written.

@@ -5,8 +5,7 @@ use crate::blocks::{Block, Blocks};
 use crate::decimal::is_blank;
 use crate::lists::Lists;
 use crate::scanner::{Scanner, quoted};
-use crate::{Group, GroupKind, Model};
-use crate::{Remark, RemarkCode};
+use crate::{Group, GroupKind, Model, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
 use std::collections::BTreeMap;
@@ -44,12 +43,24 @@ const NAMED: usize = 5;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, &ReadOptions::default())
+}
+
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let mut blocks = Blocks::new(input);
-    let soup = if is_text(blocks.peek(1 << 12)?)? {
-        read_text(blocks.ending_behind(ends_facet))?
+    let mut soup = Soup::default();
+    let read = if is_text(blocks.peek(1 << 12)?)? {
+        read_text(blocks.ending_behind(ends_facet), &mut soup)
     } else {
-        read_binary(blocks.into_scanner())?
+        read_binary(blocks.into_scanner(), &mut soup)
     };
+    if let Err(fault) = read {
+        if !options.partial {
+            return Err(fault);
+        }
+        soup.corners.truncate(soup.corners.len() / 3 * 3);
+        soup.remarks.push(crate::remark::partial(&fault));
+    }
     model(&soup)
 }
 
@@ -89,11 +100,10 @@ struct Soup {
     remarks: Vec<Remark>,
 }
 
-fn read_binary<R: Read>(mut input: Scanner<R>) -> Result<Soup, Error> {
+fn read_binary<R: Read>(mut input: Scanner<R>, soup: &mut Soup) -> Result<(), Error> {
     let mut head = [0; HEADER];
     input.read_exact(&mut head, "the header of 84 bytes")?;
     let count = promised(&head);
-    let mut soup = Soup::default();
     let mut read = 0;
     while read < count {
         let base = input.byte_offset();
@@ -136,7 +146,7 @@ fn read_binary<R: Read>(mut input: Scanner<R>) -> Result<Soup, Error> {
             format!("the file goes on behind its {count} triangles; that is left out"),
         ));
     }
-    Ok(soup)
+    Ok(())
 }
 
 fn check_count(corners: usize) -> Result<(), Error> {
@@ -174,8 +184,7 @@ enum State {
     Closed,
 }
 
-fn read_text<R: Read>(blocks: Blocks<R>) -> Result<Soup, Error> {
-    let mut soup = Soup::default();
+fn read_text<R: Read>(blocks: Blocks<R>, soup: &mut Soup) -> Result<(), Error> {
     let mut lines = 0;
     let mut state = State::Solid;
     blocks.parse(
@@ -191,13 +200,15 @@ fn read_text<R: Read>(blocks: Blocks<R>) -> Result<Soup, Error> {
         },
     )?;
     let open = soup.solids.last().is_some_and(|(_, name)| name.is_some());
-    if open || state != State::Solid {
-        let what = if state == State::Solid { "endsolid" } else { "endfacet" };
-        return Err(Error::parse(format!("the file ends where {what} should be"))
+    if state != State::Solid {
+        return Err(Error::parse("the file ends where endfacet should be")
             .at_line(lines)
             .with_cure("complete the file"));
     }
-    Ok(soup)
+    if open {
+        soup.remarks.push(Remark::new(RemarkCode::MissingEnd, "the file ends without endsolid"));
+    }
+    Ok(())
 }
 
 fn parse_block(block: &Block) -> Piece {

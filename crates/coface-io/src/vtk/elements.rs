@@ -2,8 +2,10 @@
 
 use super::cell_runs::Cells;
 use super::cell_types::CellType;
+use crate::Place;
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
+use crate::oddities::Oddity;
 use coface_algebra::Error;
 
 /// A mesh in the making, and what each cell of the file became.
@@ -34,26 +36,31 @@ impl Elements {
         let number = |vertex: u32| u64::from(vertex.saturating_sub(first_point));
         let mut elements = 1;
         let (kind, first) = match cell_type {
-            CellType::Empty => (Kind::Point, 0),
+            CellType::Empty => (Kind::Point, None),
             CellType::Points => {
                 for vertex in vertices {
                     self.assembly.add(Kind::Point, 1, &[*vertex], number)?;
                 }
-                (Kind::Point, 0)
+                (Kind::Point, None)
             }
-            CellType::Polyline if count < 2 => return Err(has_too_few(2, "polyline")),
+            CellType::Polyline if count < 2 => (Kind::Line, self.leave_out(vertices)),
             CellType::Polyline => (Kind::Line, self.assembly.add(Kind::Line, count, vertices, number)?),
-            CellType::Strip if count < 3 => return Err(has_too_few(3, "triangle strip")),
+            CellType::Strip if count < 3 => (Kind::Polygon, self.leave_out(vertices)),
             CellType::Strip => {
-                elements = count as u32 - 2;
-                let mut last = 0;
+                let mut first = None;
+                elements = 0;
                 for (i, triangle) in vertices.windows(3).enumerate() {
                     let [a, b, c] = [triangle[i % 2], triangle[1 - i % 2], triangle[2]];
-                    last = self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
+                    // Triangles that repeat a point only join strips.
+                    if a != b && b != c && c != a {
+                        let added = self.assembly.add(Kind::Polygon, 3, &[a, b, c], number)?;
+                        first = first.or(added);
+                        elements += 1;
+                    }
                 }
-                (Kind::Polygon, last + 1 - elements)
+                (Kind::Polygon, first)
             }
-            CellType::Polygon if count < 3 => return Err(has_too_few(3, "polygon")),
+            CellType::Polygon if count < 3 => (Kind::Polygon, self.leave_out(vertices)),
             CellType::Polygon => (Kind::Polygon, self.assembly.add(Kind::Polygon, count, vertices, number)?),
             CellType::QuadraticPolygon if count < 6 || !count.is_multiple_of(2) => {
                 return Err(has_too_few(6, "quadratic polygon (an even number of points)"));
@@ -76,11 +83,17 @@ impl Elements {
                 (kind, self.assembly.add(kind, corners.len(), &ordered[..count], number)?)
             }
         };
-        match kind {
+        match (kind, first) {
             // Points have no data of their own.
-            Kind::Point => self.cells.add(section, None, 0, 0),
-            kind => self.cells.add(section, Some(kind.group_kind()), first, elements),
+            (Kind::Point, _) | (_, None) => self.cells.add(section, None, 0, 0),
+            (kind, Some(first)) => self.cells.add(section, Some(kind.group_kind()), first, elements),
         }
         Ok(())
+    }
+
+    /// Leaves a cell of too few points out.
+    fn leave_out(&mut self, vertices: &[u32]) -> Option<u32> {
+        self.assembly.oddities.note(Oddity::Collapsed, || Place::cell(vertices));
+        None
     }
 }

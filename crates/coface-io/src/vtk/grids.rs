@@ -159,9 +159,9 @@ fn add_cells<R: Read>(reader: &mut Reader<R>, dimensions: [u64; 3]) -> Result<()
                     &vertices[..corners.len()],
                     u64::from,
                 )?;
-                match kind {
-                    Kind::Point => reader.elements.cells.add(0, None, 0, 0),
-                    kind => reader.elements.cells.add(0, Some(kind.group_kind()), cell, 1),
+                match (kind, cell) {
+                    (Kind::Point, _) | (_, None) => reader.elements.cells.add(0, None, 0, 0),
+                    (kind, Some(cell)) => reader.elements.cells.add(0, Some(kind.group_kind()), cell, 1),
                 }
             }
         }

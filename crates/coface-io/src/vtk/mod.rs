@@ -32,6 +32,7 @@ mod xml_tests;
 mod xml_writing;
 
 pub use reading::read;
+pub(crate) use reading::read_with;
 #[cfg(not(feature = "xml"))]
 pub use without_xml::read_xml;
 pub use writing::{Encoding, write};

@@ -5,9 +5,9 @@ use super::data;
 use super::grids;
 use super::lists::read_lists;
 use super::reader::{GridKind, Lists, Reader};
-use crate::Model;
 use crate::scanner::quoted;
 use crate::values::{Encoding, NumberType};
+use crate::{Model, ReadOptions};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Read;
 
@@ -41,15 +41,28 @@ use std::io::Read;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, &ReadOptions::default())
+}
+
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let mut reader = Reader::new(input);
+    if let Err(fault) = read_sections(&mut reader) {
+        if !options.partial || reader.elements.assembly.vertex_count() == 0 {
+            return Err(fault);
+        }
+        reader.elements.assembly.remarks.insert(0, crate::remark::partial(&fault));
+    }
+    reader.elements.assembly.finish()
+}
+
+fn read_sections<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
     reader.read_header()?;
     while let Some(keyword) = reader.next_keyword()? {
         if !reader.read_section(&keyword)? {
             break;
         }
     }
-    reader.complete()?;
-    reader.elements.assembly.finish()
+    reader.complete()
 }
 
 impl<R: Read> Reader<R> {

@@ -2,3 +2,4 @@
 
 mod formats;
 mod mesh_formats;
+mod wild;

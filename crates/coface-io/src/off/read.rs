@@ -1,47 +1,40 @@
-//! OFF, the object file format of Geomview, with its relatives.
-//!
-//! The keyword is `[ST][C][N][4][n]OFF`, and may be missing: texture coordinates, colors and normals at the vertices are
-//! read over, `4` means four coordinates a vertex, `n` that the dimension stands before the counts (`4nOFF`: one
-//! coordinate more than that). A face is a number of vertices and their indices, from 0; what follows on its line, a
-//! color, is read over. A face of two vertices is a line, one of one vertex a point. `#` starts a comment. In the text
-//! form each vertex and each face has a line of its own; `OFF BINARY` is big-endian, with single precision.
+//! Reading OFF.
 
-use super::Model;
-use super::blocks::{Block, Blocks};
-use super::decimal::{flush, is_blank, push_f64, push_natural, short_decimal, short_natural, skip_blanks};
-use super::limits::require_mesh;
-use super::lists::Elements;
-use super::model::repeated_vertex;
-use super::scanner::{Scanner, parse_f64, parse_i64, quoted};
-use crate::{Remark, RemarkCode};
+use super::words;
+use crate::blocks::{Block, Blocks};
+use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
+use crate::lists::Elements;
+use crate::oddities::Oddities;
+use crate::scanner::{Scanner, parse_f64, parse_i64, quoted};
+use crate::{Model, Place, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
-use std::io::{Read, Write};
+use std::io::{Cursor, Read};
 
 /// What the keyword and the counts say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Header {
+pub(super) struct Header {
     /// The number of coordinates of a vertex.
-    dimension: usize,
+    pub(super) dimension: usize,
     /// The numbers that follow the coordinates of a vertex: normal, color, texture coordinates.
-    attributes: usize,
-    vertices: u64,
-    faces: u64,
+    pub(super) attributes: usize,
+    pub(super) vertices: u64,
+    pub(super) faces: u64,
 }
 
 /// What the letters before `OFF` ask for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Keyword {
+pub(super) struct Keyword {
     texture: bool,
     color: bool,
     normal: bool,
     four: bool,
-    any_dimension: bool,
+    pub(super) any_dimension: bool,
 }
 
 impl Keyword {
     /// The keyword that a token spells; `None` if it is none.
-    fn parse(token: &[u8]) -> Option<Self> {
+    pub(super) fn parse(token: &[u8]) -> Option<Self> {
         let mut rest = token.strip_suffix(b"OFF")?;
         let mut keyword = Self::default();
         while let Some(&letter) = rest.first() {
@@ -60,6 +53,14 @@ impl Keyword {
             rest = &rest[length..];
         }
         Some(keyword)
+    }
+
+    /// The keyword of a binary file, and where its numbers begin.
+    fn of_binary(bytes: &[u8]) -> Option<(Self, usize)> {
+        let end = memchr::memchr(b'\n', bytes)?;
+        let mut words = words(&bytes[..end]);
+        let keyword = Self::parse(words.next()?)?;
+        (words.next() == Some(b"BINARY")).then_some((keyword, end + 1))
     }
 
     /// The number of coordinates and of further numbers at each vertex.
@@ -94,11 +95,91 @@ impl Keyword {
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    let mut blocks = Blocks::new(input);
-    match read_header(&mut blocks)? {
-        Start::Text(header) => read_text(blocks, header),
-        Start::Binary(keyword) => read_binary(blocks.into_scanner(), keyword),
+    read_with(input, &ReadOptions::default())
+}
+
+/// Reads a file a line a record. One that is laid out in another way is read again, word by word, from what is kept of it.
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+    let mut kept = Kept { input, bytes: Vec::new(), is_whole: true };
+    let fault = match read_lines(&mut kept, options) {
+        Ok(model) => return Ok(model),
+        Err(fault) => fault,
+    };
+    let mut rest = [0; 1 << 13];
+    while kept.is_whole {
+        match kept.read(&mut rest) {
+            Ok(0) => break,
+            Ok(_) => {}
+            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(_) => return Err(fault),
+        }
     }
+    if !kept.is_whole {
+        return Err(fault);
+    }
+    let (other, remark) = if is_binary(&kept.bytes) {
+        let little = Keyword::of_binary(&kept.bytes)
+            .and_then(|(keyword, at)| read_binary(Scanner::new(&kept.bytes[at..]), keyword, false).ok());
+        (little, "the numbers of the binary file are little-endian; OFF files are big-endian")
+    } else {
+        let words = words::read(&kept.bytes);
+        (words, "the vertices and faces do not have a line each; the file is read word by word")
+    };
+    match other {
+        Some(mut model) => {
+            model.remarks.insert(0, Remark::new(RemarkCode::InputReading, remark));
+            Ok(model)
+        }
+        None if options.partial => read_lines_partly(&kept.bytes, &fault, options),
+        None => Err(fault),
+    }
+}
+
+/// What stands before the fault.
+fn read_lines_partly(bytes: &[u8], fault: &Error, options: &ReadOptions) -> Result<Model, Error> {
+    let mut blocks = Blocks::new(Cursor::new(bytes));
+    match read_header(&mut blocks)? {
+        Start::Text(header) => read_text(blocks, header, options),
+        Start::Binary(_) => Err(fault.clone()),
+    }
+}
+
+fn read_lines(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
+    let mut blocks = Blocks::new(input);
+    // What stands before a fault is only wanted when there is no other way to read the file.
+    let whole = ReadOptions { partial: false, ..*options };
+    match read_header(&mut blocks)? {
+        Start::Text(header) => read_text(blocks, header, &whole),
+        Start::Binary(keyword) => read_binary(blocks.into_scanner(), keyword, true),
+    }
+}
+
+/// So much of a file is kept for a second reading.
+const LONGEST_KEPT: usize = 1 << 26;
+
+/// A stream whose beginning is kept.
+struct Kept<R> {
+    input: R,
+    bytes: Vec<u8>,
+    is_whole: bool,
+}
+
+impl<R: Read> Read for Kept<R> {
+    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.input.read(out)?;
+        if self.is_whole {
+            if self.bytes.len() + count > LONGEST_KEPT {
+                (self.bytes, self.is_whole) = (Vec::new(), false);
+            } else {
+                self.bytes.extend_from_slice(&out[..count]);
+            }
+        }
+        Ok(count)
+    }
+}
+
+fn is_binary(bytes: &[u8]) -> bool {
+    Keyword::of_binary(bytes).is_some()
 }
 
 /// How the data go on behind the header.
@@ -195,7 +276,7 @@ fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
 }
 
 /// The header, with the limits of a model checked.
-fn header(keyword: Keyword, dimension: u64, vertices: u64, faces: u64) -> Result<Header, Error> {
+pub(super) fn header(keyword: Keyword, dimension: u64, vertices: u64, faces: u64) -> Result<Header, Error> {
     let dimension = match (keyword.any_dimension, keyword.four) {
         (true, four) => dimension.saturating_add(u64::from(four)),
         (false, four) => 3 + u64::from(four),
@@ -214,18 +295,19 @@ fn header(keyword: Keyword, dimension: u64, vertices: u64, faces: u64) -> Result
 
 /// What was read of a block, up to the fault.
 #[derive(Default)]
-struct Piece {
-    coordinates: Vec<f64>,
-    elements: Elements,
+pub(super) struct Piece {
+    pub(super) coordinates: Vec<f64>,
+    pub(super) elements: Elements,
     records: u64,
     /// The lines behind the last face.
-    surplus: u64,
+    pub(super) surplus: u64,
+    pub(super) oddities: Oddities,
     fault: Option<Error>,
 }
 
-fn read_text<R: Read>(blocks: Blocks<R>, header: Header) -> Result<Model, Error> {
+fn read_text<R: Read>(blocks: Blocks<R>, header: Header, options: &ReadOptions) -> Result<Model, Error> {
     let mut whole = Piece::default();
-    blocks.parse(
+    let read = blocks.parse(
         count_records,
         |block| parse_block(block, header),
         |piece| {
@@ -233,26 +315,43 @@ fn read_text<R: Read>(blocks: Blocks<R>, header: Header) -> Result<Model, Error>
             whole.elements.append(&piece.elements)?;
             whole.records += piece.records;
             whole.surplus += piece.surplus;
+            whole.oddities.append(piece.oddities);
             piece.fault.map_or(Ok(()), Err)
         },
-    )?;
-    if whole.records < header.vertices + header.faces {
+    );
+    let mut fault = read.err();
+    if fault.is_none() && whole.records < header.vertices + header.faces {
         let (what, promised, found) = if whole.records < header.vertices {
             ("vertices", header.vertices, whole.records)
         } else {
             ("faces", header.faces, whole.records - header.vertices)
         };
-        return Err(Error::parse(format!(
-            "the header promises {promised} {what}, but the file ends after {found}"
-        ))
-        .with_cure("write each vertex and each face on a line of its own, or correct the counts"));
+        fault = Some(
+            Error::parse(format!(
+                "the header promises {promised} {what}, but the file ends after {found}: {} lines are missing",
+                header.vertices + header.faces - whole.records
+            ))
+            .with_cure("correct the counts, or read what is there with partial reading"),
+        );
     }
-    model(header, whole)
+    match fault {
+        Some(fault) if !options.partial => Err(fault),
+        Some(fault) => {
+            // The last vertex may be there in part.
+            let vertices = whole.records.min(header.vertices);
+            whole.coordinates.truncate(vertices as usize * header.dimension);
+            whole.elements.polygons.abandon();
+            let mut model = model(Header { vertices, ..header }, whole)?;
+            model.remarks.insert(0, crate::remark::partial(&fault));
+            Ok(model)
+        }
+        None => model(header, whole),
+    }
 }
 
-fn model(header: Header, whole: Piece) -> Result<Model, Error> {
+pub(super) fn model(header: Header, whole: Piece) -> Result<Model, Error> {
     let Elements { polygons, lines, points } = whole.elements;
-    let mut remarks = Vec::new();
+    let mut remarks = whole.oddities.into_remarks();
     if whole.surplus > 0 {
         remarks.push(Remark::new(
             RemarkCode::TrailingContent,
@@ -301,7 +400,7 @@ fn parse_block(block: &Block, header: Header) -> Piece {
             let next = if record < header.vertices {
                 vertex(text, start, header, &mut piece.coordinates)
             } else {
-                face(text, start, header, &mut piece.elements)
+                face(text, start, header, line, &mut piece)
             };
             match next {
                 Ok(next) => at = line_end(text, next),
@@ -355,7 +454,7 @@ fn vertex(text: &[u8], mut at: usize, header: Header, coordinates: &mut Vec<f64>
 }
 
 /// Reads the number of vertices of a face and the vertices; gives the position behind them.
-fn face(text: &[u8], at: usize, header: Header, elements: &mut Elements) -> Result<usize, Error> {
+fn face(text: &[u8], at: usize, header: Header, line: u64, piece: &mut Piece) -> Result<usize, Error> {
     let (size, mut at) = natural(text, at, "the number of vertices of a face")?;
     for i in 0..size {
         at = skip_blanks(text, at);
@@ -364,15 +463,15 @@ fn face(text: &[u8], at: usize, header: Header, elements: &mut Elements) -> Resu
                 .with_cure("write each face on a line of its own"));
         }
         let (vertex, next) = natural(text, at, "a vertex of a face")?;
-        elements.polygons.items_mut().push(checked_vertex(vertex, header.vertices)?);
+        piece.elements.polygons.items_mut().push(checked_vertex(vertex, header.vertices)?);
         at = next;
     }
-    finish_face(elements)?;
+    piece.elements.finish_face(&mut piece.oddities, Place::line(line));
     Ok(at)
 }
 
 /// The index if there is such a vertex.
-fn checked_vertex(vertex: i64, count: u64) -> Result<u32, Error> {
+pub(super) fn checked_vertex(vertex: i64, count: u64) -> Result<u32, Error> {
     if u64::try_from(vertex).is_ok_and(|vertex| vertex < count) {
         return Ok(vertex as u32);
     }
@@ -380,20 +479,6 @@ fn checked_vertex(vertex: i64, count: u64) -> Result<u32, Error> {
         "a face names vertex {vertex}, but there are {count} vertices, numbered from 0"
     ))
     .with_cure("correct the index"))
-}
-
-/// Ends the open face, which must have a vertex and repeat none.
-fn finish_face(elements: &mut Elements) -> Result<(), Error> {
-    let face = elements.polygons.open();
-    if face.is_empty() {
-        return Err(Error::invalid("a face without vertices").with_cure("remove it"));
-    }
-    if let Some(vertex) = repeated_vertex(face) {
-        return Err(Error::invalid(format!("a face of {} vertices repeats vertex {vertex}", face.len()))
-            .with_cure("remove the face, or leave the repeated vertex out"));
-    }
-    elements.finish();
-    Ok(())
 }
 
 /// The integer that starts at `at`, and the position behind it.
@@ -407,20 +492,19 @@ fn natural(text: &[u8], at: usize, what: &str) -> Result<(i64, usize), Error> {
     Ok((parse_i64(word, what)?, at + word.len()))
 }
 
-fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword) -> Result<Model, Error> {
-    let dimension = if keyword.any_dimension { count(&mut input, "the dimension")? } else { 3 };
-    let vertices = count(&mut input, "the number of vertices")?;
-    let faces = count(&mut input, "the number of faces")?;
-    count(&mut input, "the number of edges")?;
+fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword, big: bool) -> Result<Model, Error> {
+    let dimension = if keyword.any_dimension { count(&mut input, big, "the dimension")? } else { 3 };
+    let vertices = count(&mut input, big, "the number of vertices")?;
+    let faces = count(&mut input, big, "the number of faces")?;
+    count(&mut input, big, "the number of edges")?;
     let header =
         header(keyword, dimension, vertices, faces).map_err(|error| error.at_byte(input.byte_offset()))?;
     let mut whole = Piece::default();
     for i in 0..vertices {
         let promised = |error: Error| promise(&error, "vertex", i, vertices);
         for _ in 0..header.dimension {
-            let value = f64::from(f32::from_bits(u32::from_be_bytes(
-                four(&mut input, "a vertex").map_err(promised)?,
-            )));
+            let bytes = four(&mut input, big, "a vertex").map_err(promised)?;
+            let value = f64::from(f32::from_be_bytes(bytes));
             if !value.is_finite() {
                 return Err(Error::parse(format!(
                     "a coordinate of vertex {i} is {value}, not a finite number"
@@ -431,22 +515,22 @@ fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword) -> Result<Model
             whole.coordinates.push(value);
         }
         for _ in 0..header.attributes {
-            four(&mut input, "a vertex").map_err(promised)?;
+            four(&mut input, big, "a vertex").map_err(promised)?;
         }
     }
     for i in 0..faces {
         let promised = |error: Error| promise(&error, "face", i, faces);
         let start = input.byte_offset();
-        let size = count(&mut input, "the number of vertices of a face").map_err(promised)?;
+        let size = count(&mut input, big, "the number of vertices of a face").map_err(promised)?;
         for _ in 0..size {
-            let vertex = i32::from_be_bytes(four(&mut input, "a face").map_err(promised)?);
+            let vertex = i32::from_be_bytes(four(&mut input, big, "a face").map_err(promised)?);
             let vertex = checked_vertex(i64::from(vertex), vertices).map_err(|error| error.at_byte(start))?;
             whole.elements.polygons.items_mut().push(vertex);
         }
-        finish_face(&mut whole.elements).map_err(|error| error.at_byte(start))?;
-        let colors = count(&mut input, "the number of color components").map_err(promised)?;
+        whole.elements.finish_face(&mut whole.oddities, Place::default());
+        let colors = count(&mut input, big, "the number of color components").map_err(promised)?;
         for _ in 0..colors {
-            four(&mut input, "a color").map_err(promised)?;
+            four(&mut input, big, "a color").map_err(promised)?;
         }
     }
     model(header, whole)
@@ -462,79 +546,20 @@ fn promise(error: &Error, what: &str, i: u64, count: u64) -> Error {
     }
 }
 
-fn four<R: Read>(input: &mut Scanner<R>, what: &str) -> Result<[u8; 4], Error> {
+/// The next four bytes, the highest one first.
+fn four<R: Read>(input: &mut Scanner<R>, big: bool, what: &str) -> Result<[u8; 4], Error> {
     let mut bytes = [0; 4];
     input.read_exact(&mut bytes, what)?;
+    if !big {
+        bytes.reverse();
+    }
     Ok(bytes)
 }
 
 /// A 32-bit integer that is not negative.
-fn count<R: Read>(input: &mut Scanner<R>, what: &str) -> Result<u64, Error> {
-    let value = i32::from_be_bytes(four(input, what)?);
+fn count<R: Read>(input: &mut Scanner<R>, big: bool, what: &str) -> Result<u64, Error> {
+    let value = i32::from_be_bytes(four(input, big, what)?);
     u64::try_from(value).map_err(|_| {
         Error::parse(format!("{what} is {value}; it cannot be negative")).at_byte(input.byte_offset() - 4)
     })
-}
-
-/// Writes a model in OFF: `OFF` in dimension 3, `4OFF` in dimension 4, `nOFF` in others.
-///
-/// Coordinates are written so that they read back bit for bit. Lines become faces of two vertices (a polyline its
-/// segments) and points faces of one, behind the polygons. OFF has no names: groups are left out.
-///
-/// # Errors
-/// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has 3-cells, no positions, or is an abstract
-/// structure; [`ErrorKind::Io`] if the stream fails.
-///
-/// # Examples
-/// ```
-/// # fn main() -> Result<(), coface_algebra::Error> {
-/// let text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0.5 0\n3 0 1 2\n";
-/// let triangle = coface_io::off::read(text.as_bytes())?;
-/// let mut written = Vec::new();
-/// coface_io::off::write(&triangle, &mut written)?;
-/// assert_eq!(written, text.as_bytes());
-/// # Ok(()) }
-/// ```
-pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
-    require_mesh(model, "OFF", "MEDIT, MSH or VTK")?;
-    let mut text = Vec::new();
-    let dimension = model.positions.dimension();
-    match dimension {
-        0 | 3 => text.extend_from_slice(b"OFF\n"),
-        4 => text.extend_from_slice(b"4OFF\n"),
-        _ => text.extend_from_slice(format!("nOFF\n{dimension}\n").as_bytes()),
-    }
-    let segments = model.lines.item_count() - model.lines.len();
-    let faces = model.polygons.len() + segments + model.points.len();
-    text.extend_from_slice(format!("{} {faces} 0\n", model.vertex_count).as_bytes());
-    for point in model.positions.as_flat().chunks_exact(dimension.max(1)) {
-        for (i, &value) in point.iter().enumerate() {
-            if i > 0 {
-                text.push(b' ');
-            }
-            push_f64(&mut text, value);
-        }
-        text.push(b'\n');
-        flush(&mut text, &mut output)?;
-    }
-    for face in model.polygons.iter().chain(model.lines.iter().flat_map(|line| line.windows(2))) {
-        push_face(&mut text, face);
-        flush(&mut text, &mut output)?;
-    }
-    for point in &model.points {
-        push_face(&mut text, &[point.to_u32()]);
-        flush(&mut text, &mut output)?;
-    }
-    output.write_all(&text)?;
-    output.flush()?;
-    Ok(())
-}
-
-fn push_face(text: &mut Vec<u8>, face: &[u32]) {
-    push_natural(text, face.len() as u64);
-    for &vertex in face {
-        text.push(b' ');
-        push_natural(text, u64::from(vertex));
-    }
-    text.push(b'\n');
 }

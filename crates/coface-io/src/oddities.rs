@@ -1,0 +1,149 @@
+//! Oddities of ordinary files, counted while a file is read and said in one remark each at its end.
+
+use crate::remark::LISTED_PLACES;
+use crate::{Place, Remark, RemarkCode};
+use std::collections::HashSet;
+
+/// What a reader meets and reads on from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Oddity {
+    /// A cell repeats a vertex; the repetition is dropped.
+    Repeated,
+    /// A cell has too few different vertices and is left out.
+    Collapsed,
+    /// A face has two different vertices and is kept as an edge.
+    FaceIsEdge,
+    /// A 3-cell repeats a vertex and is a cell of another shape.
+    CellIsSimpler,
+    /// A label is written as a fraction.
+    Fraction,
+}
+
+impl Oddity {
+    fn code(self) -> RemarkCode {
+        match self {
+            Self::Repeated => RemarkCode::RepeatedVertex,
+            Self::Collapsed | Self::FaceIsEdge | Self::CellIsSimpler => RemarkCode::CollapsedCell,
+            Self::Fraction => RemarkCode::FractionalLabel,
+        }
+    }
+
+    fn message(self, count: usize) -> String {
+        let [s, repeats, has, is, its] = if count == 1 {
+            ["", "repeats", "has", "is", "its"]
+        } else {
+            ["s", "repeat", "have", "are", "their"]
+        };
+        match self {
+            Self::Repeated => format!("{count} cell{s} {repeats} a vertex; the repetition is dropped"),
+            Self::Collapsed => format!("{count} cell{s} {has} too few different vertices and {is} left out"),
+            Self::FaceIsEdge => {
+                format!(
+                    "{count} face{s} {has} two different vertices and {is} kept as {}",
+                    if count == 1 { "an edge" } else { "edges" }
+                )
+            }
+            Self::CellIsSimpler => {
+                format!("{count} cell{s} {repeats} a vertex and {is} read by {its} different vertices")
+            }
+            Self::Fraction => {
+                format!(
+                    "{count} reference{s} {is} written as a fraction, such as 0.0, and {is} taken as a whole number"
+                )
+            }
+        }
+    }
+}
+
+/// The oddities of a file so far, with the first places of each.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Oddities {
+    found: Vec<(Oddity, usize, Vec<Place>)>,
+}
+
+impl Oddities {
+    /// Notes one more; the place is made only where it is listed.
+    pub(crate) fn note(&mut self, oddity: Oddity, place: impl FnOnce() -> Place) {
+        let (count, places) = self.of(oddity);
+        *count += 1;
+        if places.len() < LISTED_PLACES {
+            places.push(place());
+        }
+    }
+
+    /// Notes those of the next piece of the file.
+    pub(crate) fn append(&mut self, other: Self) {
+        for (oddity, more, new) in other.found {
+            let (count, places) = self.of(oddity);
+            *count += more;
+            places.extend(new);
+            places.truncate(LISTED_PLACES);
+        }
+    }
+
+    fn of(&mut self, oddity: Oddity) -> (&mut usize, &mut Vec<Place>) {
+        let at = self.found.iter().position(|&(known, ..)| known == oddity).unwrap_or_else(|| {
+            self.found.push((oddity, 0, Vec::new()));
+            self.found.len() - 1
+        });
+        let (_, count, places) = &mut self.found[at];
+        (count, places)
+    }
+
+    /// One remark for each oddity.
+    pub(crate) fn into_remarks(mut self) -> Vec<Remark> {
+        self.found.sort_by_key(|&(oddity, ..)| oddity);
+        let remark = |(oddity, count, places): (Oddity, usize, Vec<Place>)| {
+            Remark::new(oddity.code(), oddity.message(count)).at(count, places)
+        };
+        self.found.into_iter().map(remark).collect()
+    }
+}
+
+/// The vertices of a cell without those that stood before.
+pub(crate) fn without_repetition(vertices: &[u32]) -> Vec<u32> {
+    if vertices.len() <= 16 {
+        let first = |&(i, vertex): &(usize, &u32)| !vertices[..i].contains(vertex);
+        return vertices.iter().enumerate().filter(first).map(|(_, &vertex)| vertex).collect();
+    }
+    let mut seen = HashSet::with_capacity(vertices.len());
+    vertices.iter().copied().filter(|&vertex| seen.insert(vertex)).collect()
+}
+
+/// The vertices of a path without those that are where the path is already.
+pub(crate) fn without_standing_still(path: &[u32]) -> Vec<u32> {
+    let mut moving = path.to_vec();
+    moving.dedup();
+    moving
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn oddities_of_pieces_are_counted_together() {
+        let mut whole = Oddities::default();
+        for piece in 0..3u32 {
+            let mut part = Oddities::default();
+            for i in 0..3 {
+                part.note(Oddity::Collapsed, || Place::cell(&[3 * piece + i]).on_line(u64::from(i)));
+            }
+            whole.append(part);
+        }
+        whole.note(Oddity::Repeated, || Place::cell(&[7, 7]));
+        let remarks = whole.into_remarks();
+        assert_eq!(remarks[0].message, "1 cell repeats a vertex; the repetition is dropped");
+        assert_eq!(remarks[1].message, "9 cells have too few different vertices and are left out");
+        assert_eq!((remarks[1].count, remarks[1].places.len()), (9, LISTED_PLACES));
+        assert_eq!(remarks[1].places[4].cell, Some(vec![4]));
+    }
+
+    #[test]
+    fn long_and_short_lists_lose_their_repetitions() {
+        assert_eq!(without_repetition(&[4, 2, 4, 4, 3]), [4, 2, 3]);
+        let long: Vec<u32> = (0..40).chain([17, 3, 40]).collect();
+        assert_eq!(without_repetition(&long), (0..41).collect::<Vec<_>>());
+        assert_eq!(without_standing_still(&[1, 1, 2, 1, 1]), [1, 2, 1]);
+    }
+}

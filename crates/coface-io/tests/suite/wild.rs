@@ -1,0 +1,200 @@
+//! Files as they are in the wild: each is read with a remark, and refused by strict reading.
+
+use coface_io::{self as io, Format, GroupKind, Model, ReadOptions, RemarkCode};
+
+/// Reads a file of this format, with one remark of this code as the first, and sees to it that strict reading refuses it.
+fn read(bytes: &[u8], format: Format, code: RemarkCode) -> Model {
+    let text = String::from_utf8_lossy(bytes);
+    let options = ReadOptions::new().format(format);
+    let model = io::read_with(bytes, &options).unwrap_or_else(|error| panic!("{text}: {error}"));
+    model.check().unwrap();
+    assert_eq!(
+        model.remarks().first().map(|remark| remark.code),
+        Some(code),
+        "{text}: {:?}",
+        model.remarks()
+    );
+    let error = io::read_with(bytes, &options.strict(true)).expect_err(&text);
+    assert!(error.to_string().contains("strict reading assumes nothing"), "{error}");
+    model
+}
+
+fn lists(lists: &coface_algebra::RaggedArray) -> Vec<Vec<u32>> {
+    lists.iter().map(<[u32]>::to_vec).collect()
+}
+
+#[test]
+fn faces_that_repeat_a_vertex_lose_the_repetition() {
+    let points = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+    let model = read(
+        format!("{points}f 1 2 3 3\nf 1 2 2\nf 3 3 3\nl 1 1 3\n").as_bytes(),
+        Format::Obj,
+        RemarkCode::RepeatedVertex,
+    );
+    assert_eq!(lists(model.polygons()), [[0, 1, 2]]);
+    assert_eq!(lists(model.lines()), [[0, 1], [0, 2]]);
+    let counts: Vec<_> = model.remarks().iter().map(|remark| (remark.code, remark.count)).collect();
+    let collapsed = RemarkCode::CollapsedCell;
+    assert_eq!(counts, [(RemarkCode::RepeatedVertex, 2), (collapsed, 1), (collapsed, 1)]);
+    assert_eq!((model.remarks()[0].places[0].line, model.remarks()[2].places[0].line), (Some(4), Some(5)));
+
+    let off = "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 1 2\n3 0 1 1\n0\n4 0 1 2 3\n";
+    let model = read(off.as_bytes(), Format::Off, RemarkCode::RepeatedVertex);
+    assert_eq!(lists(model.polygons()), [vec![0, 1, 2], vec![0, 1, 2, 3]]);
+    assert_eq!((model.remarks()[1].count, model.remarks()[1].places[0].line), (2, Some(8)));
+
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+               element face 3\nproperty list uchar int vertex_indices\nproperty int sort\n\
+               element edge 2\nproperty int vertex1\nproperty int vertex2\nproperty int kind\nend_header\n\
+               0 0 0\n1 0 0\n0 1 0\n3 0 0 1 7\n4 0 1 2 2 8\n3 2 1 0 9\n1 1 5\n0 1 6\n";
+    let model = read(ply.as_bytes(), Format::Ply, RemarkCode::RepeatedVertex);
+    assert_eq!(lists(model.polygons()), [[0, 1, 2], [2, 1, 0]]);
+    assert_eq!(model.data_named("sort", GroupKind::Polygons).unwrap().integer_row(0), Some(vec![8]));
+    assert_eq!(model.data_named("kind", GroupKind::Lines).unwrap().integer_row(0), Some(vec![6]));
+
+    let medit = "MeshVersionFormatted 2 Dimension 2 Vertices 3 0 0 0 1 0 0 0 1 0\n\
+                 Triangles 3 1 1 2 4 1 2 3 5 3 2 1 0 RequiredTriangles 3 1 2 3 End\n";
+    let model = read(medit.as_bytes(), Format::Medit, RemarkCode::CollapsedCell);
+    assert_eq!(lists(model.polygons()), [[0, 1, 2], [2, 1, 0]]);
+    let members: Vec<_> =
+        model.groups().iter().map(|group| (group.name(), group.members().to_vec())).collect();
+    assert_eq!(members, [("5", vec![0]), ("RequiredTriangles", vec![0, 1])]);
+
+    let vtk = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n\
+               POLYGONS 3 12\n3 0 0 1\n4 0 1 1 2\n2 0 1\nTRIANGLE_STRIPS 1 6\n5 0 1 2 2 3\nCELL_DATA 4\n\
+               SCALARS a int\nLOOKUP_TABLE default\n5 6 7 8\n";
+    let model = read(vtk.as_bytes(), Format::Vtk, RemarkCode::RepeatedVertex);
+    assert_eq!(lists(model.polygons()), [[0, 1, 2], [0, 1, 2]]);
+    let data = model.data_named("a", GroupKind::Polygons).unwrap();
+    assert_eq!((data.integer_row(0), data.integer_row(1)), (Some(vec![6]), Some(vec![8])));
+}
+
+#[test]
+fn samples_with_a_repeated_vertex_are_read() {
+    let triangle = |face: &str| {
+        format!(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n\
+        $EndNodes\n$Elements\n2\n1 2 0 {face}\n2 4 0 1 2 3 3\n$EndElements\n"
+        )
+    };
+    let model = read(triangle("1 2 3").as_bytes(), Format::Msh, RemarkCode::CollapsedCell);
+    assert_eq!((model.polygons().len(), model.cells().len()), (1, 0));
+}
+
+#[test]
+fn off_is_read_word_by_word() {
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].concat();
+    for text in [
+        // Several vertices on a line, a face over two lines, comments, commas.
+        "OFF 4 2 0\n0 0 0 1 0 0 # two\n1 1 0\n0 1 0 3 0 1\n2 3 0 2 3\n",
+        "\n\n# a square\nOFF\n4 2 99\n0,0,0\n1,0,0\n1,1,0\n0,1,0\n3,0,1,2\n3,0,2,3\n",
+        "OFF\n4 2 5 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",
+        // Colors behind faces that are broken over lines.
+        "OFF\n4 2 5\n0 0 0 1 0 0 1 1 0 0 1 0\n3 0\n1 2 255 0 0\n3 0 2 3 0 0 255\n",
+    ] {
+        let model = read(text.as_bytes(), Format::Off, RemarkCode::InputReading);
+        assert_eq!(model.positions().as_flat(), square, "{text}");
+        assert_eq!(lists(model.polygons()), [[0, 1, 2], [0, 2, 3]], "{text}");
+    }
+    for text in ["OFF\n2 0 0\n0 0 0\n1 0 0\n", "nOFF\n2\n2 0 0\n0 0\n1 0\n"] {
+        let model = io::read(text.as_bytes(), Format::Off).unwrap();
+        assert_eq!((model.vertex_count(), model.remarks().len()), (2, 0), "{text}");
+    }
+    // What does not come out even is refused for what it seems to be.
+    let error = io::read(&b"OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n"[..], Format::Off).unwrap_err();
+    assert!(error.to_string().contains("promises 2 faces, but the file ends after 1"), "{error}");
+}
+
+#[test]
+fn little_endian_binary_off_is_read() {
+    let mut bytes = b"OFF BINARY\n".to_vec();
+    bytes.extend([3i32, 1, 0].iter().flat_map(|number| number.to_le_bytes()));
+    bytes.extend(
+        [0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].iter().flat_map(|number| number.to_le_bytes()),
+    );
+    bytes.extend([3i32, 0, 1, 2, 0].iter().flat_map(|number| number.to_le_bytes()));
+    let model = read(&bytes, Format::Off, RemarkCode::InputReading);
+    assert_eq!((lists(model.polygons()), model.positions().as_flat()[3]), (vec![vec![0, 1, 2]], 1.0));
+}
+
+#[test]
+fn ply_properties_come_in_any_order() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty list uchar float w\nproperty uchar red\nproperty float z\n\
+                property float x\nproperty list uchar int friends\nproperty float y\nelement face 1\nproperty float q\n\
+                property list uchar float texcoord\nproperty list uchar int vertex_indices\nproperty list uchar int more\nend_header\n\
+                2 9 9 255 3 1 1 5 2\n0 254 6 4 0 5\n1 8 253 9 7 2 1 1 8\n0.5 2 1 1 3 2 1 0 0\n";
+    let model = io::read(text.as_bytes(), Format::Ply).unwrap();
+    assert_eq!(model.positions().as_flat(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+    assert_eq!((lists(model.polygons()), model.remarks().len()), (vec![vec![2, 1, 0]], 0));
+    assert_eq!(model.data_named("red", GroupKind::Vertices).unwrap().integer_row(2), Some(vec![253]));
+}
+
+#[test]
+fn files_cut_short_are_read_in_part_when_asked() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty int a\n\
+               element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0 4\n1 0 0 5\n0 1 0 6\n3 0 1 2\n3 0";
+    let off = "OFF\n3 4 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nfacet\n";
+    let medit =
+        "MeshVersionFormatted 2 Dimension 3 Vertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTriangles 4\n1 2 3 0\n1 2";
+    let msh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n4\n1 2 0 1 2 3\n2 2";
+    for (text, format) in [
+        (ply, Format::Ply),
+        (off, Format::Off),
+        (stl, Format::Stl),
+        (medit, Format::Medit),
+        (msh, Format::Msh),
+    ] {
+        let options = ReadOptions::new().format(format);
+        let error = io::read_with(text.as_bytes(), &options).unwrap_err();
+        assert!(error.to_string().contains("file ends"), "{format:?}: {error}");
+        let model = io::read_with(text.as_bytes(), &options.partial(true)).unwrap();
+        assert_eq!((model.vertex_count(), lists(model.polygons())), (3, vec![vec![0, 1, 2]]), "{format:?}");
+        assert_eq!(model.remarks()[0].code, RemarkCode::PartialFile);
+    }
+    let error = io::read(ply.as_bytes(), Format::Ply).unwrap_err();
+    assert!(
+        error.to_string().contains("face 1 of the 4 that the header promises; 3 of them are missing"),
+        "{error}"
+    );
+    let vertices = &ply[..ply.find("0 1 0 6").unwrap()];
+    let model = io::read_with(vertices.as_bytes(), &ReadOptions::new().partial(true)).unwrap();
+    assert_eq!(model.vertex_count(), 2);
+    assert_eq!(model.data_named("a", GroupKind::Vertices).unwrap().integer_row(1), Some(vec![5]));
+}
+
+#[test]
+fn medit_references_are_fractions_and_dimension_1_is_read() {
+    let text = "MeshVersionFormatted 2 Dimension 1\nVertices 2\n0 0.0\n2 3.0\nEdges 1\n1 2 7.0\nEnd\n";
+    let model = read(text.as_bytes(), Format::Medit, RemarkCode::FractionalLabel);
+    assert_eq!((model.positions().dimension(), lists(model.lines())), (1, vec![vec![0, 1]]));
+    assert_eq!(model.groups().iter().map(io::Group::name).collect::<Vec<_>>(), ["3", "7"]);
+    assert_eq!(model.remarks()[0].count, 3);
+    let error = io::read(text.replace("7.0", "7.5").as_bytes(), Format::Medit).unwrap_err();
+    assert!(error.to_string().contains("\"7.5\" is not an integer"), "{error}");
+}
+
+#[test]
+fn gmsh_data_are_read_and_a_missing_end_is_a_remark() {
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nhello\n$EndComments\n$Nodes\n3\n10 0 0 0\n20 1 0 0\n30 2 0 0\n\
+                $EndNodes\n$Elements\n2\n7 1 0 10 20\n9 1 0 20 30\n$EndElements\n\
+                $NodeData\n2\n\"a view\"\n\"scheme\"\n1\n0.0\n3\n0\n1\n2\n20 0.5\n10 -1\n$EndNodeData\n\
+                $ElementData\n1\n\"speed\"\n0\n3\n0\n3\n2\n9 1 2 3\n8 4 5 6\n";
+    let model = read(text.as_bytes(), Format::Msh, RemarkCode::DataLeftOut);
+    let view = model.data_named("a view", GroupKind::Vertices).unwrap();
+    assert_eq!(
+        (view.real_row(0), view.real_row(1), view.real_row(2)[0].is_nan()),
+        (vec![-1.0], vec![0.5], true)
+    );
+    let speed = model.data_named("speed", GroupKind::Lines).unwrap();
+    assert_eq!((speed.real_row(1), speed.real_row(0)[0].is_nan()), (vec![1.0, 2.0, 3.0], true));
+    let codes: Vec<_> = model.remarks().iter().map(|remark| remark.code).collect();
+    assert!(codes.contains(&RemarkCode::MissingEnd) && codes.contains(&RemarkCode::DataLeftOut), "{codes:?}");
+}
+
+#[test]
+fn stl_without_its_end_is_read() {
+    let text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let model = read(text.as_bytes(), Format::Stl, RemarkCode::MissingEnd);
+    assert_eq!(model.polygons().len(), 1);
+}
