@@ -12,6 +12,7 @@ mod test;
 mod tokens;
 mod typescript;
 mod viewer;
+mod wild;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -23,6 +24,7 @@ const USAGE: &str = "usage:
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
+  cargo xtask wild DIR..      runs `coface info` on every file below the folders; counts what is read, and why the rest is refused
   cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
   cargo xtask types [--write] says whether the viewer has the types of docs/answers.schema.json; writes them
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         Some("viewer") if words.len() == 1 => viewer::run(),
         Some("python") if words.len() == 1 => python::run(),
         Some("answers") => answers::answers(&words[1..]),
+        Some("wild") => wild::wild(&words[1..]),
         Some("api") => api::api(&words[1..]),
         Some("types") => typescript::types(&words[1..]),
         Some("bench") => bench(&words[1..]),

@@ -1,7 +1,8 @@
 //! Detection of the format of a file by its first bytes.
 
 use super::format::names;
-use super::{Format, container, geojson, isosig, lines_text, volume, wkt, yin};
+use super::{Format, abaqus, container, foreign, geojson, isosig, lines_text, points_text, volume, wkt, yin};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 
 /// How well the first bytes of a file fit a format.
@@ -56,6 +57,14 @@ impl Format {
             ),
             Self::Msh => certain_if(word.starts_with(b"$")),
             Self::Vtk => certain_if(start.len() >= 14 && start[..14].eq_ignore_ascii_case(b"# vtk DataFile")),
+            Self::Gltf if start.starts_with(b"glTF") => Likeness::Certain,
+            Self::Gltf => certain_if(is_gltf(start)),
+            Self::ThreeMf => certain_if(is_three_mf(start)),
+            Self::Collada => certain_if(is_collada(start)),
+            Self::Abaqus if abaqus::is_likely(start) && is_text(start) => Likeness::Possible,
+            // Numbers alone are many things: the name tells these.
+            Self::Abaqus | Self::TetGen | Self::Points => Likeness::No,
+            Self::Json if is_gltf(start) => Likeness::No,
             Self::Json => {
                 let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
                 certain_if(matches!(first, Some(b'{' | b'[')) && !geojson::is_geojson(start))
@@ -89,59 +98,89 @@ impl Format {
     }
 }
 
-/// Decides the format of a file from its first bytes and, if it has one, its name.
+/// Decides the format of a file from its first bytes and, if it has one, its name. Where they disagree and the content is sure,
+/// it decides, with a remark.
 ///
 /// # Errors
 /// What the content is not, what it looks like, and how to say which format is meant.
-pub(super) fn decide(start: &[u8], whole: bool, by_name: Option<Format>) -> Result<Format, Error> {
+pub(super) fn decide(
+    start: &[u8],
+    whole: bool,
+    by_name: Option<Format>,
+) -> Result<(Format, Vec<Remark>), Error> {
     check_hopeless(start, whole)?;
     let unsupported = |message: String| Error::new(ErrorKind::UnsupportedFormat, message);
-    if let Some(named) = by_name {
-        if named.likeness(start, whole) > Likeness::No {
-            return Ok(named);
-        }
-        if named == Format::Json && geojson::is_geojson(start) {
-            // GeoJSON is JSON, and its files are often named so.
-            return Ok(Format::GeoJson);
-        }
-        if let Some((what, cure)) = foreign(start) {
-            return Err(unsupported(format!("this is {what}, not {}", named.title())).with_cure(cure));
-        }
-        let seen = Format::from_content(start, whole);
-        if named == Format::Stl && seen.is_none() && !is_text(start) {
-            // A binary STL has no mark: its reader says best what is wrong with it.
-            return Ok(named);
-        }
-        let is_word = !first_line(start).contains(&b' ') && is_text(start);
-        if named == Format::Isosig && seen.is_none() && is_word {
-            // Neither has a signature.
-            return Ok(named);
-        }
-        return Err(match seen {
-            Some(seen) => unsupported(format!(
-                "the name says {}, but the content looks like {}",
-                named.title(),
-                seen.title()
-            ))
-            .with_cure(format!("rename the file, or say what it is with --format {}", seen.name())),
-            None => unsupported(format!(
-                "the name says {}, but the content is {}",
-                named.title(),
-                if is_text(start) { "text of another kind" } else { "binary data of another kind" }
-            ))
-            .with_cure("check that the file is the one meant, or say what it is with --format"),
-        });
-    }
-    if let Some((what, cure)) = foreign(start).filter(|_| !volume::is_nifti(start)) {
+    let surely = |format: Format| Ok((format, Vec::new()));
+    if let Some((what, cure)) = foreign::surely(start) {
         return Err(unsupported(format!("this is {what}")).with_cure(cure));
     }
-    Format::from_content(start, whole).ok_or_else(|| {
-        unsupported(format!(
-            "the content, {}, is of no format known here",
-            if is_text(start) { "text" } else { "binary data" }
+    let Some(named) = by_name else {
+        if let Some((what, cure)) = foreign(start).filter(|_| !volume::is_nifti(start)) {
+            return Err(unsupported(format!("this is {what}")).with_cure(cure));
+        }
+        let seen = Format::from_content(start, whole).ok_or_else(|| {
+            unsupported(format!(
+                "the content, {}, is of no format known here",
+                if is_text(start) { "text" } else { "binary data" }
+            ))
+            .with_cure(format!("say what it is with --format, one of {}", names()))
+        })?;
+        return surely(seen);
+    };
+    if named.likeness(start, whole) > Likeness::No {
+        return surely(named);
+    }
+    let seen = Format::from_content(start, whole);
+    let sure = seen.filter(|seen| seen.likeness(start, whole) == Likeness::Certain);
+    // What only the name tells.
+    let is_told = match named {
+        Format::TetGen => is_text(start) && first_line(start).iter().all(|byte| !byte.is_ascii_alphabetic()),
+        Format::Points => is_text(start) && points_text::is_likely(start),
+        Format::Gltf => !whole && start.trim_ascii_start().starts_with(b"{"),
+        Format::ThreeMf => start.starts_with(b"PK"),
+        _ => false,
+    };
+    if is_told && sure.is_none_or(|sure| matches!(sure, Format::Lines | Format::Json)) {
+        return surely(named);
+    }
+    if named == Format::Json && geojson::is_geojson(start) {
+        // GeoJSON is JSON, and its files are often named so.
+        return surely(Format::GeoJson);
+    }
+    if let Some((what, cure)) = foreign(start) {
+        return Err(unsupported(format!("this is {what}, not {}", named.title())).with_cure(cure));
+    }
+    if named == Format::Stl && seen.is_none() && !is_text(start) {
+        // A binary STL has no mark: its reader says best what is wrong with it.
+        return surely(named);
+    }
+    let is_word = !first_line(start).contains(&b' ') && is_text(start);
+    if named == Format::Isosig && seen.is_none() && is_word {
+        // Neither has a signature.
+        return surely(named);
+    }
+    match seen {
+        Some(seen) if sure.is_some() => {
+            let message = format!(
+                "the name says {}, but the content is {} and is read as that",
+                named.title(),
+                seen.title()
+            );
+            Ok((seen, vec![Remark::new(RemarkCode::FormatByContent, message)]))
+        }
+        Some(seen) => Err(unsupported(format!(
+            "the name says {}, but the content looks like {}",
+            named.title(),
+            seen.title()
         ))
-        .with_cure(format!("say what it is with --format, one of {}", names()))
-    })
+        .with_cure(format!("rename the file, or say what it is with --format {}", seen.name()))),
+        None => Err(unsupported(format!(
+            "the name says {}, but the content is {}",
+            named.title(),
+            if is_text(start) { "text of another kind" } else { "binary data of another kind" }
+        ))
+        .with_cure("check that the file is the one meant, or say what it is with --format")),
+    }
 }
 
 /// Refuses content that a reader of the stated format would take for a model of nothing.
@@ -186,32 +225,27 @@ pub(super) fn without_mark(start: &[u8]) -> &[u8] {
 
 /// What a file is that is surely none of ours, and what to do about it.
 fn foreign(start: &[u8]) -> Option<(&'static str, &'static str)> {
-    const CONVERT: &str = "convert it to one of the formats known here first";
-    const UNPACK: &str = "unpack it first";
-    const KNOWN: [(&[u8], &str, &str); 17] = [
-        (b"\x1f\x8b", "compressed by gzip", UNPACK),
-        (b"PK\x03\x04", "a ZIP archive", UNPACK),
-        (b"BZh", "compressed by bzip2", UNPACK),
-        (b"\xfd7zXZ", "compressed by xz", UNPACK),
-        (b"\x28\xb5\x2f\xfd", "compressed by zstd", UNPACK),
-        (b"7z\xbc\xaf", "a 7-Zip archive", UNPACK),
-        (b"\xff\xfe", "text in UTF-16", "save it as plain text (UTF-8)"),
-        (b"\xfe\xff", "text in UTF-16", "save it as plain text (UTF-8)"),
-        (b"glTF", "binary glTF", CONVERT),
-        (b"Kaydara FBX", "FBX", CONVERT),
-        (b"ISO-10303-21", "STEP", CONVERT),
-        (b"\x89HDF", "HDF5", CONVERT),
-        (b"\x89PNG", "a PNG picture", CONVERT),
-        (b"\xff\xd8\xff", "a JPEG picture", CONVERT),
-        (b"%PDF", "a PDF document", CONVERT),
-        (b"\x7fELF", "a program", "name the file of the model"),
-        (b"<", "XML or HTML", CONVERT),
-    ];
-    KNOWN
-        .iter()
-        .find(|(mark, _, _)| start.trim_ascii_start().starts_with(mark))
-        .filter(|_| !is_svg(start) && vtk_xml_kind(start).is_none())
-        .map(|&(_, what, cure)| (what, cure))
+    let is_read = is_svg(start) || vtk_xml_kind(start).is_some() || is_collada(start) || is_three_mf(start);
+    foreign::perhaps(start).filter(|_| !is_read)
+}
+
+/// Whether this is the text form of glTF: an object with an asset that has a version, and scenes, nodes or meshes.
+fn is_gltf(start: &[u8]) -> bool {
+    let has = |word: &[u8]| memchr::memmem::find(start, word).is_some();
+    start.trim_ascii_start().starts_with(b"{")
+        && has(b"\"asset\"")
+        && has(b"\"version\"")
+        && (has(b"\"scenes\"") || has(b"\"nodes\"") || has(b"\"meshes\"") || has(b"\"accessors\""))
+}
+
+/// Whether this is a ZIP archive with a 3D model among its first parts.
+fn is_three_mf(start: &[u8]) -> bool {
+    let has = |word: &[u8]| memchr::memmem::find(start, word).is_some();
+    start.starts_with(b"PK\x03\x04") && (has(b"3D/") || has(b".model"))
+}
+
+fn is_collada(start: &[u8]) -> bool {
+    start.trim_ascii_start().starts_with(b"<") && memchr::memmem::find(start, b"<COLLADA").is_some()
 }
 
 /// Whether the start is that of XML with an element `svg` that nothing but comments and declarations stand before.
@@ -386,11 +420,20 @@ mod tests {
             (b"<svg:svg xmlns:svg=\"http://www.w3.org/2000/svg\"/>", Format::Svg),
         ] {
             assert_eq!(Format::from_content(start, true), Some(format), "{}", start.escape_ascii());
-            assert_eq!(decide(start, true, None).unwrap(), format);
-            assert_eq!(decide(start, true, Some(format)).unwrap(), format);
+            assert_eq!(decide(start, true, None).unwrap().0, format);
+            assert_eq!(decide(start, true, Some(format)).unwrap(), (format, Vec::new()));
             let other = if format == Format::Ply { Format::Vtk } else { Format::Ply };
-            let error = decide(start, true, Some(other)).unwrap_err().to_string();
-            assert!(error.contains(&format!("--format {}", format.name())), "{error}");
+            match decide(start, true, Some(other)) {
+                Ok((seen, remarks)) => {
+                    assert_eq!((seen, format.likeness(start, true)), (format, Likeness::Certain));
+                    assert_eq!(remarks[0].code, RemarkCode::FormatByContent);
+                }
+                Err(error) => {
+                    let cure = format!("--format {}", format.name());
+                    assert!(error.to_string().contains(&cure), "{error}");
+                    assert_eq!(format.likeness(start, true), Likeness::Possible);
+                }
+            }
         }
     }
 
@@ -402,7 +445,7 @@ mod tests {
         assert_eq!(Format::from_content(&bytes, false), None);
         bytes.push(0);
         assert_eq!(Format::from_content(&bytes, true), None);
-        assert_eq!(decide(&bytes, true, Some(Format::Stl)).unwrap(), Format::Stl);
+        assert_eq!(decide(&bytes, true, Some(Format::Stl)).unwrap().0, Format::Stl);
         bytes[80] = 3;
         assert_eq!(Format::from_content(&bytes, false), Some(Format::Stl));
     }
@@ -413,9 +456,8 @@ mod tests {
             (&b""[..], "empty"),
             (b" \n\t\r\n", "white space"),
             (&[0; 5000], "zero bytes"),
-            (b"\x1f\x8b\x08", "gzip"),
             (b"\xff\xfeO\0F\0", "UTF-16"),
-            (b"<html>", "XML"),
+            (b"<html>", "HTML"),
             (b"<svgfoo>", "XML"),
             (b"once upon a time", "text"),
             (b"\x07\x01\x99\x80", "binary"),

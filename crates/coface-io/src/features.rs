@@ -14,9 +14,19 @@ pub(crate) fn without_xml(format: &str) -> Error {
         .with_cure("build coface-io with the feature \"xml\", which is on by default, or convert the file")
 }
 
+/// The error about a file of a format that needs a feature.
+#[cfg(not(all(feature = "gltf", feature = "archives")))]
+pub(crate) fn without_feature(format: &str, feature: &str) -> Error {
+    use coface_algebra::ErrorKind;
+    Error::new(ErrorKind::UnsupportedFormat, format!("this build of coface does not read {format}"))
+        .with_cure(format!(
+            "build coface-io with the feature \"{feature}\", which is on by default, or convert the file"
+        ))
+}
+
 /// The error about a compressed file.
 #[cfg(not(feature = "compression"))]
-fn without_compression() -> Error {
+pub(crate) fn without_compression() -> Error {
     use coface_algebra::ErrorKind;
     Error::new(ErrorKind::UnsupportedFormat, "this build of coface does not read compressed data").with_cure(
         "build coface-io with the feature \"compression\", which is on by default, or write the file uncompressed",

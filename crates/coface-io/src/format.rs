@@ -1,5 +1,6 @@
 //! The formats and their names.
 
+use crate::unpacking::Packing;
 use coface_algebra::{Error, ErrorKind};
 use std::path::Path;
 
@@ -47,11 +48,23 @@ pub enum Format {
     Nrrd,
     /// NIfTI-1 and -2: arrays of voxels, compressed or not, in one file or two.
     Nifti,
+    /// glTF and GLB: placed meshes, read only.
+    Gltf,
+    /// 3MF: placed meshes, read only.
+    ThreeMf,
+    /// COLLADA: placed meshes, read only.
+    Collada,
+    /// Abaqus input: nodes, elements and sets, read only.
+    Abaqus,
+    /// Text files of TetGen and Triangle: nodes, elements, facets, read only.
+    TetGen,
+    /// Points as text, one a line, read only.
+    Points,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 26] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -72,11 +85,17 @@ impl Format {
         Self::Npy,
         Self::Nrrd,
         Self::Nifti,
+        Self::Gltf,
+        Self::ThreeMf,
+        Self::Collada,
+        Self::Abaqus,
+        Self::TetGen,
+        Self::Points,
     ];
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
     /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`, `npy`, `nrrd`, `nii`,
-    /// `cfc`.
+    /// `cfc`, `gltf`, `3mf`, `dae`, `inp`, `node`, `xyz`.
     ///
     /// # Examples
     /// ```
@@ -104,7 +123,7 @@ impl Format {
             Self::Msh => &["msh"],
             Self::Vtk => &["vtk"],
             Self::Json => &["json"],
-            Self::Isosig => &["isosig"],
+            Self::Isosig => &["isosig", "sig"],
             Self::Lines => &["lines"],
             Self::GeoJson => &["geojson"],
             Self::Wkt => &["wkt"],
@@ -116,6 +135,12 @@ impl Format {
             Self::Npy => &["npy"],
             Self::Nrrd => &["nrrd", "nhdr"],
             Self::Nifti => &["nii", "nii.gz", "hdr", "img"],
+            Self::Gltf => &["gltf", "glb"],
+            Self::ThreeMf => &["3mf"],
+            Self::Collada => &["dae"],
+            Self::Abaqus => &["inp"],
+            Self::TetGen => &["node", "ele", "face", "edge", "poly"],
+            Self::Points => &["xyz", "csv", "pts", "asc"],
         }
     }
 
@@ -148,10 +173,17 @@ impl Format {
             Self::Npy => "NumPy array",
             Self::Nrrd => "NRRD",
             Self::Nifti => "NIfTI",
+            Self::Gltf => "glTF",
+            Self::ThreeMf => "3MF",
+            Self::Collada => "COLLADA",
+            Self::Abaqus => "Abaqus input",
+            Self::TetGen => "TetGen text",
+            Self::Points => "points as text",
         }
     }
 
-    /// The format of this name: any of [`Self::extensions`], or `medit`, `gmsh`, `numpy` or `nifti`, in any case.
+    /// The format of this name: any of [`Self::extensions`], or `medit`, `gmsh`, `numpy`, `nifti`, `collada`, `abaqus`,
+    /// `tetgen` or `points`, in any case.
     ///
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`] listing the names.
@@ -169,6 +201,10 @@ impl Format {
             "gmsh" => return Ok(Self::Msh),
             "numpy" => return Ok(Self::Npy),
             "nifti" => return Ok(Self::Nifti),
+            "collada" => return Ok(Self::Collada),
+            "abaqus" => return Ok(Self::Abaqus),
+            "tetgen" => return Ok(Self::TetGen),
+            "points" => return Ok(Self::Points),
             _ => {}
         }
         Self::ALL.into_iter().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
@@ -213,6 +249,27 @@ impl Format {
         matches!(self, Self::Npy | Self::Nrrd | Self::Nifti)
     }
 
+    /// Whether models are only read in this format, not written.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Format;
+    /// assert!(Format::Collada.is_read_only() && !Format::Obj.is_read_only());
+    /// ```
+    pub const fn is_read_only(self) -> bool {
+        matches!(
+            self,
+            Self::Gltf
+                | Self::ThreeMf
+                | Self::Collada
+                | Self::Abaqus
+                | Self::TetGen
+                | Self::Points
+                | Self::Nrrd
+                | Self::Nifti
+        )
+    }
+
     /// The format to which the extension of a path belongs.
     ///
     /// # Examples
@@ -222,13 +279,37 @@ impl Format {
     /// assert_eq!(Format::from_path("part".as_ref()), None);
     /// ```
     pub fn from_path(path: &Path) -> Option<Self> {
-        let mut extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         if extension == "gz" {
             // `.nii.gz`, and pairs of `.hdr.gz` and `.img.gz`.
-            extension = Path::new(path.file_stem()?).extension()?.to_str()?.to_ascii_lowercase();
-            return Some(Self::Nifti).filter(|format| format.extensions().contains(&extension.as_str()));
+            return Self::from_input_path(path).filter(|&format| format == Self::Nifti);
         }
-        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension.as_str()))
+        Self::of_extension(&extension)
+    }
+
+    /// The format to which the extension of a path that is read belongs: where the file is compressed, the extension
+    /// before `.gz`, `.zst`, `.bz2` or `.xz`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Format;
+    /// assert_eq!(Format::from_input_path("part.stl.gz".as_ref()), Some(Format::Stl));
+    /// assert_eq!(Format::from_path("part.stl.gz".as_ref()), None);
+    /// ```
+    pub fn from_input_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        if Packing::of_extension(&extension) {
+            let inner = Path::new(path.file_stem()?).extension()?.to_str()?.to_ascii_lowercase();
+            return Self::of_extension(&inner);
+        }
+        if extension == "svgz" {
+            return Some(Self::Svg);
+        }
+        Self::of_extension(&extension)
+    }
+
+    fn of_extension(extension: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.extensions().contains(&extension))
     }
 }
 
@@ -252,7 +333,7 @@ mod tests {
         all.sort_unstable();
         all.dedup();
         assert_eq!(all.len(), count);
-        assert!(Format::from_name("xyz").unwrap_err().to_string().contains(
+        assert!(Format::from_name("docx").unwrap_err().to_string().contains(
             "off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, cfc"
         ));
     }

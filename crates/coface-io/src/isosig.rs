@@ -1,10 +1,12 @@
 //! Isomorphism signatures of gluing tables of dimension 3, one a line.
 //!
 //! The signature is the one of the program Regina: see
-//! [`GluingTable::from_isomorphism_signature`]. Empty lines and lines that begin with `#` are passed over. It names a table
+//! [`GluingTable::from_isomorphism_signature`]. What stands behind it on its line is its name, as in the lists of censuses:
+//! `cMcabbgqw L(3,1)`. Empty lines and lines that begin with `#` are passed over. It names a table
 //! up to the numbering of its simplices and their vertices: writing and reading again gives an isomorphic table.
 
 use super::{Model, Structure};
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::gluing::GluingTable;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -15,11 +17,10 @@ const DIMENSION: usize = 3;
 /// A signature of millions of tetrahedra fits.
 const LONGEST_LINE: usize = 1 << 26;
 
-/// Reads the table of a file with one signature.
+/// Reads the first table of a file; if it has several, a remark says how many, and [`read_entry`] chooses one.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] naming the line and the character that is wrong; [`ErrorKind::InvalidInput`] for several
-/// signatures, of which [`read_entry`] chooses one.
+/// [`ErrorKind::Parse`] naming the line and the character that is wrong.
 ///
 /// # Complexity
 /// Linear.
@@ -35,17 +36,25 @@ const LONGEST_LINE: usize = 1 << 26;
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
     match scan(input, None)? {
-        (1, Some(line)) => to_model(&line),
-        (0, _) => Err(Error::parse("the file has no signature").with_cure("write one a line")),
-        (count, _) => Err(Error::invalid(format!("the file has {count} signatures"))
-            .with_cure("choose one by its place, from 1, after a #: file.isosig#3")),
+        (count, Some(line)) => {
+            let mut model = to_model(&line)?;
+            if count > 1 {
+                let message = format!(
+                    "the file has {count} signatures, and the first is taken; choose one by its place or name after a #: \
+                     file.isosig#3"
+                );
+                model.remarks.push(Remark::new(RemarkCode::SeveralModels, message).at(count, []));
+            }
+            Ok(model)
+        }
+        (_, None) => Err(Error::parse("the file has no signature").with_cure("write one a line")),
     }
 }
 
-/// Reads the table of one of several signatures, chosen by its place among them, counted from 1.
+/// Reads the table of one of several signatures, chosen by its place among them, counted from 1, or by the name behind it on its line.
 ///
 /// # Errors
-/// [`ErrorKind::InvalidInput`] when there is none at this place; otherwise those of [`read`].
+/// [`ErrorKind::InvalidInput`] when there is none at this place or of this name; otherwise those of [`read`].
 ///
 /// # Complexity
 /// Linear.
@@ -54,17 +63,17 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// ```
 /// use coface_io::isosig;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let list = b"# lens spaces\ncMcabbgqw\ncMcabbjak\n";
+/// let list = b"# lens spaces\ncMcabbgqw\ncMcabbjak L(8,3)\n";
 /// assert_eq!(isosig::read_entry(&list[..], "2")?, isosig::read(&b"cMcabbjak"[..])?);
+/// assert_eq!(isosig::read_entry(&list[..], "L(8,3)")?, isosig::read(&b"cMcabbjak"[..])?);
 /// assert!(isosig::read_entry(&list[..], "3").is_err());
 /// # Ok(()) }
 /// ```
 pub fn read_entry(input: impl Read, place: &str) -> Result<Model, Error> {
-    // No signature has the place 0.
-    match scan(input, Some(place.parse().unwrap_or(0)))? {
+    match scan(input, Some(place))? {
         (_, Some(line)) => to_model(&line),
         (count, None) => Err(Error::invalid(format!("there is no signature {}", place.escape_debug()))
-            .with_cure(format!("the file has {count}: give a place from 1 to that"))),
+            .with_cure(format!("the file has {count}: give a place from 1 to that, or the name behind one"))),
     }
 }
 
@@ -103,23 +112,50 @@ pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
     }
 }
 
-/// Whether the line is the signature of a table with a simplex.
+/// The entries of a file: the name behind each signature, or its place among them.
+pub(crate) fn entries(input: impl Read) -> Result<Vec<String>, Error> {
+    let mut entries = Vec::new();
+    scan_with(input, |line| {
+        entries.push(if line.name.is_empty() { (entries.len() + 1).to_string() } else { line.name })
+    })?;
+    Ok(entries)
+}
+
+/// Whether the first word of the line is the signature of a table with a simplex.
 pub(super) fn is_signature(line: &[u8]) -> bool {
-    std::str::from_utf8(line).is_ok_and(|line| {
+    let word = line.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+    std::str::from_utf8(word).is_ok_and(|line| {
         GluingTable::from_isomorphism_signature(line, DIMENSION).is_ok_and(|table| table.simplex_count() > 0)
     })
 }
 
-/// A signature with the number of its line.
+/// A signature with the number of its line and the name behind it.
 struct Line {
     number: u64,
     text: String,
+    name: String,
 }
 
-/// The number of signatures, and that at the place that is wanted, from 1, or the first.
-fn scan(input: impl Read, wanted: Option<usize>) -> Result<(usize, Option<Line>), Error> {
+/// The number of signatures, and the one that is wanted, by its name or its place from 1, or the first.
+fn scan(input: impl Read, wanted: Option<&str>) -> Result<(usize, Option<Line>), Error> {
+    let place = wanted.map_or(Some(1), |wanted| wanted.parse::<usize>().ok());
+    let (mut count, mut found, mut has_name) = (0, None, false);
+    scan_with(input, |line| {
+        count += 1;
+        let is_named = wanted.is_some_and(|wanted| line.name == wanted);
+        // A name comes before a place.
+        if !has_name && (is_named || place == Some(count)) {
+            has_name = is_named;
+            found = Some(line);
+        }
+    })?;
+    Ok((count, found))
+}
+
+/// Gives each signature to a function.
+fn scan_with(input: impl Read, mut take: impl FnMut(Line)) -> Result<(), Error> {
     let mut input = BufReader::with_capacity(1 << 16, input);
-    let (mut count, mut found, mut number, mut line) = (0, None, 1, Vec::new());
+    let (mut number, mut line) = (1, Vec::new());
     loop {
         let piece = input.fill_buf()?;
         let (used, is_end) = match piece.iter().position(|&byte| byte == b'\n') {
@@ -127,14 +163,8 @@ fn scan(input: impl Read, wanted: Option<usize>) -> Result<(usize, Option<Line>)
             None => (piece.len(), piece.is_empty()),
         };
         let is_last = piece.is_empty();
-        let strange =
-            piece[..used].iter().position(|byte| !byte.is_ascii_graphic() && !byte.is_ascii_whitespace());
         line.extend_from_slice(&piece[..used]);
         input.consume(used);
-        if let Some(at) = strange.filter(|_| !line.trim_ascii_start().starts_with(b"#")) {
-            let byte = line[line.len() - used + at];
-            return Err(Error::parse(format!("the byte {byte} is of no signature")).at_line(number));
-        }
         if line.len() > LONGEST_LINE {
             return Err(Error::new(
                 ErrorKind::TooLarge,
@@ -148,14 +178,17 @@ fn scan(input: impl Read, wanted: Option<usize>) -> Result<(usize, Option<Line>)
         }
         let text = line.trim_ascii();
         if !text.is_empty() && text[0] != b'#' {
-            count += 1;
-            if wanted.unwrap_or(1) == count {
-                // Only ASCII is left.
-                found = Some(Line { number, text: text.iter().copied().map(char::from).collect() });
+            let length = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
+            let (signature, name) = text.split_at(length);
+            if let Some(byte) = signature.iter().find(|byte| !byte.is_ascii_graphic()) {
+                return Err(Error::parse(format!("the byte {byte} is of no signature")).at_line(number));
             }
+            // Only ASCII is left.
+            let text = signature.iter().copied().map(char::from).collect();
+            take(Line { number, text, name: String::from_utf8_lossy(name).trim().to_owned() });
         }
         if is_last {
-            return Ok((count, found));
+            return Ok(());
         }
         line.clear();
         number += 1;
@@ -184,9 +217,23 @@ mod tests {
         for place in ["0", "4", "-1", "x", ""] {
             assert!(model(place).unwrap_err().to_string().contains("the file has 3"), "{place}");
         }
-        assert!(read(&text[..]).unwrap_err().cure().unwrap().contains('#'));
+        assert_eq!(read(&text[..]).unwrap().remarks()[0].code, RemarkCode::SeveralModels);
+        assert_eq!(entries(&text[..]).unwrap(), ["1", "2", "3"]);
         assert!(read(&b"# nothing\n\n"[..]).is_err());
         assert_eq!(read(&b"cMc\xffabbgqw"[..]).unwrap_err().line(), Some(1));
+    }
+
+    #[test]
+    fn names_stand_behind_signatures() {
+        let list = "cMcabbgqw L(3,1) : #1\ncMcabbjak 1\n\ncMcabbjxr\tL(7,2)\n".as_bytes();
+        assert_eq!(entries(list).unwrap(), ["L(3,1) : #1", "1", "L(7,2)"]);
+        // A name comes before a place.
+        for (entry, signature) in [("L(3,1) : #1", "cMcabbgqw"), ("1", "cMcabbjak"), ("3", "cMcabbjxr")] {
+            assert_eq!(read_entry(list, entry).unwrap(), read(signature.as_bytes()).unwrap(), "{entry}");
+        }
+        assert!(read_entry(list, "L(9,2)").is_err());
+        let model = crate::read_unknown(&b"cMcabbgqw L(3,1)\n"[..]).unwrap();
+        assert_eq!((model.format(), model.remarks().len()), (Some(crate::Format::Isosig), 0));
     }
 
     #[test]

@@ -5,15 +5,19 @@
 //! [`write_path`] detect the format.
 //!
 //! # Features
-//! * `xml` (default): SVG and VTK XML are read. They are written without it.
-//! * `compression` (default): compressed volumes and compressed arrays of VTK XML are read.
+//! * `xml` (default): SVG, VTK XML and COLLADA are read. The first two are written without it.
+//! * `compression` (default): compressed files of all formats and compressed arrays of VTK XML are read.
+//! * `gltf` (default): glTF and GLB are read.
+//! * `archives` (default): 3MF is read.
 //!
 //! A reader that a build leaves out refuses its files and names the feature.
 //!
 #![doc = include_str!("../README.md")]
 
+pub mod abaqus;
 mod assembly;
 mod blocks;
+pub mod collada;
 pub mod container;
 mod counted_stream;
 mod data;
@@ -22,9 +26,11 @@ mod detection;
 mod drawing;
 mod element_kind;
 mod features;
+mod foreign;
 mod format;
 mod generated;
 pub mod geojson;
+pub mod gltf;
 mod group;
 pub mod isosig;
 pub mod json;
@@ -42,19 +48,27 @@ pub mod obj;
 mod oddities;
 pub mod off;
 mod output;
+mod parts;
 pub mod ply;
+pub mod points_text;
 mod readers;
 mod remark;
 #[cfg(test)]
 mod samples;
 mod scanner;
+mod scene;
 mod scratch_mesh;
 pub mod stl;
 pub mod svg;
+pub mod tetgen;
+pub mod three_mf;
+mod unpacking;
 mod values;
 pub mod volume;
 pub mod vtk;
 pub mod wkt;
+#[cfg(feature = "xml")]
+mod xml_text;
 pub mod yin;
 
 pub use data::CellData;
@@ -71,8 +85,8 @@ pub use output::{abandon_files, replace_file};
 #[doc(hidden)]
 pub use readers::stream_mesh;
 pub use readers::{
-    ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
-    read_path, read_path_with, read_unknown, read_with, write, write_path,
+    ReadOptions, entries_of_path, format_of_path, read, read_boundary, read_boundary_path,
+    read_boundary_with, read_named, read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]

@@ -2,14 +2,16 @@
 
 use super::counted_stream::{CountedStream, name_of, reading};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
+use super::unpacking::{Packing, unpacked};
 use super::{
-    Format, Model, Remark, Structure, VolumeReading, VolumeStream, container, detection, format, geojson,
-    isosig, json, lines_text, medit, msh, obj, off, output, ply, stl, svg, volume, vtk, wkt, yin,
+    Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, collada, container, detection,
+    format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, output, parts, ply, points_text,
+    stl, svg, tetgen, three_mf, volume, vtk, wkt, yin,
 };
 use coface_algebra::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// So many bytes are read to detect the format.
 const START: usize = 1 << 16;
@@ -17,10 +19,12 @@ const START: usize = 1 << 16;
 const STREAM: &str = "the input";
 
 /// Reads the model in a file. Without a format, the name and the content decide it; when they disagree it is an error
-/// that says how to settle it. [`Model::format`] then says which it was.
+/// that says how to settle it, unless the content is sure: then it decides, with a remark. [`Model::format`] then says which it was.
+/// A compressed file (gzip, Zstandard, bzip2, xz) is unpacked; the name before its extension counts.
 ///
-/// One entry of a JSON list of named objects is chosen by its name after a `#`: `facets.json#RP^3`; one of several
-/// isomorphism signatures by its place, from 1: `census.isosig#3`.
+/// One model of several is chosen by its name, or its place from 1, after a `#`: an object of a list in JSON
+/// (`facets.json#RP^3`), an isomorphism signature (`census.isosig#3`), or a group of the polygons of a mesh, such as an object of an OBJ or a
+/// solid of an STL (`parts.stl#lid`).
 ///
 /// # Errors
 /// [`ErrorKind::Io`] when the file is missing, a directory or unreadable; [`ErrorKind::UnsupportedFormat`] when the
@@ -205,33 +209,63 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
     if !path.exists()
         && let Some((file, entry)) = entry_of(path)
     {
-        let format = match format.or_else(|| Format::from_path(file)) {
-            Some(Format::Isosig) => Format::Isosig,
-            _ => Format::Json,
+        let read = || {
+            let mut opened = opened(counted(file)?, Some(file), format)?;
+            opened.path = Some(file.to_path_buf());
+            match opened.format {
+                Format::Isosig => isosig::read_entry(opened.bytes(), entry),
+                Format::Json => json::read_entry(opened.bytes(), entry),
+                _ => parts::part(read_started(opened, options)?, entry),
+            }
         };
-        let read = || match format {
-            Format::Isosig => isosig::read_entry(counted(file)?, entry),
-            _ => json::read_entry(counted(file)?, entry),
-        };
-        return match read() {
-            Ok(model) => Ok(model.with_format(format)),
-            Err(error) => Err(error.in_file(file.display().to_string())),
-        };
+        let model: Result<Model, Error> = read();
+        return model
+            .and_then(|model| options.accept(model.remarks()).map(|()| model))
+            .map_err(|error| error.in_file(file.display().to_string()));
     }
     let read = || {
-        let mut file = counted(path)?;
-        let (start, whole) = start_of(&mut file)?;
-        let format = match format {
-            Some(format) => format,
-            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path))?,
-        };
-        if format.is_volume() {
-            drop(file);
-            return volume_model(VolumeStream::open(path, format)?, options, format);
+        let mut opened = opened(counted(path)?, Some(path), format)?;
+        opened.path = Some(path.clone());
+        if opened.format.is_volume() && !opened.is_unpacked {
+            options.accept(&opened.remarks)?;
+            let Opened { format, remarks, .. } = opened;
+            let mut model = volume_model(VolumeStream::open(path, format)?, options, format)?;
+            model.remarks.splice(..0, remarks);
+            return Ok(model);
         }
-        read_started(&start, whole, &mut file, format, options)
+        read_started(opened, options)
     };
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// The entries of a file that holds several models: what [`read_path`] takes behind a `#`. Empty for a file that holds one. They are
+/// the names, or the places from 1, of isomorphism signatures, and of the objects of a list in JSON.
+///
+/// # Errors
+/// As [`read_path`].
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-entries-of-path.sig");
+/// std::fs::write(&path, "cMcabbgqw L(3,1)\ncMcabbjak\n")?;
+/// assert_eq!(io::entries_of_path(&path, None)?, ["L(3,1)", "2"]);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn entries_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Vec<String>, Error> {
+    let path = path.as_ref();
+    let found = || {
+        let opened = opened(counted(path)?, Some(path), format)?;
+        let entries = match opened.format {
+            Format::Isosig => isosig::entries(opened.bytes())?,
+            Format::Json => json::entries(opened.bytes())?,
+            _ => Vec::new(),
+        };
+        Ok(if entries.len() > 1 { entries } else { Vec::new() })
+    };
+    found().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
 /// The format of a file: what its name and its content tell, or the one that is given.
@@ -252,13 +286,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
 /// ```
 pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Format, Error> {
     let path = &volume::header_path(path.as_ref());
-    let found = || {
-        let (start, whole) = start_of(&mut open(path)?)?;
-        match format {
-            Some(format) => Ok(format),
-            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path)),
-        }
-    };
+    let found = || opened(open(path)?, Some(path), format).map(|opened| opened.format);
     found().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
@@ -286,9 +314,7 @@ fn volume_model(stream: VolumeStream<'_>, options: &ReadOptions, format: Format)
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
-    let mut input = reading(STREAM, input, 0);
-    let (start, whole) = start_of(&mut input)?;
-    read_started(&start, whole, &mut input, format, &ReadOptions::default())
+    read_started(opened(reading(STREAM, input, 0), None, Some(format))?, &ReadOptions::default())
 }
 
 /// Reads a model from a stream: of the format of the options, or of the one that its content shows.
@@ -307,13 +333,7 @@ pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
 /// ```
 pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     options.check()?;
-    let mut input = reading(STREAM, input, 0);
-    let (start, whole) = start_of(&mut input)?;
-    let format = match options.format {
-        Some(format) => format,
-        None => detection::decide(detection::without_mark(&start), whole, None)?,
-    };
-    read_started(&start, whole, &mut input, format, options)
+    read_started(opened(reading(STREAM, input, 0), None, options.format)?, options)
 }
 
 /// Reads a model from the bytes of a file of this name, as [`read_path_with`] does from the file itself: for what was fetched from
@@ -334,15 +354,7 @@ pub fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error
 pub fn read_named(input: impl Read, name: &str, options: &ReadOptions) -> Result<Model, Error> {
     let read = || {
         options.check()?;
-        let mut input = reading(name, input, 0);
-        let (start, whole) = start_of(&mut input)?;
-        let format = match options.format {
-            Some(format) => format,
-            None => {
-                detection::decide(detection::without_mark(&start), whole, Format::from_path(Path::new(name)))?
-            }
-        };
-        read_started(&start, whole, &mut input, format, options)
+        read_started(opened(reading(name, input, 0), Some(Path::new(name)), options.format)?, options)
     };
     read().map_err(|error: Error| error.in_file(name))
 }
@@ -396,18 +408,7 @@ pub fn read_boundary_path(
             Err(error) => Err(error.in_file(file.display().to_string())),
         };
     }
-    let read = || {
-        let mut file = counted(path)?;
-        let (start, whole) = start_of(&mut file)?;
-        if options.format.is_none() && yin::is_factories(detection::without_mark(&start)) {
-            return factories_started(&start, whole, &mut file);
-        }
-        let format = match options.format {
-            Some(format) => format,
-            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path))?,
-        };
-        boundary_started(&start, whole, &mut file, format, options)
-    };
+    let read = || boundary_of(counted(path)?, Some(path), options);
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
@@ -434,9 +435,7 @@ pub fn read_boundary(
     options: &ReadOptions,
 ) -> Result<yin::BoundaryDrawing, Error> {
     options.check()?;
-    let mut input = reading(STREAM, input, 0);
-    let (start, whole) = start_of(&mut input)?;
-    boundary_started(&start, whole, &mut input, format, options)
+    boundary_started(opened(reading(STREAM, input, 0), None, Some(format))?, options)
 }
 
 /// Reads the boundary of a set in the plane from a stream whose format is that of the options, or the one that its content shows.
@@ -454,44 +453,46 @@ pub fn read_boundary(
 /// ```
 pub fn read_boundary_with(input: impl Read, options: &ReadOptions) -> Result<yin::BoundaryDrawing, Error> {
     options.check()?;
-    let mut input = reading(STREAM, input, 0);
-    let (start, whole) = start_of(&mut input)?;
-    if options.format.is_none() && yin::is_factories(detection::without_mark(&start)) {
-        return factories_started(&start, whole, &mut input);
-    }
-    let format = match options.format {
-        Some(format) => format,
-        None => detection::decide(detection::without_mark(&start), whole, None)?,
-    };
-    boundary_started(&start, whole, &mut input, format, options)
+    boundary_of(reading(STREAM, input, 0), None, options)
 }
 
-/// Curves as text: no format of its own, for nothing else reads it.
-fn factories_started(start: &[u8], whole: bool, rest: &mut dyn Read) -> Result<yin::BoundaryDrawing, Error> {
-    let rest = rest.take(if whole { 0 } else { u64::MAX });
-    yin::read_factories(detection::without_mark(start).chain(rest))
-}
-
-fn boundary_started(
-    start: &[u8],
-    whole: bool,
-    rest: &mut dyn Read,
-    format: Format,
+fn boundary_of(
+    input: impl Read,
+    name: Option<&Path>,
     options: &ReadOptions,
 ) -> Result<yin::BoundaryDrawing, Error> {
-    let flatten = options.flatten;
+    let (start, whole, rest, is_unpacked) = unpacked_start(input)?;
+    if options.format.is_none() && yin::is_factories(detection::without_mark(&start)) {
+        // Curves as text are no format of their own, for nothing else reads them.
+        let rest = rest.take(if whole { 0 } else { u64::MAX });
+        return yin::read_factories(detection::without_mark(&start).chain(rest));
+    }
+    let (format, remarks) = match options.format {
+        Some(format) => (format, Vec::new()),
+        None => {
+            detection::decide(detection::without_mark(&start), whole, name.and_then(Format::from_input_path))?
+        }
+    };
+    let path = name.filter(|name| name.is_file()).map(Path::to_path_buf);
+    boundary_started(Opened { start, whole, rest, is_unpacked, format, remarks, path }, options)
+}
+
+fn boundary_started(opened: Opened<'_>, options: &ReadOptions) -> Result<yin::BoundaryDrawing, Error> {
+    options.accept(&opened.remarks)?;
+    let (format, flatten) = (opened.format, options.flatten);
     let drawing = match format {
         Format::Json | Format::Dat | Format::Svg if format != Format::Svg || flatten.is_none() => {
-            detection::check_stated(format, start, whole)?;
+            let Opened { start, whole, rest, .. } = opened;
+            detection::check_stated(format, &start, whole)?;
             let rest = rest.take(if whole { 0 } else { u64::MAX });
-            let input = detection::without_mark(start).chain(rest);
+            let input = detection::without_mark(&start).chain(rest);
             match format {
                 Format::Json => json::read_boundary(input, None)?,
                 Format::Dat => yin::read_dat(input)?,
                 _ => svg::read_regions(input)?,
             }
         }
-        _ => yin::drawing_of_model(&read_started(start, whole, rest, format, options)?)?,
+        _ => yin::drawing_of_model(&read_started(opened, options)?)?,
     };
     options.accept(drawing.remarks())?;
     Ok(drawing.with_format(format))
@@ -546,6 +547,15 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Nrrd | Format::Nifti => {
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
                 .with_cure("write a volume as .npy"))
+        }
+        Format::Gltf
+        | Format::ThreeMf
+        | Format::Collada
+        | Format::Abaqus
+        | Format::TetGen
+        | Format::Points => {
+            Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
+                .with_cure("write a mesh as OBJ, PLY, MSH or VTK"))
         }
     }
 }
@@ -622,17 +632,12 @@ fn open(path: &Path) -> Result<File, Error> {
 #[doc(hidden)]
 pub fn stream_mesh(path: &Path, format: Option<Format>, streams: [ScratchStream; 2]) -> Result<bool, Error> {
     let read = || {
-        let mut file = counted(path)?;
-        let (start, whole) = start_of(&mut file)?;
-        let format = match format {
-            Some(format) => format,
-            None => detection::decide(detection::without_mark(&start), whole, Format::from_path(path))?,
-        };
+        let Opened { start, whole, rest, format, .. } = opened(counted(path)?, Some(path), format)?;
         if !matches!(format, Format::Medit | Format::Msh) {
             return Ok(false);
         }
         detection::check_stated(format, &start, whole)?;
-        let input = detection::without_mark(&start).chain(file);
+        let input = detection::without_mark(&start).chain(rest);
         let scratch = ScratchMesh::new(streams);
         let read = match format {
             Format::Medit => medit::read_into(input, scratch),
@@ -650,6 +655,58 @@ pub fn stream_mesh(path: &Path, format: Option<Format>, streams: [ScratchStream;
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
+/// A stream, unpacked if it is compressed, whose format is known.
+struct Opened<'r> {
+    start: Vec<u8>,
+    /// Whether the start is all of it.
+    whole: bool,
+    rest: Box<dyn Read + 'r>,
+    is_unpacked: bool,
+    format: Format,
+    remarks: Vec<Remark>,
+    /// The path of the file, if it is one: some formats have files beside it.
+    path: Option<PathBuf>,
+}
+
+impl<'r> Opened<'r> {
+    /// All bytes but the mark that some editors put before text.
+    fn bytes(self) -> impl Read + use<'r> {
+        let start = detection::without_mark(&self.start).to_vec();
+        std::io::Cursor::new(start).chain(self.rest.take(if self.whole { 0 } else { u64::MAX }))
+    }
+}
+
+/// Looks at the start of a stream, which has a name or none, and finds its format unless it is stated.
+fn opened<'r>(
+    input: impl Read + 'r,
+    name: Option<&Path>,
+    stated: Option<Format>,
+) -> Result<Opened<'r>, Error> {
+    let (start, whole, rest, is_unpacked) = unpacked_start(input)?;
+    let (format, remarks) = match stated {
+        Some(format) => (format, Vec::new()),
+        None => {
+            detection::decide(detection::without_mark(&start), whole, name.and_then(Format::from_input_path))?
+        }
+    };
+    Ok(Opened { start, whole, rest, is_unpacked, format, remarks, path: None })
+}
+
+type Start<'r> = (Vec<u8>, bool, Box<dyn Read + 'r>, bool);
+
+/// The first bytes of a stream, whether they are all of it, the rest of it, and whether it was unpacked.
+fn unpacked_start<'r>(mut input: impl Read + 'r) -> Result<Start<'r>, Error> {
+    let (start, whole) = start_of(&mut input)?;
+    // The readers of volumes unpack for themselves.
+    let packing = Packing::of_content(&start).filter(|_| !volume::is_nifti(&start));
+    let Some(packing) = packing else { return Ok((start, whole, Box::new(input), false)) };
+    let mut rest = unpacked(std::io::Cursor::new(start).chain(input), packing)?;
+    let (start, whole) = start_of(&mut rest).map_err(|error| {
+        error.with_cure("the file was cut short: write it again, or restore it from a copy")
+    })?;
+    Ok((start, whole, rest, true))
+}
+
 /// The first bytes of a stream, and whether they are all of it.
 fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
     let mut start = Vec::new();
@@ -659,11 +716,19 @@ fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
 }
 
 /// Reads on from the start that was looked at.
-fn read_started(
+fn read_started(opened: Opened<'_>, options: &ReadOptions) -> Result<Model, Error> {
+    options.accept(&opened.remarks)?;
+    let Opened { start, whole, rest, format, remarks, path, .. } = opened;
+    let mut model = read_format(&start, whole, rest, (format, path.as_deref()), options)?;
+    model.remarks.splice(..0, remarks);
+    Ok(model)
+}
+
+fn read_format(
     start: &[u8],
     whole: bool,
-    rest: &mut dyn Read,
-    format: Format,
+    rest: impl Read,
+    (format, path): (Format, Option<&Path>),
     options: &ReadOptions,
 ) -> Result<Model, Error> {
     let flatten = options.flatten;
@@ -688,6 +753,12 @@ fn read_started(
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
         Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
         Format::Container => container::read(input)?,
+        Format::Gltf => gltf::read_in(input, path.map(|path| path.parent().unwrap_or(Path::new(""))))?,
+        Format::ThreeMf => three_mf::read(input)?,
+        Format::Collada => collada::read(input)?,
+        Format::Abaqus => abaqus::read(input)?,
+        Format::TetGen => tetgen::read_beside(input, path)?,
+        Format::Points => points_text::read(input)?,
         Format::Npy | Format::Nrrd | Format::Nifti => {
             return volume_model(VolumeStream::new(input, format)?, options, format);
         }

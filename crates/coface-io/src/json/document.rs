@@ -39,14 +39,14 @@ pub(super) enum Content {
 /// What the file is.
 pub(super) enum Document {
     One(Content),
-    /// A list of objects: their names, and those contents whose name was wanted.
+    /// A list of objects: their names, and those contents whose name or place was wanted, or the first.
     List {
         names: Vec<Option<String>>,
         chosen: Vec<Content>,
     },
 }
 
-/// The whole file; in a list, the objects named `wanted` are kept.
+/// The whole file; in a list, the objects named `wanted` are kept, or the one at that place, from 1.
 pub(super) struct Root<'a> {
     pub(super) wanted: Option<&'a str>,
     pub(super) faults: &'a Faults,
@@ -80,15 +80,22 @@ impl<'de> Visitor<'de> for Root<'_> {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Document, A::Error> {
         let (mut facets, mut vertices) = (RaggedArray::new(), Vec::new());
-        let (mut names, mut chosen) = (Vec::new(), Vec::new());
+        let (mut names, mut chosen, mut placed) = (Vec::new(), Vec::new(), None);
         while let Some(object) = list.next_element_seed(Element {
             facet: Facet { facets: &mut facets, vertices: &mut vertices, faults: self.faults },
         })? {
             let Some((name, content)) = object else { continue };
+            let place = self.wanted.map_or(Some(1), |wanted| wanted.parse().ok());
             if self.wanted.is_some() && name.as_deref() == self.wanted {
                 chosen.push(content);
+            } else if place == Some(names.len() + 1) {
+                placed = Some(content);
             }
             names.push(name);
+        }
+        // A name comes before a place.
+        if chosen.is_empty() {
+            chosen.extend(placed);
         }
         match (facets.is_empty(), names.is_empty()) {
             (_, true) => Ok(Document::One(Content::Facets(facets))),

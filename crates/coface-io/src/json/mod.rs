@@ -36,6 +36,6 @@ mod tests;
 mod writing;
 
 pub(crate) use faults::Faults;
+pub(crate) use reading::{entries, read_boundary, read_with};
 pub use reading::{read, read_entry};
-pub(crate) use reading::{read_boundary, read_with};
 pub use writing::write;

@@ -5,7 +5,7 @@ use super::document::{Content, Document, Root};
 use super::faults::Faults;
 use super::points::PointList;
 use crate::yin::{BoundaryDrawing, model_of_drawing};
-use crate::{Model, Structure};
+use crate::{Model, Remark, RemarkCode, Structure};
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, ErrorKind};
@@ -22,7 +22,7 @@ const LISTED_NAMES: usize = 60;
 /// # Errors
 /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no JSON or none of the forms; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the facet,
 /// halfedge or entry that is wrong; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for numbers beyond 32 bits; the errors of
-/// [`ChainComplex::new`]; for a list of objects, one that lists their names. All but the last name the line.
+/// [`ChainComplex::new`]. All but the last name the line. Of a list of objects the first is read, with a remark.
 ///
 /// # Complexity
 /// Linear; memory is the model.
@@ -44,7 +44,38 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 
 /// The same with chords that are within a tolerance of curves.
 pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {
-    to_model(one(parse(input, None)?)?, tolerance)
+    let (content, remark) = first(parse(input, None)?)?;
+    let mut model = to_model(content, tolerance)?;
+    model.remarks.extend(remark);
+    Ok(model)
+}
+
+/// The only object of a file, or the first of several, with a remark.
+fn first(document: Document) -> Result<(Content, Option<Remark>), Error> {
+    match document {
+        Document::List { names, mut chosen } if !chosen.is_empty() => {
+            let content = chosen.swap_remove(0);
+            let message = format!(
+                "the file is a list of {} objects, and the first is taken; choose one by its place or name after a #: {}",
+                names.len(),
+                listed(&names)
+            );
+            let remark = Remark::new(RemarkCode::SeveralModels, message).at(names.len(), []);
+            Ok((content, (names.len() > 1).then_some(remark)))
+        }
+        document => one(document).map(|content| (content, None)),
+    }
+}
+
+/// The names of the objects of a list, or their places; none if the file is no list of objects.
+pub(crate) fn entries(input: impl Read) -> Result<Vec<String>, Error> {
+    Ok(match parse(input, None)? {
+        Document::One(_) => Vec::new(),
+        Document::List { names, .. } => {
+            let entry = |(i, name): (usize, Option<String>)| name.unwrap_or_else(|| (i + 1).to_string());
+            names.into_iter().enumerate().map(entry).collect()
+        }
+    })
 }
 
 /// The curves of a file, or of the object of this name in a list.
@@ -82,7 +113,7 @@ fn one(document: Document) -> Result<Content, Error> {
     }
 }
 
-/// Reads the object of this name from a list of objects, as [`read`] reads one alone.
+/// Reads the object of this name, or at this place from 1, from a list of objects, as [`read`] reads one alone.
 ///
 /// # Errors
 /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) listing the names when there is none, or more than one, of this name; otherwise those of

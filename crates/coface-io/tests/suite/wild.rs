@@ -198,3 +198,180 @@ fn stl_without_its_end_is_read() {
     let model = read(text.as_bytes(), Format::Stl, RemarkCode::MissingEnd);
     assert_eq!(model.polygons().len(), 1);
 }
+
+#[test]
+fn compressed_files_are_read_by_the_name_before() {
+    use std::io::Write;
+    let folder = tempfile::tempdir().unwrap();
+    let off = b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    gzip.write_all(off).unwrap();
+    let mut bzip2 = bzip2::write::BzEncoder::new(Vec::new(), bzip2::Compression::default());
+    bzip2.write_all(off).unwrap();
+    let zstandard = ruzstd::encoding::compress_to_vec(&off[..], ruzstd::encoding::CompressionLevel::Fastest);
+    for (extension, bytes) in
+        [("gz", gzip.finish().unwrap()), ("bz2", bzip2.finish().unwrap()), ("zst", zstandard)]
+    {
+        let path = folder.path().join(format!("a.off.{extension}"));
+        std::fs::write(&path, &bytes).unwrap();
+        let model = io::read_path(&path, None).unwrap();
+        assert_eq!((model.format(), model.polygons().len()), (Some(Format::Off), 1), "{extension}");
+        assert_eq!(io::format_of_path(&path, None).unwrap(), Format::Off);
+        assert_eq!(io::read_unknown(&bytes[..]).unwrap(), model, "as a stream");
+        assert_eq!(io::read(&bytes[..], Format::Off).unwrap(), model, "of a stated format");
+        std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
+        assert!(io::read_path(&path, None).is_err(), "{extension}, cut short");
+    }
+}
+
+#[test]
+fn gltf_places_its_meshes() {
+    // Three points in base64, and a node that moves them twice.
+    let points = [0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+    let bytes: Vec<u8> = points.iter().flat_map(|x| x.to_le_bytes()).chain([0, 1, 2, 3, 2, 1]).collect();
+    let file = |uri: &str| {
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":54,"uri":"{uri}"}}],
+            "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":6}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},
+            {{"bufferView":1,"componentType":5121,"count":6,"type":"SCALAR"}}],
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}}],
+            "nodes":[{{"mesh":0,"name":"low"}},{{"children":[2],"translation":[5,0,0]}},{{"mesh":0,"scale":[2,2,2]}}],
+            "scenes":[{{"nodes":[0,1]}}],"scene":0}}"#
+        )
+    };
+    let coded = base64(&bytes);
+    let text = file(&format!("data:application/octet-stream;base64,{coded}"));
+    let model = read(text.as_bytes(), Format::Gltf, RemarkCode::InputReading);
+    assert_eq!(io::read_unknown(text.as_bytes()).unwrap(), model);
+    assert_eq!(lists(model.polygons()), [[0, 1, 2], [0, 2, 1], [3, 4, 5], [3, 5, 4]]);
+    assert_eq!(model.positions().as_flat()[9..], [5.0, 0.0, 0.0, 7.0, 0.0, 0.0, 5.0, 2.0, 0.0]);
+    assert_eq!((model.groups()[0].name(), model.groups()[0].members()), ("low", &[0, 1][..]));
+    // A buffer is read from the folder of the file, and from nowhere else.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("in").join("a.gltf");
+    std::fs::create_dir(folder.path().join("in")).unwrap();
+    std::fs::write(folder.path().join("in/b c.bin"), &bytes).unwrap();
+    std::fs::write(folder.path().join("out.bin"), &bytes).unwrap();
+    for (uri, message) in [
+        ("b%20c.bin", ""),
+        ("../out.bin", "outside the folder"),
+        ("/etc/hostname", "outside the folder"),
+        ("https://example.org/b.bin", "outside the folder"),
+        ("none.bin", "is not there"),
+        (".", "is no regular file"),
+    ] {
+        std::fs::write(&path, file(uri)).unwrap();
+        match io::read_path(&path, None) {
+            Ok(again) => assert!(message.is_empty() && again == model, "{uri}"),
+            Err(error) => {
+                assert!(!message.is_empty() && error.to_string().contains(message), "{uri}: {error}")
+            }
+        }
+    }
+    let cut = text.replace("\"byteLength\":6", "\"byteLength\":60");
+    assert!(io::read(cut.as_bytes(), Format::Gltf).unwrap_err().to_string().contains("outside their buffer"));
+    let cycle = text.replace("\"children\":[2]", "\"children\":[1]");
+    assert!(io::read(cycle.as_bytes(), Format::Gltf).is_err());
+}
+
+/// The text of bytes, six bits a letter.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::new();
+    for three in bytes.chunks(3) {
+        let bits =
+            three.iter().fold(0u32, |bits, &byte| bits << 8 | u32::from(byte)) << (8 * (3 - three.len()));
+        for i in 0..4 {
+            let letter = LETTERS[(bits >> (18 - 6 * i) & 63) as usize];
+            text.push(if i <= three.len() { char::from(letter) } else { '=' });
+        }
+    }
+    text
+}
+
+#[test]
+fn collada_places_its_meshes() {
+    let text = r##"<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+        <library_geometries><geometry id="g"><mesh>
+        <source id="p"><float_array id="pa" count="12">0 0 0 1 0 0 1 1 0 0 1 0</float_array><technique_common>
+        <accessor source="#pa" count="4" stride="3"/></technique_common></source>
+        <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <polylist count="1"><input semantic="VERTEX" source="#v" offset="0"/><input semantic="NORMAL" source="#n" offset="1"/>
+        <vcount>4</vcount><p>0 0 1 0 2 0 3 0</p></polylist>
+        <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+        </mesh></geometry></library_geometries>
+        <library_visual_scenes><visual_scene id="s"><node name="a"><translate>1 0 0</translate><rotate>0 0 1 90</rotate>
+        <instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+        <scene><instance_visual_scene url="#s"/></scene></COLLADA>"##;
+    let model = io::read_unknown(text.as_bytes()).unwrap();
+    assert_eq!((model.format(), model.remarks().len()), (Some(Format::Collada), 0));
+    assert_eq!(lists(model.polygons()), [vec![0, 1, 2, 3], vec![0, 1, 2]]);
+    let point = &model.positions().as_flat()[3..6];
+    assert!((point[0] - 1.0).abs() < 1e-15 && point[1] == 1.0, "{point:?}");
+    assert_eq!(model.groups()[0].members(), [0, 1]);
+    let error = io::read(text.replace("3 0</p>", "9 0</p>").as_bytes(), Format::Collada).unwrap_err();
+    assert!(error.to_string().contains("names vertex 9"), "{error}");
+}
+
+#[test]
+fn build_items_of_3mf_are_placed() {
+    use std::io::Write;
+    let text = r#"<model xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
+        <object id="1" name="flat"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices>
+        <triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>
+        <object id="2"><components><component objectid="1"/><component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 9"/></components></object>
+        </resources><build><item objectid="2" transform="2 0 0 0 2 0 0 0 2 1 0 0"/></build></model>"#;
+    let archive = |text: &str| {
+        let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+        archive.start_file("3D/3dmodel.model", zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(text.as_bytes()).unwrap();
+        archive.finish().unwrap().into_inner()
+    };
+    let model = io::read_unknown(&archive(text)[..]).unwrap();
+    assert_eq!(
+        (model.format(), lists(model.polygons())),
+        (Some(Format::ThreeMf), vec![vec![0, 1, 2], vec![3, 4, 5]])
+    );
+    assert_eq!(model.positions().as_flat()[12..15], [3.0, 0.0, 18.0]);
+    let cycle = text.replace("<component objectid=\"1\"/>", "<component objectid=\"2\"/>");
+    assert!(
+        io::read(&archive(&cycle)[..], Format::ThreeMf).unwrap_err().to_string().contains("contains itself")
+    );
+}
+
+#[test]
+fn one_of_several_models_is_chosen() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let list = path(
+        "a.json",
+        r#"[{"name": "2", "facets": [[0, 1]]}, {"facets": [[0, 1, 2]]}, {"name": "c", "facets": [[7]]}]"#,
+    );
+    assert_eq!(io::entries_of_path(&list, None).unwrap().len(), 3);
+    let model = io::read_path(&list, None).unwrap();
+    assert_eq!((model.remarks()[0].code, model.remarks()[0].count), (RemarkCode::SeveralModels, 3));
+    assert!(io::read_path_with(&list, &ReadOptions::new().strict(true)).is_err());
+    // A name comes before a place.
+    assert_eq!(io::read_path(format!("{list}#2"), None).unwrap(), model);
+    assert_eq!(
+        io::read_path(format!("{list}#3"), None).unwrap(),
+        io::read_path(format!("{list}#c"), None).unwrap()
+    );
+    let census = path("a.sig", "cMcabbgqw L(3,1) : #1\ncMcabbjak\n");
+    assert_eq!(io::entries_of_path(&census, None).unwrap(), ["L(3,1) : #1", "2"]);
+    let chosen = io::read_path(format!("{census}#L(3,1) : #1"), None).unwrap();
+    assert_eq!((&chosen, chosen.format()), (&io::read_path(&census, None).unwrap(), Some(Format::Isosig)));
+    let parts = path("a.obj", "o low\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no high\nv 0 0 9\nf 4 3 2\n");
+    assert!(io::entries_of_path(&parts, None).unwrap().is_empty());
+    let model = io::read_path(format!("{parts}#high"), None).unwrap();
+    assert_eq!((model.vertex_count(), lists(model.polygons())), (3, vec![vec![0, 1, 2]]));
+    assert_eq!(model.positions().as_flat()[2], 9.0);
+    assert_eq!(io::read_path(format!("{parts}#2"), None).unwrap(), model);
+    let error = io::read_path(format!("{parts}#middle"), None).unwrap_err();
+    assert!(error.to_string().contains("low, high"), "{error}");
+}

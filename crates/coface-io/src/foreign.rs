@@ -1,0 +1,177 @@
+//! Formats that are not read, told by their first bytes, so that a message can name them.
+
+const CONVERT: &str = "convert it to one of the formats known here first";
+const UNPACK: &str = "unpack it first";
+
+/// What a file is and what to do about it.
+type Known = (&'static str, &'static str);
+
+/// Beginnings of files.
+const MARKS: [(&[u8], &str, &str); 47] = [
+    (b"\x1f\x8b", "compressed by gzip", UNPACK),
+    (b"PK\x03\x04", "a ZIP archive", UNPACK),
+    (b"BZh", "compressed by bzip2", UNPACK),
+    (b"\xfd7zXZ", "compressed by xz", UNPACK),
+    (b"\x28\xb5\x2f\xfd", "compressed by zstd", UNPACK),
+    (b"7z\xbc\xaf", "a 7-Zip archive", UNPACK),
+    (b"Rar!", "a RAR archive", UNPACK),
+    (b"\xff\xfe", "text in UTF-16", "save it as plain text (UTF-8)"),
+    (b"\xfe\xff", "text in UTF-16", "save it as plain text (UTF-8)"),
+    (
+        b"version https://git-lfs",
+        "a pointer of Git LFS, not the file itself",
+        "fetch the file with git lfs pull",
+    ),
+    (b"Kaydara FBX", "FBX", CONVERT),
+    (b"; FBX", "FBX", CONVERT),
+    (b"BLENDER", "a Blender file", "export it from Blender as OBJ, PLY or STL"),
+    (b"ISO-10303-21", "STEP", "export a mesh of it, such as STL"),
+    (b"AutoCAD Binary DXF", "DXF", CONVERT),
+    (b"AC10", "DWG", CONVERT),
+    (b"3D Geometry File Format", "a Rhino 3DM file", CONVERT),
+    (b"xof 0", "a DirectX .x file", CONVERT),
+    (b"#VRML", "VRML", CONVERT),
+    (b"#X3D", "X3D", CONVERT),
+    (b"#usda", "USD", CONVERT),
+    (b"PXR-USDC", "USD", CONVERT),
+    (b"#binvox", "a binvox volume", "convert it to .npy or NRRD first"),
+    (b"OCTM", "OpenCTM", CONVERT),
+    (b"DRACO", "Draco", CONVERT),
+    (b"#INVENTOR", "an Open Inventor file", CONVERT),
+    (b"#Inventor", "an Open Inventor file", CONVERT),
+    (b"LASF", "LAS", "convert it to .xyz or PLY first"),
+    (b"\x89HDF", "HDF5, as MED, XDMF and CGNS files are", "convert it to VTK or Gmsh MSH first"),
+    (b"CDF\x01", "NetCDF, as Exodus files are", "convert it to VTK or Gmsh MSH first"),
+    (b"CDF\x02", "NetCDF, as Exodus files are", "convert it to VTK or Gmsh MSH first"),
+    (b"SQLite format 3", "SQLite, as GeoPackage files are", "convert it to GeoJSON first"),
+    (b"fgb\x03", "FlatGeobuf", "convert it to GeoJSON first"),
+    (b"\0\0\x27\x0a", "an ESRI shapefile", "convert it to GeoJSON first"),
+    (b"\x89PNG", "a PNG picture", CONVERT),
+    (b"\xff\xd8\xff", "a JPEG picture", CONVERT),
+    (b"GIF8", "a GIF picture", CONVERT),
+    (b"II*\0", "a TIFF picture", CONVERT),
+    (b"MM\0*", "a TIFF picture", CONVERT),
+    (b"%PDF", "a PDF document", CONVERT),
+    (b"%!PS", "PostScript", CONVERT),
+    (b"\x80\x04\x95", "a Python pickle", "write the arrays with numpy.save"),
+    (b"MATLAB 5.0", "a MATLAB file", CONVERT),
+    (b"\x7fELF", "a program", "name the file of the model"),
+    (b"MZ\x90", "a program", "name the file of the model"),
+    (b"!<arch>", "a library of programs", "name the file of the model"),
+    (b"\xca\xfe\xba\xbe", "a program", "name the file of the model"),
+];
+
+/// Elements of XML.
+const ELEMENTS: [(&[u8], &str, &str); 9] = [
+    (b"<kml", "KML", "convert it to GeoJSON first"),
+    (b"<Xdmf", "XDMF", "convert it to VTK or Gmsh MSH first"),
+    (b"<X3D", "X3D", CONVERT),
+    (b"<osm", "OpenStreetMap data", "convert it to GeoJSON first"),
+    (b"<gpx", "GPX", "convert it to GeoJSON first"),
+    (b"<VTKFile", "VTK XML of a kind that is not read", CONVERT),
+    (b"http://www.opengis.net/gml", "GML", "convert it to GeoJSON or WKT first"),
+    (b"<html", "HTML", "name the file of the model: this is a page about it"),
+    (b"<!DOCTYPE html", "HTML", "name the file of the model: this is a page about it"),
+];
+
+/// What a file is that no reader here takes for its own, whatever its name.
+pub(super) fn surely(start: &[u8]) -> Option<Known> {
+    let text = start.trim_ascii_start();
+    if text.starts_with(b"{") {
+        let has = |word: &[u8]| memchr::memmem::find(text, word).is_some();
+        let is_of_type = |word: &str| {
+            has(format!("\"type\":\"{word}\"").as_bytes()) || has(format!("\"type\": \"{word}\"").as_bytes())
+        };
+        if is_of_type("CityJSON") || is_of_type("CityJSONFeature") {
+            return Some(("CityJSON", "convert it to OBJ first"));
+        }
+        if is_of_type("Topology") {
+            return Some(("TopoJSON", "convert it to GeoJSON first"));
+        }
+    }
+    if text.starts_with(b"ISO-10303-21") && memchr::memmem::find(text, b"'IFC").is_some() {
+        return Some(("IFC", "export a mesh of it, such as OBJ"));
+    }
+    if is_hex_wkb(text) {
+        return Some(("well-known binary in hexadecimal digits", "write it as WKT or GeoJSON"));
+    }
+    text.starts_with(b"version https://git-lfs").then(|| perhaps(text)).flatten()
+}
+
+/// What a file is that is none of ours, unless a reader here takes it for its own.
+pub(super) fn perhaps(start: &[u8]) -> Option<Known> {
+    let start = start.trim_ascii_start();
+    let of = |(mark, what, cure): &(&[u8], &'static str, &'static str)| {
+        start.starts_with(mark).then_some((*what, *cure))
+    };
+    if let Some(known) = MARKS.iter().find_map(of) {
+        return Some(known);
+    }
+    if start.starts_with(b"<") {
+        let find = |&(mark, what, cure): &(&[u8], &'static str, &'static str)| {
+            memchr::memmem::find(start, mark).map(|_| (what, cure))
+        };
+        return ELEMENTS.iter().find_map(find).or(Some(("XML of a kind that is not known here", CONVERT)));
+    }
+    let mut lines = start.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    match (lines.next()?, lines.next()) {
+        (b"0", Some(b"SECTION")) | (b"999", _) => Some(("DXF", CONVERT)),
+        (line, _) if line.starts_with(b"TITLE") || line.starts_with(b"VARIABLES") => {
+            Some(("Tecplot data", "convert it to VTK first"))
+        }
+        // The letter of the section stands in column 73 of the cards of IGES.
+        (line, _)
+            if line.len() >= 73
+                && line.len() <= 80
+                && line[72] == b'S'
+                && line[73..].trim_ascii() == b"1" =>
+        {
+            Some(("IGES", "export a mesh of it, such as STL"))
+        }
+        _ => None,
+    }
+}
+
+/// Whether this is well-known binary, byte order and type, as text.
+fn is_hex_wkb(text: &[u8]) -> bool {
+    let Some(line) = text.split(|&byte| byte == b'\n').next().map(<[u8]>::trim_ascii) else { return false };
+    let is_hex = line.len() >= 42 && line.len().is_multiple_of(2) && line.iter().all(u8::is_ascii_hexdigit);
+    // Little-endian types 1 to 7, with or without the flags of EWKB and ISO; or big-endian ones.
+    is_hex
+        && (line.starts_with(b"010") && matches!(line[3], b'1'..=b'7')
+            || line.starts_with(b"0000000")
+            || line.starts_with(b"00A0")
+            || line.starts_with(b"0020"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Format, ReadOptions, read_named};
+
+    #[test]
+    fn what_is_not_read_is_named() {
+        for (start, what) in [
+            (&b"{\"type\": \"CityJSON\", \"version\": \"2.0\"}"[..], "CityJSON"),
+            (b"{\"type\":\"Topology\"}", "TopoJSON"),
+            (b"<?xml version='1.0'?><a:b xmlns:gml='http://www.opengis.net/gml'/>", "GML"),
+            (b"0101000000000000000000F03F000000000000F03F", "well-known binary"),
+            (b"01030000000100000004000000000000000000000000", "well-known binary"),
+            (b"ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));", "IFC"),
+            (b"ISO-10303-21;\nHEADER;\n", "STEP"),
+            (b"BLENDER-v279", "Blender"),
+            (b"Kaydara FBX Binary  \0", "FBX"),
+            (b"  0\nSECTION\n  2\nHEADER\n", "DXF"),
+            (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"),
+            (b"<html><body>404</body></html>", "HTML"),
+            (b"\x89HDF\r\n", "MED"),
+        ] {
+            for name in ["a", "a.obj", "a.json", "a.geojson", "a.wkt"] {
+                let error = read_named(start, name, &ReadOptions::new()).unwrap_err();
+                assert!(error.message().contains(what), "{name}: {error}");
+                assert!(error.cure().is_some() && !error.to_string().contains("another kind"), "{error}");
+            }
+        }
+        assert!(surely(b"cMcabbgqw").is_none() && Format::from_content(b"cMcabbgqw", true).is_some());
+    }
+}

@@ -1,0 +1,319 @@
+//! glTF 2.0 (`.gltf` and `.glb`): the meshes of its scene. It is written by the pictures, not as a model.
+
+use crate::Model;
+use coface_algebra::Error;
+use std::io::Read;
+
+/// Reads all meshes of a glTF or GLB file, each where its node places it; without nodes, all meshes as they stand. Points of a mesh at one place
+/// are one, for the format splits them where normals or textures differ. The mesh of a node with a name is a [`Group`](crate::Group) of
+/// polygons. Skins are at rest, and targets of morphing are left out.
+///
+/// # Errors
+/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no glTF; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput)
+/// for numbers outside their buffer or a buffer that is another file, which [`crate::read_path`] reads if it lies in the same folder or below;
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) for meshes that are compressed.
+///
+/// # Complexity
+/// Linear in the file and the placed meshes.
+///
+/// # References
+/// Khronos Group, *glTF 2.0 specification* (2021).
+///
+/// # Examples
+/// ```
+/// assert!(coface_io::gltf::read(&b"{}"[..]).is_err());
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_in(input, None)
+}
+
+/// Refuses every file: this build lacks the feature `gltf`.
+#[cfg(not(feature = "gltf"))]
+pub(crate) fn read_in(_input: impl Read, _folder: Option<&std::path::Path>) -> Result<Model, Error> {
+    Err(crate::features::without_feature("glTF", "gltf"))
+}
+
+#[cfg(feature = "gltf")]
+pub(crate) use reading::read_in;
+
+#[cfg(feature = "gltf")]
+mod reading {
+    use crate::Model;
+    use crate::scene::{LooseMesh, Placement, Scene};
+    use base64::Engine;
+    use coface_algebra::{Error, ErrorKind};
+    use gltf::accessor::{DataType, Dimensions};
+    use gltf::buffer::Source;
+    use gltf::mesh::Mode;
+    use std::io::Read;
+    use std::path::{Component, Path};
+
+    /// Reads a file whose other files lie in this folder or below.
+    pub(crate) fn read_in(mut input: impl Read, folder: Option<&Path>) -> Result<Model, Error> {
+        let mut bytes = Vec::new();
+        input.read_to_end(&mut bytes)?;
+        let file = gltf::Gltf::from_slice(&bytes).map_err(|error| {
+            let message: String =
+                error.to_string().chars().take(200).flat_map(char::escape_default).collect();
+            Error::parse(format!("this is no sound glTF: {message}")).with_cure("export the file again")
+        })?;
+        let document = &file.document;
+        let mut buffers = Vec::new();
+        for buffer in document.buffers() {
+            buffers.push(match buffer.source() {
+                Source::Bin => file.blob.clone().unwrap_or_default(),
+                Source::Uri(uri) => bytes_of(uri, folder)?,
+            });
+        }
+        let mut meshes = Vec::new();
+        for mesh in document.meshes() {
+            meshes.push(loose_mesh(&mesh, &buffers)?.welded());
+        }
+        let mut scene = Scene::new();
+        match document.default_scene().or_else(|| document.scenes().next()) {
+            Some(start) => {
+                for node in start.nodes() {
+                    place(&node, Placement::IDENTITY, 0, &meshes, &mut scene)?;
+                }
+            }
+            None => {
+                for mesh in document.meshes() {
+                    let name = mesh.name().unwrap_or_default();
+                    scene.place(&meshes[mesh.index()], Placement::IDENTITY, name)?;
+                }
+            }
+        }
+        scene.finish()
+    }
+
+    fn place(
+        node: &gltf::Node<'_>,
+        outer: Placement,
+        depth: usize,
+        meshes: &[LooseMesh],
+        scene: &mut Scene,
+    ) -> Result<(), Error> {
+        scene.step(depth)?;
+        let columns = node.transform().matrix().map(|column| column.map(f64::from));
+        let placement = outer.after(Placement::from_columns(columns));
+        if let Some(mesh) = node.mesh() {
+            let name = node.name().or(mesh.name()).unwrap_or_default();
+            scene.place(&meshes[mesh.index()], placement, name)?;
+        }
+        for child in node.children() {
+            place(&child, placement, depth + 1, meshes, scene)?;
+        }
+        Ok(())
+    }
+
+    /// The bytes that a URI names: in itself, or a regular file in the folder or below.
+    fn bytes_of(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Error> {
+        let shown: String = uri.chars().take(60).flat_map(char::escape_default).collect();
+        if let Some(data) = uri.strip_prefix("data:") {
+            let coded = data.split_once(";base64,").map(|(_, coded)| coded.trim());
+            let bytes = coded.and_then(|coded| base64::engine::general_purpose::STANDARD.decode(coded).ok());
+            return bytes.ok_or_else(|| {
+                Error::parse("a buffer that stands in the file is not in base64")
+                    .with_cure("export the file again")
+            });
+        }
+        let refused = |why: &str| {
+            Err(Error::invalid(format!("the buffer {shown} {why}"))
+                .with_cure("put it into the folder of the file, or export the model as one file (.glb)"))
+        };
+        let Some(folder) = folder else {
+            return refused("is another file, and the place of this one is not known");
+        };
+        let name = percent_decoded(uri);
+        let path = Path::new(&name);
+        let is_inside =
+            path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+        if !is_inside || name.contains("://") {
+            return refused("is outside the folder of the file");
+        }
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let (Ok(folder), Ok(path)) = (folder.canonicalize(), folder.join(path).canonicalize()) else {
+            return refused("is not there");
+        };
+        if !path.starts_with(&folder) {
+            return refused("is outside the folder of the file");
+        }
+        if !path.is_file() {
+            return refused("is no regular file");
+        }
+        Ok(std::fs::read(path)?)
+    }
+
+    /// The text with `%20` replaced by a blank, and so on.
+    fn percent_decoded(text: &str) -> String {
+        let mut bytes = Vec::with_capacity(text.len());
+        let mut rest = text.as_bytes();
+        while let [first, tail @ ..] = rest {
+            let digits =
+                tail.get(..2).filter(|_| *first == b'%').and_then(|two| std::str::from_utf8(two).ok());
+            if let Some(byte) = digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+                bytes.push(byte);
+                rest = &tail[2..];
+            } else {
+                bytes.push(*first);
+                rest = tail;
+            }
+        }
+        String::from_utf8_lossy(&bytes).into_owned()
+    }
+
+    fn loose_mesh(mesh: &gltf::Mesh<'_>, buffers: &[Vec<u8>]) -> Result<LooseMesh, Error> {
+        let mut loose = LooseMesh::default();
+        for primitive in mesh.primitives() {
+            let first = loose.points.len() as u32;
+            if let Some(positions) = primitive.get(&gltf::Semantic::Positions) {
+                let numbers = numbers(&positions, 3, buffers)?;
+                loose.points.extend(numbers.chunks_exact(3).map(|point| [point[0], point[1], point[2]]));
+            }
+            let count = loose.points.len() as u32 - first;
+            let corners: Vec<u32> = match primitive.indices() {
+                Some(indices) => {
+                    numbers(&indices, 1, buffers)?.into_iter().map(|index| index as u32).collect()
+                }
+                None => (0..count).collect(),
+            };
+            if let Some(index) = corners.iter().find(|&&index| index >= count) {
+                return Err(Error::invalid(format!("an index is {index}, but there are {count} positions"))
+                    .with_cure("export the file again, without compression of meshes"));
+            }
+            let corners: Vec<u32> = corners.into_iter().map(|index| first + index).collect();
+            let strip = |i: usize, c: &[u32]| vec![c[i % 2], c[1 - i % 2], c[2]];
+            match primitive.mode() {
+                Mode::Points => loose.singles.extend(corners),
+                Mode::Lines => loose.lines.extend(corners.chunks_exact(2).map(<[u32]>::to_vec)),
+                Mode::LineLoop if corners.len() > 1 => {
+                    let closed = corners.iter().copied().chain([corners[0]]).collect();
+                    loose.lines.push(closed);
+                }
+                Mode::LineStrip if corners.len() > 1 => loose.lines.push(corners),
+                Mode::LineLoop | Mode::LineStrip => {}
+                Mode::Triangles => loose.polygons.extend(corners.chunks_exact(3).map(<[u32]>::to_vec)),
+                Mode::TriangleStrip => {
+                    // Triangles that repeat a vertex only join strips.
+                    let triangles = corners.windows(3).enumerate().map(|(i, c)| strip(i, c));
+                    loose.polygons.extend(triangles.filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]));
+                }
+                Mode::TriangleFan => {
+                    loose
+                        .polygons
+                        .extend(corners.windows(2).skip(1).map(|pair| vec![corners[0], pair[0], pair[1]]));
+                }
+            }
+        }
+        Ok(loose)
+    }
+
+    /// The numbers of an accessor, each row of so many.
+    fn numbers(
+        accessor: &gltf::Accessor<'_>,
+        components: usize,
+        buffers: &[Vec<u8>],
+    ) -> Result<Vec<f64>, Error> {
+        let expected = if components == 3 { Dimensions::Vec3 } else { Dimensions::Scalar };
+        if accessor.dimensions() != expected {
+            return Err(Error::invalid("an accessor has another number of components than its use asks for")
+                .with_cure("export the file again"));
+        }
+        let (kind, count) = (accessor.data_type(), accessor.count());
+        let mut values = match accessor.view() {
+            Some(view) => {
+                let row = components * kind.size();
+                let stride = view.stride().unwrap_or(row).max(row);
+                rows(&view, accessor.offset(), stride, row, count, buffers)?
+                    .flat_map(|bytes| bytes.chunks_exact(kind.size()).map(|bytes| value(kind, bytes)))
+                    .collect()
+            }
+            // All zeros, but for sparse values: no more than the other buffers have room for.
+            None => {
+                let most: usize = buffers.iter().map(Vec::len).sum();
+                if count > most {
+                    let message = "a mesh has no positions in its buffers, as where meshes are compressed";
+                    return Err(Error::new(ErrorKind::UnsupportedFormat, message)
+                        .with_cure("export the file without compression of meshes"));
+                }
+                vec![0.0; count * components]
+            }
+        };
+        if let Some(sparse) = accessor.sparse() {
+            let (indices, replacing) = (sparse.indices(), sparse.values());
+            let size = match indices.index_type() {
+                gltf::accessor::sparse::IndexType::U8 => DataType::U8,
+                gltf::accessor::sparse::IndexType::U16 => DataType::U16,
+                gltf::accessor::sparse::IndexType::U32 => DataType::U32,
+            };
+            let row = components * kind.size();
+            let some = sparse.count();
+            let (index_view, value_view) = (indices.view(), replacing.view());
+            let at = rows(&index_view, indices.offset(), size.size(), size.size(), some, buffers)?;
+            let new = rows(&value_view, replacing.offset(), row, row, some, buffers)?;
+            for (at, new) in at.zip(new) {
+                let start = value(size, at) as usize * components;
+                let Some(place) = values.get_mut(start..start + components) else {
+                    return Err(
+                        Error::invalid("a sparse value is outside its accessor").with_cure("export it again")
+                    );
+                };
+                for (place, bytes) in place.iter_mut().zip(new.chunks_exact(kind.size())) {
+                    *place = value(kind, bytes);
+                }
+            }
+        }
+        if accessor.normalized() {
+            let largest = match kind {
+                DataType::I8 => 127.0,
+                DataType::U8 => 255.0,
+                DataType::I16 => 32767.0,
+                DataType::U16 => 65535.0,
+                DataType::U32 | DataType::F32 => 1.0,
+            };
+            values.iter_mut().for_each(|value| *value = (*value / largest).max(-1.0));
+        }
+        match values.iter().find(|value| !value.is_finite()) {
+            Some(value) => Err(Error::invalid(format!("a coordinate is {value}, not a finite number"))
+                .with_cure("remove the point or give it finite coordinates")),
+            None => Ok(values),
+        }
+    }
+
+    /// So many rows of bytes, each checked to be in its buffer.
+    fn rows<'b>(
+        view: &gltf::buffer::View<'_>,
+        offset: usize,
+        stride: usize,
+        length: usize,
+        count: usize,
+        buffers: &'b [Vec<u8>],
+    ) -> Result<impl Iterator<Item = &'b [u8]> + use<'b>, Error> {
+        let buffer = buffers.get(view.buffer().index()).map(Vec::as_slice).unwrap_or_default();
+        let end = view.offset().checked_add(view.length()).filter(|&end| end <= buffer.len());
+        let bytes = end.and_then(|end| buffer.get(view.offset()..end)?.get(offset..));
+        let needed = match count {
+            0 => Some(0),
+            _ => (count - 1).checked_mul(stride).and_then(|before| before.checked_add(length)),
+        };
+        match (bytes, needed) {
+            (Some(bytes), Some(needed)) if needed <= bytes.len() => {
+                Ok((0..count).map(move |i| &bytes[i * stride..i * stride + length]))
+            }
+            _ => Err(Error::invalid("numbers of a mesh are outside their buffer")
+                .with_cure("the file is cut short: export it again")),
+        }
+    }
+
+    fn value(kind: DataType, bytes: &[u8]) -> f64 {
+        match (kind, bytes) {
+            (DataType::I8, &[a]) => f64::from(a as i8),
+            (DataType::U8, &[a]) => f64::from(a),
+            (DataType::I16, &[a, b]) => f64::from(i16::from_le_bytes([a, b])),
+            (DataType::U16, &[a, b]) => f64::from(u16::from_le_bytes([a, b])),
+            (DataType::U32, &[a, b, c, d]) => f64::from(u32::from_le_bytes([a, b, c, d])),
+            (DataType::F32, &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
+            _ => f64::NAN,
+        }
+    }
+}

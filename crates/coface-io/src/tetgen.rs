@@ -1,0 +1,381 @@
+//! The text files of TetGen and Triangle: `.node`, `.ele`, `.face`, `.edge` and `.poly`.
+
+use crate::assembly::Assembly;
+use crate::element_kind::Kind;
+use crate::scanner::{parse_f64, parse_i64};
+use crate::{GroupKind, Model};
+use coface_algebra::{Error, ErrorKind};
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+
+/// What a file lists, by its extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Nodes,
+    /// Tetrahedra, or triangles of a plane.
+    Elements,
+    Faces,
+    Edges,
+    Poly,
+}
+
+impl Part {
+    fn of_path(path: &Path) -> Self {
+        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+        match extension.as_deref().and_then(|extension| extension.to_str()) {
+            Some("ele") => Self::Elements,
+            Some("face") => Self::Faces,
+            Some("edge") => Self::Edges,
+            Some("poly") => Self::Poly,
+            _ => Self::Nodes,
+        }
+    }
+}
+
+/// Reads a stream of nodes, or of a piecewise linear complex that has nodes of its own.
+///
+/// # Errors
+/// [`ErrorKind::Parse`] and [`ErrorKind::InvalidInput`] with the line: a word where a number should be, a node that is not there, a file that was
+/// cut short; for elements, whose nodes are another file, which [`crate::read_path`] finds beside them.
+///
+/// # Complexity
+/// Linear.
+///
+/// # References
+/// H. Si, *TetGen, a Delaunay-based quality tetrahedral mesh generator* (2015), section "File formats".
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let model = coface_io::tetgen::read(&b"3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n"[..])?;
+/// assert_eq!((model.vertex_count(), model.positions().dimension()), (3, 2));
+/// # Ok(()) }
+/// ```
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_beside(input, None)
+}
+
+/// Reads a file of this path: nodes that it lacks are those of the file beside it.
+pub(crate) fn read_beside(input: impl Read, path: Option<&Path>) -> Result<Model, Error> {
+    let part = path.map_or(Part::Nodes, Part::of_path);
+    let mut file = Numbered::new(input);
+    let mut mesh = Mesh::default();
+    if matches!(part, Part::Nodes | Part::Poly) && !mesh.read_nodes(&mut file)?
+        || !matches!(part, Part::Nodes | Part::Poly)
+    {
+        mesh.read_nodes_beside(path)?;
+    }
+    match part {
+        // Behind the nodes of a stream, the facets of a complex may follow.
+        Part::Nodes if path.is_some() || file.peek()?.is_none() => {}
+        Part::Nodes | Part::Poly => mesh.read_facets(&mut file)?,
+        Part::Elements => mesh.read_elements(&mut file, None)?,
+        Part::Faces => mesh.read_elements(&mut file, Some(3))?,
+        Part::Edges => mesh.read_elements(&mut file, Some(2))?,
+    }
+    mesh.assembly.finish()
+}
+
+/// Lines of numbers; `#` starts a comment.
+struct Numbered<R> {
+    input: BufReader<R>,
+    line: u64,
+    /// The words of a line that was looked at.
+    ahead: Option<Vec<String>>,
+}
+
+impl<R: Read> Numbered<R> {
+    fn new(input: R) -> Self {
+        Self { input: BufReader::new(input), line: 0, ahead: None }
+    }
+
+    /// The words of the next line that has some.
+    fn next(&mut self) -> Result<Option<Vec<String>>, Error> {
+        if let Some(ahead) = self.ahead.take() {
+            return Ok(Some(ahead));
+        }
+        loop {
+            let mut bytes = Vec::new();
+            let count =
+                (&mut self.input).take(crate::scanner::LONGEST as u64).read_until(b'\n', &mut bytes)?;
+            if count == 0 {
+                return Ok(None);
+            }
+            self.line += 1;
+            let text = String::from_utf8_lossy(&bytes);
+            let text = text.split('#').next().unwrap_or_default();
+            let words: Vec<String> = text
+                .split([' ', '\t', '\r', '\n', ','])
+                .filter(|w| !w.is_empty())
+                .map(str::to_owned)
+                .collect();
+            if !words.is_empty() {
+                return Ok(Some(words));
+            }
+        }
+    }
+
+    fn peek(&mut self) -> Result<Option<&[String]>, Error> {
+        self.ahead = self.next()?;
+        Ok(self.ahead.as_deref())
+    }
+
+    /// The next line, which must be there.
+    fn expect(&mut self, what: &str) -> Result<Vec<String>, Error> {
+        match self.next()? {
+            Some(words) => Ok(words),
+            None => Err(Error::parse(format!("the file ends where {what} should be"))
+                .at_line(self.line)
+                .with_cure("it was cut short: write it again")),
+        }
+    }
+
+    fn integer(&self, words: &[String], place: usize, what: &str) -> Result<i64, Error> {
+        let Some(word) = words.get(place) else {
+            return Err(Error::parse(format!("a line ends where {what} should be")).at_line(self.line));
+        };
+        parse_i64(word.as_bytes(), what).map_err(|error| error.at_line(self.line))
+    }
+
+    fn count(&self, words: &[String], place: usize, what: &str) -> Result<u64, Error> {
+        let count = self.integer(words, place, what)?;
+        u64::try_from(count)
+            .map_err(|_| Error::parse(format!("{what} is {count}; it cannot be negative")).at_line(self.line))
+    }
+}
+
+#[derive(Default)]
+struct Mesh {
+    assembly: Assembly,
+    dimension: usize,
+    /// The vertices by the numbers of the file.
+    vertices: HashMap<i64, u32>,
+}
+
+impl Mesh {
+    /// Reads nodes; false if the file says that they are elsewhere.
+    fn read_nodes<R: Read>(&mut self, file: &mut Numbered<R>) -> Result<bool, Error> {
+        let head = file.expect("the count of nodes")?;
+        let count = file.count(&head, 0, "the count of nodes")?;
+        if count == 0 {
+            return Ok(false);
+        }
+        let dimension = if head.len() > 1 { file.count(&head, 1, "the dimension")? } else { 3 };
+        let attributes = if head.len() > 2 { file.count(&head, 2, "the count of attributes")? } else { 0 };
+        let has_markers = head.len() > 3 && file.count(&head, 3, "the count of markers")? > 0;
+        self.dimension = match dimension {
+            2 | 3 => dimension as usize,
+            _ => {
+                let message = format!("the dimension is {dimension}; TetGen has 2 and 3");
+                return Err(Error::new(ErrorKind::UnsupportedFormat, message).at_line(file.line));
+            }
+        };
+        self.assembly = Assembly::new(self.dimension);
+        for _ in 0..count {
+            let words = file.expect("a node")?;
+            let number = file.integer(&words, 0, "the number of a node")?;
+            let mut point = [0.0; 3];
+            for (axis, x) in point[..self.dimension].iter_mut().enumerate() {
+                let Some(word) = words.get(axis + 1) else {
+                    return Err(Error::parse(format!(
+                        "a node with {axis} coordinates; it needs {dimension}"
+                    ))
+                    .at_line(file.line));
+                };
+                *x = parse_f64(word.as_bytes(), "a coordinate").map_err(|error| error.at_line(file.line))?;
+            }
+            let vertex = self.assembly.vertex_count() as u32;
+            self.assembly.add_vertex(&point[..self.dimension])?;
+            if self.vertices.insert(number, vertex).is_some() {
+                return Err(Error::invalid(format!("node {number} stands twice")).at_line(file.line));
+            }
+            let marker = self.dimension + 1 + attributes as usize;
+            if has_markers && marker < words.len() {
+                self.mark(file, &words, marker, GroupKind::Vertices, vertex)?;
+            }
+        }
+        Ok(true)
+    }
+
+    /// Reads the nodes of the file of the same name that ends in `.node`.
+    fn read_nodes_beside(&mut self, path: Option<&Path>) -> Result<(), Error> {
+        let Some(path) = path else {
+            return Err(Error::invalid(
+                "the nodes are in another file, and the place of this one is not known",
+            )
+            .with_cure("give the path of the file"));
+        };
+        let path = path.with_extension("node");
+        let name = || path.display().to_string();
+        let file = File::open(&path).map_err(|error| {
+            Error::new(ErrorKind::Io, format!("the nodes are in {}, which cannot be opened: {error}", name()))
+                .with_cure("put it beside the file")
+        })?;
+        if !file.metadata()?.is_file() {
+            return Err(Error::new(
+                ErrorKind::Io,
+                format!("the nodes are in {}, which is no regular file", name()),
+            ));
+        }
+        self.read_nodes(&mut Numbered::new(file)).map_err(|error| error.in_file(name()))?;
+        Ok(())
+    }
+
+    fn vertex<R: Read>(&self, file: &Numbered<R>, words: &[String], place: usize) -> Result<u32, Error> {
+        let number = file.integer(words, place, "a node")?;
+        self.vertices.get(&number).copied().ok_or_else(|| {
+            Error::invalid(format!("node {number} is not among the nodes"))
+                .at_line(file.line)
+                .with_cure("the file is damaged, or was written wrongly: write it again")
+        })
+    }
+
+    /// Puts a member into the group of a marker that is not 0.
+    fn mark<R: Read>(
+        &mut self,
+        file: &Numbered<R>,
+        words: &[String],
+        place: usize,
+        kind: GroupKind,
+        member: u32,
+    ) -> Result<(), Error> {
+        let word = words[place].as_bytes();
+        let marker = match parse_i64(word, "a marker") {
+            Ok(marker) => marker,
+            Err(fault) => match parse_f64(word, "a marker") {
+                Ok(marker) if marker.fract() == 0.0 && marker.abs() < 9e15 => marker as i64,
+                _ => return Err(fault.at_line(file.line)),
+            },
+        };
+        if marker != 0 {
+            self.assembly.add_to_group(kind, marker, member);
+        }
+        Ok(())
+    }
+
+    fn add(
+        &mut self,
+        line: u64,
+        kind: Kind,
+        corner_count: usize,
+        vertices: &[u32],
+    ) -> Result<Option<u32>, Error> {
+        self.assembly.add(kind, corner_count, vertices, u64::from).map_err(|fault| fault.at_line(line))
+    }
+
+    /// Reads elements of so many nodes: without that number, their count stands in the head.
+    fn read_elements<R: Read>(&mut self, file: &mut Numbered<R>, size: Option<usize>) -> Result<(), Error> {
+        let head = file.expect("the count of elements")?;
+        let count = file.count(&head, 0, "the count of elements")?;
+        let stated = match size {
+            Some(size) => size as u64,
+            None if head.len() > 1 => file.count(&head, 1, "the count of nodes of an element")?,
+            None => self.dimension as u64 + 1,
+        };
+        let (kind, corners) = match (self.dimension, stated) {
+            (_, 2) => (Kind::Line, 2),
+            (3, 4 | 10) => (Kind::TETRAHEDRON, 4),
+            (_, 3 | 6) => (Kind::Polygon, 3),
+            _ => {
+                let message = format!("elements of {stated} nodes are not known here");
+                return Err(Error::new(ErrorKind::UnsupportedFormat, message).at_line(file.line));
+            }
+        };
+        let size = stated as usize;
+        for _ in 0..count {
+            let words = file.expect("an element")?;
+            let vertices: Result<Vec<u32>, Error> =
+                (0..size).map(|i| self.vertex(file, &words, i + 1)).collect();
+            let vertices = vertices?;
+            let member = self.add(file.line, kind, corners, &vertices)?;
+            if let (Some(member), true) = (member, words.len() > size + 1) {
+                self.mark(file, &words, size + 1, kind.group_kind(), member)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads the facets of a solid, or the segments of a plane. Holes and regions are points, which make no difference here.
+    fn read_facets<R: Read>(&mut self, file: &mut Numbered<R>) -> Result<(), Error> {
+        let head = file.expect("the count of facets")?;
+        let count = file.count(&head, 0, "the count of facets")?;
+        let has_markers = head.len() > 1 && file.count(&head, 1, "the count of markers")? > 0;
+        for _ in 0..count {
+            let words = file.expect("a facet")?;
+            if self.dimension == 2 {
+                let ends = [self.vertex(file, &words, 1)?, self.vertex(file, &words, 2)?];
+                let member = self.add(file.line, Kind::Line, 2, &ends)?;
+                if let (Some(member), true) = (member, words.len() > 3) {
+                    self.mark(file, &words, 3, GroupKind::Lines, member)?;
+                }
+                continue;
+            }
+            let polygons = file.count(&words, 0, "the count of polygons of a facet")?;
+            let holes =
+                if words.len() > 1 { file.count(&words, 1, "the count of holes of a facet")? } else { 0 };
+            for _ in 0..polygons {
+                let line = file.expect("a polygon of a facet")?;
+                let mut corners = file.count(&line, 0, "the count of corners of a polygon")?;
+                let mut vertices = Vec::new();
+                let (mut line, mut place) = (line, 1);
+                while corners > 0 {
+                    if place == line.len() {
+                        (line, place) = (file.expect("a corner of a polygon")?, 0);
+                    }
+                    vertices.push(self.vertex(file, &line, place)?);
+                    (place, corners) = (place + 1, corners - 1);
+                }
+                let kind = match vertices.len() {
+                    0 => continue,
+                    1 => Kind::Point,
+                    2 => Kind::Line,
+                    _ => Kind::Polygon,
+                };
+                let member = self.add(file.line, kind, vertices.len(), &vertices)?;
+                if let (Some(member), true) = (member, has_markers && words.len() > 2) {
+                    self.mark(file, &words, 2, kind.group_kind(), member)?;
+                }
+            }
+            for _ in 0..holes {
+                file.expect("a hole of a facet")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_solid_of_facets_is_read() {
+        let text = "# a tetrahedron\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 1\n1 0 7\n3 1 2 3\n1 0 7\n3 1 2\n4\n\
+                    1\n3 2 3 4\n1\n3 1 3 4\n0\n0\n";
+        let model = read_beside(text.as_bytes(), Some(Path::new("a.poly"))).unwrap();
+        assert_eq!((model.vertex_count(), model.polygons().len(), model.lines().len()), (4, 4, 0));
+        assert_eq!((model.groups()[0].name(), model.groups()[0].members()), ("7", &[0, 1][..]));
+        let plane = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n";
+        let model = read_beside(plane.as_bytes(), Some(Path::new("a.poly"))).unwrap();
+        assert_eq!((model.lines().len(), model.positions().dimension()), (3, 2));
+        let error = read_beside(&b"4 3 0 0\n1 0 0 0\n"[..], Some(Path::new("a.node"))).unwrap_err();
+        assert!(error.to_string().contains("line 2: the file ends where a node should be"), "{error}");
+    }
+
+    #[test]
+    fn elements_find_their_nodes_beside_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        std::fs::write(path("a.node"), "4 3 0 1\n0 0 0 0 0\n1 1 0 0 0\n2 0 1 0 5\n3 0 0 1 0\n").unwrap();
+        std::fs::write(path("a.ele"), "1 4 1\n0 0 1 2 3 9.0\n").unwrap();
+        std::fs::write(path("a.face"), "1 1\n0 0 1 2 -1\n").unwrap();
+        let model = crate::read_path(path("a.ele"), None).unwrap();
+        assert_eq!((model.cells().len(), model.groups().len()), (1, 2));
+        let model = crate::read_path(path("a.face"), None).unwrap();
+        assert_eq!((model.polygons().len(), model.groups()[1].name()), (1, "-1"));
+        std::fs::rename(path("a.node"), path("b.node")).unwrap();
+        assert!(crate::read_path(path("a.ele"), None).unwrap_err().to_string().contains("a.node"));
+    }
+}

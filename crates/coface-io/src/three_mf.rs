@@ -1,0 +1,204 @@
+//! 3MF: meshes in XML in a ZIP archive, with components and build items that place them.
+
+use crate::Model;
+use coface_algebra::Error;
+use std::io::Read;
+
+/// Reads all build items of a 3MF file, each at its place; without build items, all objects that are meshes. An object with a name is a
+/// [`Group`](crate::Group) of polygons.
+///
+/// # Errors
+/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no ZIP archive or no XML;
+/// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an object that is not there or contains itself, or a triangle
+/// of a vertex that is not there.
+///
+/// # Complexity
+/// Linear in the unpacked file and the placed meshes.
+///
+/// # References
+/// 3MF Consortium, *3D Manufacturing Format, core specification*, version 1.3.
+///
+/// # Examples
+/// ```
+/// assert!(coface_io::three_mf::read(&b"no archive"[..]).is_err());
+/// ```
+#[cfg(feature = "archives")]
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    reading::read(input)
+}
+
+/// Refuses every file: this build lacks the feature `archives`.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat), always.
+#[cfg(not(feature = "archives"))]
+pub fn read(_input: impl Read) -> Result<Model, Error> {
+    Err(crate::features::without_feature("3MF", "archives"))
+}
+
+#[cfg(feature = "archives")]
+mod reading {
+    use crate::Model;
+    use crate::scene::{LooseMesh, Placement, Scene};
+    use crate::xml_text::{document, numbers};
+    use coface_algebra::{Error, ErrorKind};
+    use roxmltree::Node;
+    use std::collections::BTreeMap;
+    use std::io::{Cursor, Read};
+
+    /// Beyond this size a part may be `RATIO` times as large as in the archive.
+    const FREE: u64 = 1 << 26;
+    const RATIO: u64 = 1100;
+
+    pub(super) fn read(mut input: impl Read) -> Result<Model, Error> {
+        let mut bytes = Vec::new();
+        input.read_to_end(&mut bytes)?;
+        let damaged = |error: zip::result::ZipError| {
+            Error::parse(format!("the ZIP archive is damaged: {error}")).with_cure("write it again")
+        };
+        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+        let names: Vec<String> = archive.file_names().map(str::to_owned).collect();
+        let mut parts: BTreeMap<String, String> = BTreeMap::new();
+        for name in names.iter().filter(|name| name.to_ascii_lowercase().ends_with(".model")) {
+            let part = archive.by_name(name).map_err(damaged)?;
+            let most = FREE.max(part.compressed_size().saturating_mul(RATIO));
+            let mut text = String::new();
+            part.take(most + 1).read_to_string(&mut text).map_err(|error| {
+                Error::parse(format!("the part {} cannot be read: {error}", name.escape_debug()))
+                    .with_cure("write the file again")
+            })?;
+            if text.len() as u64 > most {
+                return Err(Error::new(ErrorKind::TooLarge, "a part is far larger than its compressed form")
+                    .with_cure("the file is no model: check where it comes from"));
+            }
+            parts.insert(name.trim_start_matches('/').to_owned(), text);
+        }
+        let root =
+            parts.keys().find(|name| name.eq_ignore_ascii_case("3D/3dmodel.model")).or(parts.keys().next());
+        let Some(root) = root.cloned() else {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "this is a ZIP archive without a 3D model in it",
+            )
+            .with_cure("unpack it and name the file of the model"));
+        };
+        let mut objects = BTreeMap::new();
+        let mut items = Vec::new();
+        for (name, text) in &parts {
+            let document = document(text)?;
+            for node in document.descendants().filter(|node| node.is_element()) {
+                match node.tag_name().name() {
+                    "object" => {
+                        let id = node.attribute("id").unwrap_or_default().to_owned();
+                        objects.insert((name.clone(), id), object(node, name)?);
+                    }
+                    "item" if *name == root => items.push(reference(node, name)?),
+                    _ => {}
+                }
+            }
+        }
+        if items.is_empty() {
+            let meshes = objects.iter().filter(|(_, object)| !object.mesh.polygons.is_empty());
+            items = meshes.map(|(key, _)| (key.clone(), Placement::IDENTITY)).collect();
+        }
+        let mut scene = Scene::new();
+        for (key, placement) in &items {
+            place(&objects, key, *placement, 0, &mut scene)?;
+        }
+        scene.finish()
+    }
+
+    type Key = (String, String);
+
+    struct Object {
+        name: String,
+        mesh: LooseMesh,
+        components: Vec<(Key, Placement)>,
+    }
+
+    fn object(node: Node<'_, '_>, part: &str) -> Result<Object, Error> {
+        let mut mesh = LooseMesh::default();
+        let mut components = Vec::new();
+        for node in node.descendants().filter(|node| node.is_element()) {
+            match node.tag_name().name() {
+                "vertex" => {
+                    let mut point = [0.0; 3];
+                    for (axis, x) in ["x", "y", "z"].into_iter().zip(&mut point) {
+                        *x = number(node, axis)?;
+                    }
+                    mesh.points.push(point);
+                }
+                "triangle" => {
+                    let mut triangle = Vec::with_capacity(3);
+                    for corner in ["v1", "v2", "v3"] {
+                        let vertex = number(node, corner)?;
+                        if !(vertex >= 0.0 && vertex < mesh.points.len() as f64 && vertex.fract() == 0.0) {
+                            return Err(Error::invalid(format!(
+                                "a triangle names vertex {vertex}, but its mesh has {} vertices, numbered from 0",
+                                mesh.points.len()
+                            ))
+                            .with_cure("write the file again"));
+                        }
+                        triangle.push(vertex as u32);
+                    }
+                    mesh.polygons.push(triangle);
+                }
+                "component" => components.push(reference(node, part)?),
+                _ => {}
+            }
+        }
+        let name = node.attribute("name").unwrap_or_default().to_owned();
+        Ok(Object { name, mesh, components })
+    }
+
+    /// The object that an item or a component places, and where.
+    fn reference(node: Node<'_, '_>, part: &str) -> Result<(Key, Placement), Error> {
+        let id = node.attribute("objectid").unwrap_or_default().to_owned();
+        // The production extension names the part that the object is in.
+        let path = node.attributes().find(|attribute| attribute.name() == "path").map(|path| path.value());
+        let part = path.map_or(part, |path| path.trim_start_matches('/')).to_owned();
+        let placement = match node.attribute("transform") {
+            None => Placement::IDENTITY,
+            Some(text) => {
+                let numbers = numbers(text)?;
+                let Ok(m) = <[f64; 12]>::try_from(numbers) else {
+                    return Err(
+                        Error::parse("a transform needs 12 numbers").with_cure("write the file again")
+                    );
+                };
+                // Points are rows there: the last row is the translation.
+                Placement(std::array::from_fn(|row| std::array::from_fn(|column| m[3 * column + row])))
+            }
+        };
+        Ok(((part, id), placement))
+    }
+
+    fn number(node: Node<'_, '_>, name: &str) -> Result<f64, Error> {
+        let value = node.attribute(name).and_then(|text| text.trim().parse::<f64>().ok());
+        value.filter(|value| value.is_finite()).ok_or_else(|| {
+            Error::parse(format!("the attribute {name} of a {} is no finite number", node.tag_name().name()))
+                .with_cure("write the file again")
+        })
+    }
+
+    fn place(
+        objects: &BTreeMap<Key, Object>,
+        key: &Key,
+        placement: Placement,
+        depth: usize,
+        scene: &mut Scene,
+    ) -> Result<(), Error> {
+        let Some(object) = objects.get(key) else {
+            return Err(Error::invalid(format!("the object {} is not there", key.1.escape_debug()))
+                .with_cure("write the file again"));
+        };
+        scene.step(depth)?;
+        if !object.mesh.points.is_empty() || object.components.is_empty() {
+            scene.place(&object.mesh, placement, &object.name)?;
+        }
+        for (component, inner) in &object.components {
+            place(objects, component, placement.after(*inner), depth + 1, scene)?;
+        }
+        Ok(())
+    }
+}
