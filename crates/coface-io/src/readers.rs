@@ -213,8 +213,12 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
             let mut opened = opened(counted(file)?, Some(file), format)?;
             opened.path = Some(file.to_path_buf());
             match opened.format {
-                Format::Isosig => isosig::read_entry(opened.bytes(), entry),
-                Format::Json => json::read_entry(opened.bytes(), entry),
+                Format::Isosig => {
+                    isosig::read_entry(opened.bytes(), entry).map(|model| model.with_format(Format::Isosig))
+                }
+                Format::Json => {
+                    json::read_entry(opened.bytes(), entry).map(|model| model.with_format(Format::Json))
+                }
                 _ => parts::part(read_started(opened, options)?, entry),
             }
         };
