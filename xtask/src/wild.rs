@@ -201,7 +201,7 @@ fn summary(outcomes: &[(PathBuf, Outcome)], lists_all: bool) -> String {
                 codes.iter().for_each(|code| *remarks.entry(code).or_default() += 1);
             }
             Outcome::Refused(message) => {
-                causes.entry(cause(message, file)).or_default().push((file, message))
+                causes.entry(cause(message, file)).or_default().push((file, message));
             }
         }
     }
