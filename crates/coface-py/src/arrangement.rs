@@ -73,7 +73,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
-///     In space, whether polygons that are not flat are split into triangles instead of refused.
+///     In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
 /// merge_coplanar : bool
 ///     In space, whether faces of polygons in one plane are merged.
 /// progress : bool or callable, optional
@@ -96,7 +96,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, prune=false, snap=false, max_cells=None, split=false, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, prune=false, snap=false, max_cells=None, split=true, merge_coplanar=true, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -173,7 +173,7 @@ fn spatial_request(
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
-///     In space, whether polygons that are not flat are split into triangles instead of refused.
+///     In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
 /// merge_coplanar : bool
 ///     In space, whether faces of polygons in one plane are merged.
 /// triangles : bool, optional
@@ -203,7 +203,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, keep_walls=false, snap=false, max_cells=None, split=false, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, keep_walls=false, snap=false, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,

@@ -68,6 +68,7 @@ pub use pi1::{
     ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
 };
 pub use picture::RenderAnswer;
+pub(crate) use remark::remarks_of_file;
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use schema::reprinted;

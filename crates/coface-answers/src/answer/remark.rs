@@ -2,7 +2,23 @@
 //! types are those of `coface-io`.
 
 use crate::ProblemKind;
+use coface_io::Model;
 pub use coface_io::{Place, Remark, RemarkCode};
+
+/// The remarks of a model that was read from a file of this name, with the name in their sentences and places.
+pub(crate) fn remarks_of_file<'a>(name: &'a str, model: &'a Model) -> impl Iterator<Item = Remark> + 'a {
+    model.remarks().iter().map(move |remark| {
+        let mut remark = remark.clone();
+        remark.message = format!("{name}: {}", remark.message);
+        if remark.places.is_empty() {
+            remark.places.push(Place::default());
+        }
+        for place in &mut remark.places {
+            place.file.get_or_insert_with(|| name.to_owned());
+        }
+        remark
+    })
+}
 
 impl From<ProblemKind> for RemarkCode {
     fn from(kind: ProblemKind) -> Self {

@@ -4,7 +4,7 @@ use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_arrange::spatial::{SpatialArrangement, SpatialOptions};
+use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SplitPolygon};
 use coface_geometry::Positions;
 use std::sync::OnceLock;
 
@@ -180,10 +180,9 @@ impl Arranged {
         self.arrangement.polygons_without_area()
     }
 
-    /// The number of polygons that were split because they are not planar, and the largest distance of a vertex from its plane.
-    pub(super) fn split_polygons(&self) -> (usize, f64) {
-        let split = self.arrangement.split_polygons();
-        (split.len(), split.iter().map(|polygon| polygon.deviation).fold(0.0, f64::max))
+    /// The polygons that were split because they are not planar.
+    pub(super) fn split_polygons(&self) -> &[SplitPolygon] {
+        self.arrangement.split_polygons()
     }
 }
 

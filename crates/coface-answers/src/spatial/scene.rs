@@ -1,6 +1,6 @@
 //! Models as polygons in space.
 
-use crate::answer::{Place, Remark, RemarkCode};
+use crate::answer::{Place, Remark, RemarkCode, remarks_of_file};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign};
@@ -74,6 +74,7 @@ impl SpatialScene {
         for (name, model) in models {
             scene.add(name, model, walls).map_err(|error| error.in_file(name))?;
             scene.names.push(name.to_owned());
+            scene.remarks.extend(remarks_of_file(name, model));
         }
         if u32::try_from(scene.walks.item_count()).is_err() {
             return Err(too_large());
@@ -331,7 +332,15 @@ impl SpatialScene {
         self.is_wall[polygon]
     }
 
-    /// What was left out.
+    /// The corners of a polygon, numbered as in its model.
+    pub(super) fn corners(&self, polygon: u32) -> Vec<u32> {
+        let walks = self.polygon_of_walk.partition_point(|&other| other < polygon);
+        let own = (walks..self.walks.len()).take_while(|&walk| self.polygon_of_walk[walk] == polygon);
+        let first = self.point_starts[self.input_of_polygon[polygon as usize] as usize];
+        own.flat_map(|walk| self.walks.list(walk)).map(|vertex| vertex - first).collect()
+    }
+
+    /// What was assumed of the models, and what was left out.
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }

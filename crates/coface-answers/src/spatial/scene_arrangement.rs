@@ -11,6 +11,7 @@ use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
 use coface_arrange::boolean::InsideRule;
+use coface_arrange::spatial::SplitPolygon;
 use coface_geometry::Positions;
 use coface_io::Model;
 
@@ -147,7 +148,8 @@ impl SceneArrangement {
             (self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon])
         };
         let dropped = self.arranged.degenerate_polygons();
-        let (count, largest_deviation) = self.arranged.split_polygons();
+        let split = self.arranged.split_polygons();
+        let largest_deviation = split.iter().map(|polygon| polygon.deviation).fold(0.0, f64::max);
         let mut f_vector = complex.f_vector().to_vec();
         f_vector.resize(4, 0);
         let files = self.input_answers();
@@ -168,15 +170,16 @@ impl SceneArrangement {
                 count: dropped.len(),
                 listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
             },
-            split_polygons: SplitPolygons { count, largest_deviation },
+            split_polygons: SplitPolygons { count: split.len(), largest_deviation },
             rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new)),
             remarks,
         })
     }
 
-    /// What was left out of the models, and which of them are inside out.
+    /// What was assumed and left out of the models, which polygons are not planar, and which models are inside out.
     pub(super) fn remarks(&self, files: &[SpatialInput]) -> Vec<Remark> {
         let mut remarks = self.scene.remarks().to_vec();
+        remarks.extend(self.warped_polygons());
         for file in files.iter().filter(|file| file.reversed_cells > 0) {
             let message = format!(
                 "{} is inside out, wholly or in part: it winds less than zero times around cells",
@@ -188,6 +191,32 @@ impl SceneArrangement {
             );
         }
         remarks
+    }
+
+    /// The polygons that were split, if rounding of their coordinates does not explain that they are not planar.
+    fn warped_polygons(&self) -> Option<Remark> {
+        let split = self.arranged.split_polygons();
+        let warped: Vec<&SplitPolygon> = split.iter().filter(|polygon| !polygon.is_rounding()).collect();
+        let worst = warped.iter().copied().max_by(|x, y| x.deviation.total_cmp(&y.deviation))?;
+        let name = |polygon: &SplitPolygon| {
+            &self.scene.names()[self.scene.input_of_polygon()[polygon.polygon as usize] as usize]
+        };
+        let subject = match warped.len() {
+            1 => "1 polygon is not planar and was".to_owned(),
+            count => format!("{count} polygons are not planar and were"),
+        };
+        let message = format!(
+            "{}: {subject} split into triangles; points are up to {:e} away from a plane, at polygon {}",
+            name(worst),
+            worst.deviation,
+            self.scene.source_of_polygon()[worst.polygon as usize]
+        );
+        let places = warped.iter().map(|polygon| {
+            let mut place = Place::cell(&self.scene.corners(polygon.polygon));
+            place.file = Some(name(polygon).clone());
+            place
+        });
+        Some(Remark::new(RemarkCode::FacesSplit, message).at(warped.len(), places))
     }
 
     /// The number of faces with one cell, or the exterior, on both sides.

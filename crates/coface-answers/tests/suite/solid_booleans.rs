@@ -5,9 +5,10 @@
 
 use coface_algebra::RaggedArray;
 use coface_algebra::{CellId, ErrorKind};
-use coface_answers::answer::{BoundaryVerdict, InsideMethod};
+use coface_answers::answer::{BoundaryVerdict, InsideMethod, RemarkCode};
 use coface_answers::{InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
+use coface_arrange::spatial::NonPlanar;
 use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
 use coface_io as io;
@@ -336,6 +337,127 @@ fn a_box_of_the_size_of_the_largest_single_precision_number_cuts_a_small_solid()
         for (found, expected) in [(object.measure, volume), (object.area, area)] {
             let found = found.unwrap();
             assert!((found / expected - 1.0).abs() < 1e-8, "{text}: {found} for {expected}");
+        }
+    }
+}
+
+/// A box turned about an axis through the origin, then moved.
+fn turned_cuboid(axis: [f64; 3], angle: f64, by: [f64; 3], sides: [f64; 3]) -> Model {
+    let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let [x, y, z] = axis.map(|x| x / length);
+    let (s, c) = angle.sin_cos();
+    let t = 1.0 - c;
+    let rows = [
+        [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
+        [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
+        [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
+    ];
+    let flat = corners([0.0; 3], sides)
+        .as_flat()
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .flat_map(|p| [0, 1, 2].map(|i| rows[i][0] * p[0] + rows[i][1] * p[1] + rows[i][2] * p[2] + by[i]))
+        .collect();
+    let positions = Positions::from_flat(3, flat).unwrap();
+    Model::from_polygons(positions, RaggedArray::from_lists(SQUARES)).unwrap()
+}
+
+fn is_near(x: f64, y: f64) -> bool {
+    (x - y).abs() < 1e-12
+}
+
+#[test]
+fn a_turned_box_is_arranged_without_being_asked_in_every_format() {
+    let turned = turned_cuboid([1.0, 2.0, -0.7], 0.3, [0.1, 10.2, 0.3], [1.0, 2.0, 0.5]);
+    for format in ["obj", "off", "ply", "vtk", "vtp", "mesh", "msh"] {
+        let format = io::Format::from_name(format).unwrap();
+        let mut bytes = Vec::new();
+        io::write(&turned, &mut bytes, format).unwrap();
+        let read = io::read(&bytes[..], format).unwrap();
+        let scene = arranged(&[read]);
+        assert_eq!(scene.complex().f_vector(), [8, 12, 6, 1], "{format:?}");
+        let answer = scene.answer(InsideRule::Nonzero).unwrap();
+        assert!(answer.split_polygons.count > 0 && answer.remarks.is_empty(), "{:?}", answer.remarks);
+        assert!(is_near(answer.measures[0], 1.0));
+    }
+    // Coordinates of single precision are off by more, and that is rounding too.
+    let single = turned.positions().as_flat().iter().map(|&x| f64::from(x as f32)).collect();
+    let single = Positions::from_flat(3, single).unwrap();
+    let single = Model::from_polygons(single, RaggedArray::from_lists(SQUARES)).unwrap();
+    let answer = arranged(&[single]).answer(InsideRule::Nonzero).unwrap();
+    assert!(answer.split_polygons.largest_deviation > 1e-9 && answer.remarks.is_empty());
+}
+
+#[test]
+fn warped_quadrangles_are_split_along_the_shorter_diagonal() {
+    // A box with a corner of its lid lifted: the diagonal of the lid through that corner is the longer one.
+    let mut flat = corners([0.0; 3], [1.0; 3]).as_flat().to_vec();
+    flat[23] = 1.5;
+    let lifted =
+        Model::from_polygons(Positions::from_flat(3, flat).unwrap(), RaggedArray::from_lists(SQUARES))
+            .unwrap();
+    let scene = arranged(&[lifted.clone()]);
+    let answer = scene.answer(InsideRule::Nonzero).unwrap();
+    assert_eq!(answer.f_vector, [8, 12, 6, 1]);
+    // Half of the lid is lifted to the triangle above three corners: a tetrahedron of volume 1/2 * 1/2 / 3.
+    assert!(is_near(answer.measures[0], 1.0 + 1.0 / 12.0), "{:?}", answer.measures);
+    let remark = &answer.remarks[0];
+    assert_eq!((remark.code, remark.count), (RemarkCode::FacesSplit, 1));
+    assert_eq!(remark.places[0].cell.as_deref(), Some(&[4, 5, 7, 6][..]));
+    assert_eq!(remark.places[0].file.as_deref(), Some("model 0"));
+    // Where it is only accepted as rounding, or not at all, it is refused by name.
+    for non_planar in [NonPlanar::Rounded, NonPlanar::Refuse] {
+        let mut request = SpatialRequest::default();
+        request.non_planar = non_planar;
+        let error = SceneArrangement::of([("lifted.obj", &lifted)], &request).unwrap_err().to_string();
+        assert!(error.contains("lifted.obj: polygon 1 is not planar"), "{error}");
+    }
+    // The same quadrangle the other way round, from another corner, is split in the same way: nothing lies between.
+    let mut reversed = SQUARES;
+    reversed.iter_mut().for_each(|square| {
+        square.reverse();
+        square.rotate_left(1);
+    });
+    let other = Model::from_polygons(lifted.positions().clone(), RaggedArray::from_lists(reversed)).unwrap();
+    assert_eq!(arranged(&[lifted, other]).complex().f_vector(), [8, 12, 6, 1]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Results of Booleans of turned boxes are inputs of the next Boolean, and the laws hold by volume.
+    #[test]
+    fn turned_boxes_keep_the_laws_of_sets(
+        first in (prop::array::uniform3(-1.0f64..1.0), 0.0f64..6.3, prop::array::uniform3(-0.4f64..0.4)),
+        second in (prop::array::uniform3(-1.0f64..1.0), 0.0f64..6.3, prop::array::uniform3(-0.4f64..0.4)),
+        sides in prop::array::uniform3(0.5f64..2.0),
+    ) {
+        prop_assume!([first.0, second.0].iter().all(|axis| axis.iter().map(|x| x * x).sum::<f64>() > 0.01));
+        let a = turned_cuboid(first.0, first.1, first.2, sides);
+        let b = turned_cuboid(second.0, second.1, second.2, [1.0; 3]);
+        let scene = arranged(&[a.clone(), b.clone()]);
+        prop_assert!(scene.answer(InsideRule::Nonzero).unwrap().remarks.is_empty());
+        let volume = |text: &str| combined(&scene, text).volume().unwrap();
+        let volumes = ["a", "b", "a & b", "a - b", "a | b"].map(volume);
+        prop_assert!(is_near(volumes[0], sides.iter().product()));
+        prop_assert!(is_near(volumes[0] + volumes[1], volumes[2] + volumes[4]));
+        // Written, read, and used again, twice.
+        let again = |text: &str| {
+            let mut bytes = Vec::new();
+            io::write(&combined(&scene, text).to_mesh().unwrap(), &mut bytes, io::Format::Obj).unwrap();
+            io::read(&bytes[..], io::Format::Obj).unwrap()
+        };
+        if volumes[2] > 1e-6 {
+            let (meet, rest) = (again("a & b"), again("a - b"));
+            let next = arranged(&[a.clone(), meet.clone()]);
+            let twice = combined(&next, "a & b");
+            prop_assert!(is_near(twice.volume().unwrap(), volumes[2]));
+            let joined = arranged(&[meet.clone(), rest]);
+            prop_assert!(is_near(combined(&joined, "a | b").volume().unwrap(), volumes[0]));
+            let third = arranged(&[twice.to_mesh().unwrap(), b]);
+            prop_assert!(is_near(combined(&third, "a & b").volume().unwrap(), volumes[2]));
+            prop_assert!(combined(&third, "a - b").volume().unwrap() < 1e-12);
         }
     }
 }

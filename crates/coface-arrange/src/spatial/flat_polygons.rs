@@ -9,14 +9,23 @@ use coface_algebra::{RaggedArray, Sign};
 use coface_geometry::triangulation::{TriangulationFault, triangulate, triangulate_sides};
 use coface_geometry::{Positions, Scaled, cross, dot};
 use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// A deviation of at most so many units in the last place of the largest coordinate is rounding.
+const ROUNDING_UNITS: f64 = 16.0;
 
 /// What becomes of polygons whose points are not exactly in one plane.
+///
+/// Whatever is split is put together again: a face is a part of a polygon, not of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum NonPlanar {
     /// An error that says how far a point is from the plane.
-    #[default]
     Refuse,
-    /// They are split into triangles, as seen along the axis that is nearest to their normal.
+    /// They are split where [rounding explains it](SplitPolygon::is_rounding), and an error otherwise.
+    Rounded,
+    /// They are split into triangles: quadrangles along the shorter diagonal, other polygons as seen along the axis that
+    /// is nearest to their normal.
+    #[default]
     Split,
 }
 
@@ -29,6 +38,35 @@ pub struct SplitPolygon {
     /// The largest distance of a point from the plane through the middle of all points, in the unit of the positions,
     /// rounded.
     pub deviation: f64,
+    /// The deviation that rounding of coordinates explains: 16 units in the last place of the largest coordinate of the
+    /// input that the polygon is of. The units are those of single precision if all coordinates of the input are
+    /// numbers of single precision, and one of them needs more than 16 bits.
+    pub rounding: f64,
+}
+
+impl SplitPolygon {
+    /// Whether rounding of the coordinates explains that the polygon is not planar.
+    ///
+    /// # Examples
+    /// A square with a corner that is lifted by as little as a number can be, and by a quarter:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// for (height, is_rounding) in [(1.0 + f64::EPSILON, true), (1.25, false)] {
+    ///     let flat = vec![0., 0., 1., 1., 0., 1., 1., 1., height, 0., 1., 1.];
+    ///     let positions = Positions::from_flat(3, flat)?;
+    ///     let square = SpatialPolygons::from_polygons(positions, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
+    ///     let arrangement = SpatialArrangement::new(&square, &SpatialOptions::new())?;
+    ///     assert_eq!(arrangement.split_polygons()[0].is_rounding(), is_rounding);
+    ///     assert_eq!(arrangement.f_vector(), [4, 4, 1, 0]);
+    /// }
+    /// # Ok(()) }
+    /// ```
+    pub fn is_rounding(&self) -> bool {
+        self.deviation <= self.rounding
+    }
 }
 
 /// The triangles that polygons are made of.
@@ -92,6 +130,7 @@ impl PolygonTriangles {
         let walks_of_polygon =
             RaggedArray::grouped(polygons.polygon_count(), polygons.polygon_of_walk().iter().copied());
         let scaled = Scaled::new(polygons.positions());
+        let rounding = explained_deviations(polygons);
         let cutter = Cutter { points: &points, positions: polygons.positions(), scaled, non_planar };
         let steps = stage("triangulating polygons", polygons.polygon_count());
         let found: Vec<Result<Outcome, Error>> = (0..polygons.polygon_count())
@@ -105,7 +144,8 @@ impl PolygonTriangles {
                     let ends = walk.iter().zip(next).map(|(&a, &b)| [a, b].map(|v| first_equal[v as usize]));
                     sides.extend(ends.filter(|[a, b]| a != b));
                 }
-                cutter.cut(polygon, sides)
+                let input = polygons.input_of_polygon()[polygon] as usize;
+                cutter.cut(polygon, sides, rounding[input])
             })
             .collect();
         let mut all = Self::default();
@@ -117,7 +157,8 @@ impl PolygonTriangles {
                 }
                 Outcome::Triangles(own) => own,
                 Outcome::Split(own, deviation, view) => {
-                    all.split.push((SplitPolygon { polygon, deviation }, view));
+                    let rounding = rounding[polygons.input_of_polygon()[polygon as usize] as usize];
+                    all.split.push((SplitPolygon { polygon, deviation, rounding }, view));
                     own
                 }
             };
@@ -148,6 +189,27 @@ impl PolygonTriangles {
     }
 }
 
+/// For each input how far its points may be off a plane because its coordinates are rounded.
+fn explained_deviations(polygons: &SpatialPolygons) -> Vec<f64> {
+    let mut largest = vec![0.0f64; polygons.input_count()];
+    let mut is_single = vec![true; polygons.input_count()];
+    let mut is_long = vec![false; polygons.input_count()];
+    for (walk, &polygon) in polygons.walks().iter().zip(polygons.polygon_of_walk()) {
+        let input = polygons.input_of_polygon()[polygon as usize] as usize;
+        for &x in walk.iter().flat_map(|&vertex| polygons.positions().point(VertexId::from_u32(vertex))) {
+            largest[input] = largest[input].max(x.abs());
+            let single = x as f32;
+            is_single[input] &= f64::from(single) == x;
+            // The last 8 of 24 bits.
+            is_long[input] |= single.to_bits() & 0xff != 0;
+        }
+    }
+    let unit = |input: usize| {
+        if is_single[input] && is_long[input] { f64::from(f32::EPSILON) } else { f64::EPSILON }
+    };
+    largest.iter().enumerate().map(|(input, &largest)| ROUNDING_UNITS * unit(input) * largest).collect()
+}
+
 /// For each point the first one at the same place.
 pub(super) fn first_equal_points(positions: &Positions) -> Vec<u32> {
     // Both zeros are one.
@@ -175,7 +237,7 @@ struct Cutter<'a> {
 }
 
 impl Cutter<'_> {
-    fn cut(&self, polygon: usize, sides: &mut Vec<[u32; 2]>) -> Result<Outcome, Error> {
+    fn cut(&self, polygon: usize, sides: &mut Vec<[u32; 2]>, rounding: f64) -> Result<Outcome, Error> {
         if let [[a, _], [b, _], [c, _]] = sides[..]
             && (0..3).any(|axis| self.points.normal_sign(axis, [a, b, c]).is_ne())
         {
@@ -208,15 +270,24 @@ impl Cutter<'_> {
             }
         };
         let deviation = self.deviation(sides, normal, middle);
-        if self.non_planar == NonPlanar::Refuse {
+        let is_refused = match self.non_planar {
+            NonPlanar::Refuse => true,
+            NonPlanar::Rounded => deviation > rounding,
+            NonPlanar::Split => false,
+        };
+        if is_refused {
             return Err(Error::invalid(format!(
                 "polygon {polygon} is not planar: v{off} is not in the plane of v{p}, v{q} and v{r}; points are up to \
                  {deviation:e} away from a plane"
             ))
             .with_cure("let such polygons be split (--non-planar split), or give triangles"));
         }
-        let (own, view) =
-            self.triangles(sides, axes[0]).map_err(|(fault, view)| self.fault(polygon, fault, view))?;
+        let (own, view) = match self.quadrangle(sides, axes[0]) {
+            Some(found) => found,
+            None => {
+                self.triangles(sides, axes[0]).map_err(|(fault, view)| self.fault(polygon, fault, view))?
+            }
+        };
         Ok(Outcome::Split(own, deviation, view))
     }
 
@@ -275,6 +346,41 @@ impl Cutter<'_> {
             Ok(own) => Ok((own, view)),
             Err(fault) => Err((fault, view)),
         }
+    }
+
+    /// The two triangles on the sides of the shorter diagonal of a quadrangle, or of the one that is inside of it. The
+    /// choice depends on the places of the corners alone, so that a quadrangle that is there twice is split once.
+    fn quadrangle(&self, sides: &[[u32; 2]], axis: usize) -> Option<Seen<Vec<[u32; 3]>>> {
+        let &[[a, _], [b, _], [c, _], [d, _]] = sides else { return None };
+        if !sides.iter().zip(sides.iter().cycle().skip(1)).all(|(side, next)| side[1] == next[0]) {
+            return None;
+        }
+        let mut view = AxisView { axis: axis as u8, from: Sign::Plus };
+        if self.is_clockwise(sides, view) {
+            view = view.behind();
+        }
+        let length = |a: u32, b: u32| {
+            let (a, b) = (self.point(a), self.point(b));
+            dot([0, 1, 2].map(|i| a[i] - b[i]), [0, 1, 2].map(|i| a[i] - b[i]))
+        };
+        let first = [a, b, c, d].into_iter().min_by(|&x, &y| {
+            self.point(x)
+                .iter()
+                .zip(&self.point(y))
+                .map(|(x, y)| x.total_cmp(y))
+                .find(|order| order.is_ne())
+                .unwrap_or(Ordering::Equal)
+        })?;
+        let order = length(a, c).total_cmp(&length(b, d));
+        let takes_first =
+            order.then(if first == a || first == c { Ordering::Less } else { Ordering::Greater }).is_le();
+        let mut splits = [vec![[a, b, c], [a, c, d]], vec![[a, b, d], [b, c, d]]];
+        if !takes_first {
+            splits.reverse();
+        }
+        let is_inside =
+            |split: &Vec<[u32; 3]>| split.iter().all(|&own| view.turn(self.points, own) == Ordering::Greater);
+        splits.into_iter().find(is_inside).map(|own| (own, view))
     }
 
     /// Whether the outermost two sides at the lexicographically least vertex run clockwise.
@@ -369,7 +475,6 @@ fn drop_opposite_sides(sides: &mut Vec<[u32; 2]>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::cmp::Ordering;
 
     fn polygons(flat: &[f64], lists: &[&[u32]], polygon_of_walk: &[u32]) -> SpatialPolygons {
         let positions = Positions::from_flat(3, flat.to_vec()).unwrap();

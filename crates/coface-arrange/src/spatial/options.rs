@@ -7,7 +7,7 @@ use super::flat_polygons::NonPlanar;
 /// # Examples
 /// ```
 /// use coface_arrange::spatial::{NonPlanar, SpatialOptions};
-/// let options = SpatialOptions::new().non_planar(NonPlanar::Split).merge_coplanar(true).max_cells(1_000_000);
+/// let options = SpatialOptions::new().non_planar(NonPlanar::Refuse).merge_coplanar(true).max_cells(1_000_000);
 /// assert_ne!(options, SpatialOptions::default());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -19,7 +19,7 @@ pub struct SpatialOptions {
 }
 
 impl SpatialOptions {
-    /// Refuses polygons that are not planar, keeps the faces of different polygons apart, and has no bound on the
+    /// Splits polygons that are not planar, keeps the faces of different polygons apart, and has no bound on the
     /// number of cells.
     ///
     /// # Examples
@@ -28,7 +28,7 @@ impl SpatialOptions {
     /// assert_eq!(SpatialOptions::new(), SpatialOptions::default());
     /// ```
     pub const fn new() -> Self {
-        Self { non_planar: NonPlanar::Refuse, merge_coplanar: false, max_cells: None }
+        Self { non_planar: NonPlanar::Split, merge_coplanar: false, max_cells: None }
     }
 
     /// Does this with polygons whose points are not exactly in one plane.
@@ -36,7 +36,7 @@ impl SpatialOptions {
     /// # Examples
     /// ```
     /// use coface_arrange::spatial::{NonPlanar, SpatialOptions};
-    /// assert_ne!(SpatialOptions::new().non_planar(NonPlanar::Split), SpatialOptions::new());
+    /// assert_ne!(SpatialOptions::new().non_planar(NonPlanar::Refuse), SpatialOptions::new());
     /// ```
     #[must_use]
     pub const fn non_planar(mut self, non_planar: NonPlanar) -> Self {

@@ -158,10 +158,31 @@ fn three_turned_cubes_have_seven_cells() {
     // The same cells added up in another order.
     let [found, expected] = [&again, &snapped].map(|object| object["measure"].as_f64().unwrap());
     assert!((found - expected).abs() < 1e-15);
-    // Polygons that are not quite planar are refused with the deviation otherwise.
-    let refused = run(&["arrange"], &[&a, &b], &[]);
+    // Polygons that are not quite planar are split without being asked, and refused with the deviation on request.
+    assert_eq!(arranged(&[&a, &b, &c], &["--strict"])["f_vector"], json!([49, 88, 47, 7]));
+    let refused = run(&["arrange"], &[&a, &b], &["--non-planar", "refuse"]);
     let message = refused.fails_with(1);
     assert!(message.contains("b.obj: polygon") && message.contains("away from a plane"), "{message}");
+}
+
+#[test]
+fn warped_quadrangles_are_split_with_a_remark_and_refused_if_strict() {
+    let folder = Folder::new();
+    let motion = |p: [f64; 3]| if p == [1.0; 3] { [1.0, 1.0, 1.5] } else { p };
+    let lifted = folder.squares("lifted.obj", [0.0; 3], [1.0; 3], 6, motion);
+    let object = arranged(&[&lifted], &[]);
+    assert_eq!(object["f_vector"], json!([8, 12, 6, 1]));
+    assert_eq!(object["remarks"][0]["code"], json!("faces-split"));
+    assert_eq!(object["remarks"][0]["places"][0]["cell"], json!([4, 5, 7, 6]));
+    for options in [&["--strict"][..], &["--non-planar", "refuse"], &["--non-planar", "rounded"]] {
+        let refused = run(&["boolean", "union"], &[&lifted], options);
+        let message = refused.fails_with(1);
+        assert!(message.contains("lifted.obj: polygon 1 is not planar"), "{message}");
+    }
+    assert_eq!(
+        arranged(&[&lifted], &["--strict", "--non-planar", "split"])["f_vector"],
+        json!([8, 12, 6, 1])
+    );
 }
 
 #[test]

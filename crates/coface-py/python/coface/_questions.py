@@ -455,7 +455,7 @@ def arrange(
     prune: bool = False,
     snap: bool = False,
     max_cells: int | None = None,
-    split: bool = False,
+    split: bool = True,
     merge_coplanar: bool = True,
     progress: Any = False,
 ) -> PlanarArrangement | SpatialArrangement:
@@ -478,7 +478,7 @@ def arrange(
     max_cells
         More cells than this are refused.
     split
-        In space, whether polygons that are not flat are split into triangles instead of refused.
+        In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
     merge_coplanar
         In space, whether faces of polygons in one plane are merged.
     progress
@@ -522,7 +522,7 @@ def boolean(
     keep_walls: bool = False,
     snap: bool = False,
     max_cells: int | None = None,
-    split: bool = False,
+    split: bool = True,
     merge_coplanar: bool = True,
     triangles: bool | None = None,
     open: str = "refuse",

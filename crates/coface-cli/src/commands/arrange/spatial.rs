@@ -19,9 +19,9 @@ use std::path::Path;
 #[derive(Args)]
 #[command(next_help_heading = "In space")]
 pub(crate) struct SpaceOptions {
-    /// What becomes of polygons whose points are not exactly in one plane: refused with the deviation, or split into triangles
-    #[arg(long, value_name = "WHAT", default_value = "refuse")]
-    non_planar: Bent,
+    /// What becomes of polygons whose points are not exactly in one plane [default: split; with --strict: rounded]
+    #[arg(long, value_name = "WHAT")]
+    non_planar: Option<Bent>,
     /// Merge faces in exactly one plane that are of the same inputs, be they of different polygons
     #[arg(long)]
     merge_coplanar: bool,
@@ -36,16 +36,22 @@ pub(crate) struct SpaceOptions {
 /// What becomes of polygons that are not planar.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Bent {
+    /// Refused, with the deviation
     Refuse,
+    /// Split if the deviation is 16 units in the last place of the largest coordinate or less, refused otherwise
+    Rounded,
+    /// Split into triangles: quadrangles along the shorter diagonal
     Split,
 }
 
 impl SpaceOptions {
-    pub(crate) fn request(&self, cells: &CellOptions) -> SpatialRequest {
+    pub(crate) fn request(&self, cells: &CellOptions, common: &Common) -> SpatialRequest {
         let mut request = SpatialRequest::default();
         request.non_planar = match self.non_planar {
-            Bent::Refuse => NonPlanar::Refuse,
-            Bent::Split => NonPlanar::Split,
+            Some(Bent::Refuse) => NonPlanar::Refuse,
+            Some(Bent::Rounded) => NonPlanar::Rounded,
+            None if common.strict => NonPlanar::Rounded,
+            Some(Bent::Split) | None => NonPlanar::Split,
         };
         request.merge_coplanar = self.merge_coplanar;
         request.snap = cells.snap;
@@ -107,7 +113,7 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let scene = SpatialScene::of(named(models), true)?;
-    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells))?;
+    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     progress.stage("multiplying boundaries");
     let answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     progress.stage("writing");

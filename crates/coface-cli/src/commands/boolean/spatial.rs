@@ -58,7 +58,7 @@ pub(super) fn run(
     progress.stage("arranging");
     let scene = SpatialScene::of(named(models), verb.keep_walls)?;
     let triangles = verb.space.triangles(&scene, output);
-    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells))?;
+    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     progress.stage("combining");
     let mut request = SolidRequest::of(task.formula(models.len()));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
