@@ -76,6 +76,9 @@ pub(super) struct Drawing {
     flat_places: usize,
     surplus: usize,
     single_points: usize,
+    /// The number of rings that were closed, and the first of them with where they begin and end.
+    unclosed_rings: usize,
+    unclosed: Vec<(String, [[f64; 3]; 2])>,
     remarks: Vec<Remark>,
 }
 
@@ -134,33 +137,31 @@ impl Drawing {
         self.ring_count = 0;
     }
 
-    /// Ends a ring, whose first corner must stand at its end again; says whether it is more than a point.
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`] if it does not.
-    pub(super) fn end_ring(&mut self, place: impl FnOnce() -> String) -> Result<bool, Error> {
-        let corners = &self.corners[self.open()..];
-        if corners.first() != corners.last() {
-            let number = |x: f64| format!("{x}");
-            let show = |corner: Option<&[f64; 3]>| {
-                corner.map_or(String::new(), |c| format!("({}, {})", number(c[0]), number(c[1])))
-            };
-            let message = format!(
-                "ring {} of a polygon begins at {} but ends at {}",
-                self.ring_count,
-                show(corners.first()),
-                show(corners.last())
-            );
-            return Err(
-                Error::invalid(message).with_cure("repeat the first point at the end, or make it a line")
-            );
+    /// Ends a ring. One whose first corner does not stand at its end again is closed, and `place` names it in a remark; says
+    /// whether it is more than a point.
+    pub(super) fn end_ring(&mut self, place: impl FnOnce() -> String) -> bool {
+        let start = self.open();
+        if let (Some(&first), Some(&last)) = (self.corners[start..].first(), self.corners.last())
+            && first != last
+        {
+            self.corners.push(first);
+            self.unclosed_rings += 1;
+            if self.unclosed.len() < LISTED {
+                self.unclosed.push((place(), [first, last]));
+            }
+            return self.end_closed_ring(String::new);
         }
+        self.end_closed_ring(place)
+    }
+
+    fn end_closed_ring(&mut self, place: impl FnOnce() -> String) -> bool {
+        let corners = &self.corners[self.open()..];
         if corners.len() > 1 && self.ring_count == 0 {
             self.polygon_count += 1;
         }
         let is_kept = self.end(self.polygon_count - 1, self.ring_count, place);
         self.ring_count += i64::from(is_kept);
-        Ok(is_kept)
+        is_kept
     }
 
     /// The feature of the line that is being made; -1 if it has a name, which tells it.
@@ -215,6 +216,18 @@ impl Drawing {
                 remarks.push(Remark::new(code, format!("{count} {what}")).at(count, []));
             }
         };
+        if let Some((name, [first, last])) = self.unclosed.first() {
+            let others = match self.unclosed_rings {
+                1 => String::new(),
+                2 => "; 1 more ring is closed so".to_owned(),
+                count => format!("; {} more rings are closed so", count - 1),
+            };
+            let [[x, y, _], [u, v, _]] = [first, last];
+            let message =
+                format!("{name} begins at ({x}, {y}) but ends at ({u}, {v}), and is closed{others}");
+            let places = self.unclosed.iter().map(|(_, [_, last])| crate::Place::point(&last[..2]));
+            self.remarks.push(Remark::new(RemarkCode::UnclosedRing, message).at(self.unclosed_rings, places));
+        }
         let unlisted = self.single_points.saturating_sub(LISTED);
         remark(
             &mut self.remarks,
@@ -508,7 +521,7 @@ mod tests {
         drawing.end_line(String::new);
         drawing.begin_polygon();
         draw(&mut drawing, &[[0., 0.], [1., 0.], [0., 1.], [0., 0.]]);
-        drawing.end_ring(String::new).unwrap();
+        drawing.end_ring(String::new);
         drawing.point(place(1., 0.));
         let model = drawing.finish().unwrap();
         assert_eq!(model.lines, RaggedArray::from_lists([vec![0, 1, 2], vec![2, 3, 0], vec![4, 5, 6, 4]]));
@@ -526,7 +539,7 @@ mod tests {
         let square = |drawing: &mut Drawing, x: f64| {
             drawing.begin_polygon();
             draw(drawing, &[[x, 0.], [x + 1., 0.], [x, 1.], [x, 0.]]);
-            drawing.end_ring(String::new).unwrap();
+            drawing.end_ring(String::new);
         };
         let features = |has_second: bool| {
             let mut drawing = Drawing::default();
@@ -562,17 +575,21 @@ mod tests {
         drawing.end_line(|| "line 7".to_owned());
         drawing.begin_polygon();
         draw(&mut drawing, &[[0., 0.], [1., 0.], [0., 0.]]);
-        drawing.end_ring(String::new).unwrap();
+        drawing.end_ring(String::new);
         drawing.end_line(String::new);
         draw(&mut drawing, &[[0., 0.], [1., 0.]]);
-        assert!(drawing.end_ring(String::new).unwrap_err().to_string().contains("begins at (0, 0)"));
-        drawing.end_line(String::new);
+        // Such a ring is closed.
+        assert!(drawing.end_ring(|| "the last ring".to_owned()));
         drawing.point(Place { x: 1., y: 2., z: Some(3.) });
         let model = drawing.finish().unwrap();
-        assert_eq!(model.lines, RaggedArray::from_lists([vec![0, 1, 0], vec![2, 3]]));
+        assert_eq!(model.lines, RaggedArray::from_lists([vec![0, 1, 0], vec![2, 3, 2]]));
         assert_eq!((model.points.len(), model.positions.dimension()), (2, 3));
         assert!(model.remarks[0].message.starts_with("line 7 is a single point"), "{:?}", model.remarks);
-        assert_eq!(model.remarks[1].message, "7 positions without a height are at height 0");
+        assert_eq!(
+            model.remarks[1].message,
+            "the last ring begins at (0, 0) but ends at (1, 0), and is closed"
+        );
+        assert_eq!(model.remarks[2].message, "7 positions without a height are at height 0");
     }
 
     proptest! {

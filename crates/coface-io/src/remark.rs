@@ -148,6 +148,7 @@ impl RemarkCode {
                 | CurvesFlattened
                 | ArcsApproximated
                 | SelfCrossingRing
+                | UnclosedRing
                 | FacesSplit
                 | UnknownKey
                 | DrawingAssumption
@@ -199,6 +200,8 @@ pub enum RemarkCode {
     ArcsApproximated,
     /// A ring of a drawing crosses or touches itself, and what it encloses was decided by the rule of the format.
     SelfCrossingRing,
+    /// A ring of a polygon does not end where it begins; it was closed.
+    UnclosedRing,
     /// Polygons that are not flat were split.
     FacesSplit,
     /// A key of the file has no meaning here.

@@ -1,6 +1,7 @@
 //! The complex that drawings cut the plane into.
 
 use super::containment::{Containment, ContainmentSearch};
+use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
 use super::sides::Sides;
 use crate::answer::{
@@ -18,6 +19,8 @@ pub struct ArrangementRequest {
     /// Which winding numbers are inside of a region. Without a rule those that are not zero are, holes of polygons count against
     /// their outer rings whatever their direction is, and drawings that state a rule keep it.
     pub rule: Option<InsideRule>,
+    /// Refuse rings that cross themselves if neither the request nor the drawing states a rule.
+    pub strict: bool,
     /// Leave out edges with one face on both sides, and the vertices that no edge is left at.
     pub prune: bool,
     /// Round coordinates and arrange again until all vertices are where their coordinates say.
@@ -54,13 +57,15 @@ pub struct DrawingArrangement {
     /// How often coordinates were rounded, if that was asked for.
     pub(super) snap_rounds: Option<usize>,
     pub(super) containment: Containment,
+    crossings: Option<Remark>,
 }
 
 impl DrawingArrangement {
     /// Arranges a drawing.
     ///
     /// # Errors
-    /// Those of [`PlanarArrangement::with_options`] and [`PlanarArrangement::snapped`].
+    /// Those of [`PlanarArrangement::with_options`] and [`PlanarArrangement::snapped`]; if the request is strict,
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the crossing of a ring with itself.
     ///
     /// # Complexity
     /// That of the arrangement, and linear in the segments along all edges.
@@ -106,7 +111,16 @@ impl DrawingArrangement {
             Step::Back { across, .. } => sides.across(across, |ring, by| search.wind(ring, by)),
         });
         let containment = search.finish();
-        Ok(Self { drawing, arrangement, sources, segments_of_edge, snap_rounds, containment })
+        let crossings = match request.rule {
+            Some(_) => Vec::new(),
+            None => crossed_rings(&drawing, &containment.windings),
+        };
+        let places = |ring: u32| meetings_of(&drawing, &arrangement, &segments_of_edge, &sources, ring);
+        if request.strict {
+            refuse_crossings(&drawing, &crossings, places)?;
+        }
+        let crossings = crossing_remark(&drawing, &crossings, places);
+        Ok(Self { drawing, arrangement, sources, segments_of_edge, snap_rounds, containment, crossings })
     }
 
     /// What was drawn.
@@ -194,7 +208,9 @@ impl DrawingArrangement {
         let bridges = (0..edges).filter(|&edge| arrangement.is_bridge(EdgeId::new(edge))).count();
         let certificate = arrangement.rounding_certificate()?;
         let rounding = rounding_answer(&certificate, arrangement.is_exactly_rounded());
-        let mut remarks = self.containment.remarks(&self.drawing);
+        let mut remarks = self.drawing.remarks.clone();
+        remarks.extend(self.crossings.iter().cloned());
+        remarks.extend(self.containment.remarks(&self.drawing));
         if !rounding.valid {
             remarks.push(Remark::new(
                 RemarkCode::RoundedInvalid,
@@ -236,6 +252,39 @@ impl DrawingArrangement {
             faces: self.containment.regions.iter().map(<[u32]>::to_vec).collect(),
         }
     }
+}
+
+/// The first points where a ring meets itself: crossings of its segments before others, from the lowest.
+fn meetings_of(
+    drawing: &PlanarDrawing,
+    arrangement: &PlanarArrangement,
+    segments_of_edge: &RaggedArray,
+    sources: &[VertexSource],
+    ring: u32,
+) -> Vec<[f64; 2]> {
+    let is_own = |segment: usize| drawing.ring_of_segment[segment] == ring;
+    let mut degrees = vec![0u8; arrangement.vertex_count()];
+    for (edge, segments) in segments_of_edge.iter().enumerate() {
+        if segments.iter().any(|&segment| is_own(segment as usize)) {
+            for end in arrangement.ends(EdgeId::new(edge)) {
+                degrees[end.index()] = degrees[end.index()].saturating_add(1);
+            }
+        }
+    }
+    let is_crossing = |vertex: usize| match sources[vertex] {
+        VertexSource::Crossing(segments) => segments.into_iter().all(is_own),
+        VertexSource::Given(_) => false,
+    };
+    let place = |vertex: usize| {
+        let point = arrangement.positions().point(VertexId::new(vertex));
+        [point[0], point[1]]
+    };
+    let mut meetings: Vec<usize> = (0..degrees.len()).filter(|&vertex| degrees[vertex] > 2).collect();
+    meetings.sort_by(|&a, &b| {
+        let ([x, y], [u, v]) = (place(a), place(b));
+        is_crossing(b).cmp(&is_crossing(a)).then(x.total_cmp(&u)).then(y.total_cmp(&v))
+    });
+    meetings.into_iter().take(MOST_PLACES).map(place).collect()
 }
 
 /// What rounding does to a drawing.

@@ -2,7 +2,8 @@
 
 use super::canonical::Canonical;
 use super::containment::{Containment, ContainmentSearch};
-use super::drawing::{Filling, PlanarDrawing};
+use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
+use super::drawing::PlanarDrawing;
 use super::outline::Outline;
 use super::walks::Walks;
 use crate::answer::{
@@ -22,9 +23,10 @@ use coface_geometry::{Positions, Sum};
 #[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct BooleanRequest {
-    /// Which winding numbers are inside, as in [`ArrangementRequest::rule`](crate::ArrangementRequest::rule). Without a rule, rings that cross themselves are refused
-    /// unless the drawing states a rule.
+    /// Which winding numbers are inside, as in [`ArrangementRequest::rule`](crate::ArrangementRequest::rule).
     pub rule: Option<InsideRule>,
+    /// Refuse rings that cross themselves if neither the request nor the drawing states a rule.
+    pub strict: bool,
     /// Keep the edges between faces that are selected both: then each face is a polygon.
     pub keep_walls: bool,
     /// Round coordinates and arrange again until all vertices are where their coordinates say.
@@ -84,7 +86,7 @@ impl RegionBoolean {
     ///
     /// # Errors
     /// [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle) naming where lines end that should bound a region; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the crossing
-    /// of a ring with itself, an input of the formula that is not there, or a formula that holds outside of all regions;
+    /// of a ring with itself if the request is strict, an input of the formula that is not there, or a formula that holds outside of all regions;
     /// those of [`DrawingArrangement::new`](crate::DrawingArrangement::new).
     ///
     /// # Complexity
@@ -120,9 +122,18 @@ impl RegionBoolean {
         let walks = Walks::new(&drawing, snapped.as_ref());
         let overlay = walks.overlay(&options)?;
         let containment = containment(&drawing, &overlay, request.rule);
-        if request.rule.is_none() {
-            check_rings(&drawing, &overlay, &containment)?;
+        let crossings = match request.rule {
+            Some(_) => Vec::new(),
+            None => crossed_rings(&drawing, &containment.windings),
+        };
+        let places = |ring: u32| {
+            let points = overlay.meetings_of(ring, MOST_PLACES);
+            points.iter().map(|point| point.rounded()).collect::<Vec<[f64; 2]>>()
+        };
+        if request.strict {
+            refuse_crossings(&drawing, &crossings, places)?;
         }
+        let crossings = crossing_remark(&drawing, &crossings, places);
         let face_count = overlay.face_count();
         let mut is_inside = vec![false; region_count];
         let mut select = |face: usize| {
@@ -161,7 +172,7 @@ impl RegionBoolean {
         let cell_counts = overlay.f_vector();
         let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
         let warnings = containment.warnings(&drawing);
-        let remarks = containment.remarks(&drawing);
+        let remarks = crossings.into_iter().chain(containment.remarks(&drawing)).collect();
         drop(walks);
         Ok(Self {
             drawing,
@@ -274,7 +285,7 @@ impl RegionBoolean {
                 points: None,
             }
         });
-        let mut remarks = Vec::new();
+        let mut remarks = self.drawing.remarks.clone();
         match self.drawing.unbounded_segment_count() {
             0 => {}
             count => remarks.push(
@@ -349,31 +360,6 @@ fn containment(drawing: &PlanarDrawing, overlay: &PlanarOverlay, rule: Option<In
         Step::Back { across, .. } => overlay.across(across, |ring, by| search.wind(ring, by)),
     });
     search.finish()
-}
-
-/// `InvalidInput` naming a ring that winds around something more than once, or in both directions, with the place.
-fn check_rings(
-    drawing: &PlanarDrawing,
-    overlay: &PlanarOverlay,
-    containment: &Containment,
-) -> Result<(), Error> {
-    let is_wrong = |ring: &usize| {
-        let [least, most] = containment.windings[*ring];
-        let polygon = drawing.rings[*ring].polygon as usize;
-        most - least > 1 && drawing.polygons[polygon].filling == Filling::OuterWithoutHoles
-    };
-    let Some(ring) = (0..drawing.rings.len()).find(is_wrong) else { return Ok(()) };
-    let name = drawing.ring_name(ring as u32);
-    let what = match overlay.meeting_of(ring as u32) {
-        Some(point) => {
-            let [x, y] = point.rounded();
-            format!("{name} crosses itself at ({x}, {y})")
-        }
-        None => format!("{name} runs around its inside more than once"),
-    };
-    Err(Error::invalid(what)
-        .with_cure("say what is inside of it: --rule evenodd or --rule nonzero")
-        .in_file(drawing.model_of_ring(ring as u32)))
 }
 
 /// Whether rings drawn with these positions have all their vertices and edges, and together wind once around what is in them.

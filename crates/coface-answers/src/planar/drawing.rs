@@ -1,6 +1,6 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
-use crate::answer::{DrawingInput, VertexOrigin};
+use crate::answer::{DrawingInput, Remark, VertexOrigin, remarks_of_file};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::VertexSource;
@@ -48,6 +48,8 @@ pub struct PlanarDrawing {
     pub(super) rings: Vec<Ring>,
     pub(super) polygons: Vec<Polygon>,
     pub(super) regions: Vec<Region>,
+    /// Those of the models.
+    pub(super) remarks: Vec<Remark>,
 }
 
 /// A closed walk of segments.
@@ -149,6 +151,7 @@ impl PlanarDrawing {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 vertices in all"));
         }
         self.names.push(name.to_owned());
+        self.remarks.extend(remarks_of_file(name, model));
         self.vertex_starts.push(first + model.vertex_count() as u32);
         for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
             flat.extend_from_slice(&point[..2]);

@@ -13,6 +13,7 @@ mod arrangement;
 mod boolean;
 mod canonical;
 mod containment;
+mod crossings;
 mod drawing;
 mod outline;
 mod sides;

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_algebra::{ErrorKind, FaceId};
+use coface_answers::answer::RemarkCode;
 use coface_answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
 };
@@ -148,10 +149,80 @@ fn holes_that_are_not_inside_of_their_outer_rings_are_named() {
         "{:?}",
         found.warnings()
     );
-    // A ring that crosses itself is refused with the place.
+    // A ring that crosses itself is taken as what it winds around, and refused with the place if strict.
     let bow = Drawn { polygons: vec![vec![vec![[0, 0], [2, 2], [2, 0], [0, 2]]]], line: None };
-    let refused =
-        RegionBoolean::new(drawing(&[model(&bow)]), &formula, &BooleanRequest::default()).unwrap_err();
+    let found = RegionBoolean::new(drawing(&[model(&bow)]), &formula, &BooleanRequest::default()).unwrap();
+    assert_eq!((found.area(), found.f_vector()), (2.0, [5, 6, 2]));
+    let remark = &found.answer().remarks[0];
+    assert_eq!((remark.code, remark.count), (RemarkCode::SelfCrossingRing, 1));
+    assert_eq!(remark.places[0].point.as_deref(), Some(&[1.0, 1.0][..]));
+    let mut strict = BooleanRequest::default();
+    strict.strict = true;
+    let refused = RegionBoolean::new(drawing(&[model(&bow)]), &formula, &strict).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::InvalidInput);
     assert!(refused.to_string().contains("polygon 0 crosses itself at (1, 1)"), "{refused}");
+}
+
+/// The area of polygons by slabs between the heights at which sides end or cross: a second method, on numbers that are
+/// rounded. What a ring winds around is inside of it; holes are subtracted, polygons united.
+fn area_by_slabs(drawn: &Drawn) -> f64 {
+    let sides = |ring: &Ring| -> Vec<[[f64; 2]; 2]> {
+        let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+        ends.map(|(a, b)| [a, b].map(|p| p.map(f64::from))).filter(|[a, b]| a[0] != b[0]).collect()
+    };
+    let all: Vec<[[f64; 2]; 2]> = drawn.polygons.iter().flatten().flat_map(sides).collect();
+    let height = |[a, b]: [[f64; 2]; 2], x: f64| a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+    let slope = |[a, b]: [[f64; 2]; 2]| (b[1] - a[1]) / (b[0] - a[0]);
+    let mut events: Vec<f64> = all.iter().flatten().map(|point| point[0]).collect();
+    for (i, &s) in all.iter().enumerate() {
+        for &t in &all[..i] {
+            if slope(s) != slope(t) {
+                events.push((height(t, 0.0) - height(s, 0.0)) / (slope(s) - slope(t)));
+            }
+        }
+    }
+    events.sort_by(f64::total_cmp);
+    let is_inside = |x: f64, y: f64| {
+        let winds = |ring: &Ring| {
+            let crossings = sides(ring).into_iter().filter(|side| (side[0][0] < x) != (side[1][0] < x));
+            let above = crossings.filter(|&side| height(side, x) > y);
+            above.map(|[a, b]| if a[0] < b[0] { 1 } else { -1 }).sum::<i32>() != 0
+        };
+        drawn.polygons.iter().any(|rings| winds(&rings[0]) && !rings[1..].iter().any(winds))
+    };
+    let mut area = 0.0;
+    for slab in events.windows(2).filter(|slab| slab[1] - slab[0] > 1e-9) {
+        let x = f64::midpoint(slab[0], slab[1]);
+        let crossed = all.iter().filter(|side| (side[0][0] < x) != (side[1][0] < x));
+        let mut heights: Vec<f64> = crossed.map(|&side| height(side, x)).collect();
+        heights.sort_by(f64::total_cmp);
+        for pair in heights.windows(2).filter(|pair| is_inside(x, f64::midpoint(pair[0], pair[1]))) {
+            area += (slab[1] - slab[0]) * (pair[1] - pair[0]);
+        }
+    }
+    area
+}
+
+proptest! {
+    #[test]
+    fn rings_that_cross_themselves_contain_what_each_winds_around(drawn in drawn()) {
+        // Repeated points and polygons that are points are left out of files.
+        prop_assume!(drawn.polygons.iter().flatten().all(|ring| ring.iter().any(|point| point != &ring[0])));
+        let models = [model(&drawn)];
+        let formula = BooleanFormula::parse("a", &[]).unwrap();
+        let found = RegionBoolean::new(drawing(&models), &formula, &BooleanRequest::default()).unwrap();
+        let expected = area_by_slabs(&drawn);
+        prop_assert!((found.area() - expected).abs() < 1e-7, "{} {}", found.area(), expected);
+        // The remark names rings that cross themselves, and strict requests are refused exactly then.
+        let remarks = found.answer().remarks;
+        let crossing = remarks.iter().find(|remark| remark.code == RemarkCode::SelfCrossingRing);
+        let mut strict = BooleanRequest::default();
+        strict.strict = true;
+        let refused = RegionBoolean::new(drawing(&models), &formula, &strict);
+        prop_assert_eq!(refused.is_err(), crossing.is_some());
+        let arranged = DrawingArrangement::new(drawing(&models), &ArrangementRequest::default()).unwrap();
+        let remarks = arranged.answer().unwrap().remarks;
+        let other = remarks.iter().find(|remark| remark.code == RemarkCode::SelfCrossingRing);
+        prop_assert_eq!(other.map(|remark| remark.count), crossing.map(|remark| remark.count));
+    }
 }

@@ -98,11 +98,13 @@ impl SpatialArrangement {
     /// ```
     pub fn new(polygons: &SpatialPolygons, options: &SpatialOptions) -> Result<Self, Error> {
         let triangles = PolygonTriangles::new(polygons, options.non_planar)?;
-        let PolygonTriangles { triangles, polygon_of_triangle, without_area, split } = triangles;
+        let PolygonTriangles { triangles, polygon_of_triangle, without_area, split, apart } = triangles;
+        let (patch_of_triangle, polygons_of_patch) =
+            patches_with_triangles(polygons.polygon_count(), polygon_of_triangle, &apart);
         let patches = Patches {
-            patch_of_triangle: polygon_of_triangle,
+            patch_of_triangle,
             folded: split.iter().map(|&(split, view)| (split.polygon, view)).collect(),
-            polygons_of_patch: None,
+            polygons_of_patch,
             input_of_polygon: polygons.input_of_polygon().to_vec(),
             input_count: polygons.input_count(),
         };
@@ -691,6 +693,27 @@ impl SpatialArrangement {
         self.round_count = round_count;
         self
     }
+}
+
+/// The patch of each triangle, and the packed polygon of each patch unless patch i is polygon i: each triangle of the polygons that
+/// stay apart is a patch of its own.
+fn patches_with_triangles(
+    polygon_count: usize,
+    polygon_of_triangle: Vec<u32>,
+    apart: &[u32],
+) -> (Vec<u32>, Option<RaggedArray>) {
+    if apart.is_empty() {
+        return (polygon_of_triangle, None);
+    }
+    let mut polygon_of_patch: Vec<u32> = (0..polygon_count as u32).collect();
+    let mut patch_of_triangle = polygon_of_triangle;
+    for patch in &mut patch_of_triangle {
+        if apart.binary_search(patch).is_ok() {
+            polygon_of_patch.push(*patch);
+            *patch = polygon_of_patch.len() as u32 - 1;
+        }
+    }
+    (patch_of_triangle, Some(RaggedArray::from_lists(polygon_of_patch.iter().map(|&polygon| [2 * polygon]))))
 }
 
 fn sign_of_bit(packed: u32) -> Sign {

@@ -14,6 +14,9 @@ use std::cmp::Ordering;
 /// A deviation of at most so many units in the last place of the largest coordinate is rounding.
 const ROUNDING_UNITS: f64 = 16.0;
 
+/// Polygons with more sides are not looked at twice if their sides cross or touch.
+const MOST_CLIPPED: usize = 1 << 10;
+
 /// What becomes of polygons whose points are not exactly in one plane.
 ///
 /// Whatever is split is put together again: a face is a part of a polygon, not of a triangle.
@@ -80,6 +83,9 @@ pub(super) struct PolygonTriangles {
     pub(super) without_area: Vec<u32>,
     /// The polygons that are not planar, rising, each with a picture in which it is seen from its front.
     pub(super) split: Vec<(SplitPolygon, AxisView)>,
+    /// The polygons, rising, whose triangles are not put together again: their sides cross or touch by as little as
+    /// rounding explains.
+    pub(super) apart: Vec<u32>,
 }
 
 /// What is found in a picture, and the picture.
@@ -89,6 +95,8 @@ enum Outcome {
     WithoutArea,
     Triangles(Vec<[u32; 3]>),
     Split(Vec<[u32; 3]>, f64, AxisView),
+    /// Triangles whose sum has the sides of the polygon, though some may lie on each other.
+    Apart(Vec<[u32; 3]>),
 }
 
 impl SpatialPolygons {
@@ -156,6 +164,10 @@ impl PolygonTriangles {
                     continue;
                 }
                 Outcome::Triangles(own) => own,
+                Outcome::Apart(own) => {
+                    all.apart.push(polygon);
+                    own
+                }
                 Outcome::Split(own, deviation, view) => {
                     let rounding = rounding[polygons.input_of_polygon()[polygon as usize] as usize];
                     all.split.push((SplitPolygon { polygon, deviation, rounding }, view));
@@ -262,7 +274,7 @@ impl Cutter<'_> {
                     // A hole may touch a side from within.
                     Err((TriangulationFault::OnSide { vertex, side }, _))
                         if split_side(sides, side, vertex) => {}
-                    Err((fault, view)) => return Err(self.fault(polygon, fault, view)),
+                    Err((fault, view)) => return self.clipped_or(polygon, sides, rounding, fault, view),
                 }
                 if sides.is_empty() {
                     return Ok(Outcome::WithoutArea);
@@ -284,9 +296,10 @@ impl Cutter<'_> {
         }
         let (own, view) = match self.quadrangle(sides, axes[0]) {
             Some(found) => found,
-            None => {
-                self.triangles(sides, axes[0]).map_err(|(fault, view)| self.fault(polygon, fault, view))?
-            }
+            None => match self.triangles(sides, axes[0]) {
+                Ok(found) => found,
+                Err((fault, view)) => return self.clipped_or(polygon, sides, rounding, fault, view),
+            },
         };
         Ok(Outcome::Split(own, deviation, view))
     }
@@ -346,6 +359,88 @@ impl Cutter<'_> {
             Ok(own) => Ok((own, view)),
             Err(fault) => Err((fault, view)),
         }
+    }
+
+    /// The polygon as [`Self::clipped`] has it, or the fault.
+    fn clipped_or(
+        &self,
+        polygon: usize,
+        sides: &[[u32; 2]],
+        rounding: f64,
+        fault: TriangulationFault,
+        view: AxisView,
+    ) -> Result<Outcome, Error> {
+        if matches!(fault, TriangulationFault::RepeatedSide(_)) || sides.len() > MOST_CLIPPED {
+            return Err(self.fault(polygon, fault, view));
+        }
+        match self.clipped(sides, rounding, view) {
+            Some(own) if own.is_empty() => Ok(Outcome::WithoutArea),
+            Some(own) => Ok(Outcome::Apart(own)),
+            None => Err(self.fault(polygon, fault, view)),
+        }
+    }
+
+    /// Triangles that have these sides together, for sides that cross or touch by as little as rounding explains: ears are
+    /// cut off as seen in the picture, and thin corners, be they ears or not, where there is no other. `None` if a
+    /// corner that is not thin would have to go.
+    ///
+    /// # References
+    /// G. H. Meisters, *Polygons have ears* (1975).
+    fn clipped(&self, sides: &[[u32; 2]], rounding: f64, view: AxisView) -> Option<Vec<[u32; 3]>> {
+        let turn = |triangle: [u32; 3]| view.turn(self.points, triangle);
+        let is_thin = |triangle: [u32; 3]| self.height(triangle) <= rounding;
+        let mut own = Vec::new();
+        for mut ring in loops(sides) {
+            let front = if self.area_in(&ring, view) < 0.0 { Ordering::Less } else { Ordering::Greater };
+            while ring.len() > 2 {
+                let count = ring.len();
+                let corner = |i: usize| [ring[(i + count - 1) % count], ring[i], ring[(i + 1) % count]];
+                let is_in = |vertex: u32, [a, b, c]: [u32; 3]| {
+                    let turns = [[a, b, vertex], [b, c, vertex], [c, a, vertex]].map(turn);
+                    turns.iter().all(|&turn| turn == front || turn.is_eq())
+                };
+                let is_ear = |own: [u32; 3]| {
+                    turn(own) == front
+                        && !is_thin(own)
+                        && ring.iter().all(|&vertex| own.contains(&vertex) || !is_in(vertex, own))
+                };
+                let ear = (0..count).find(|&i| is_ear(corner(i)));
+                let at = ear.or_else(|| (0..count).find(|&i| is_thin(corner(i))))?;
+                let triangle = corner(at);
+                if (0..3).any(|axis| self.points.normal_sign(axis, triangle).is_ne()) {
+                    own.push(triangle);
+                }
+                ring.remove(at);
+            }
+        }
+        Some(own)
+    }
+
+    /// Twice the area of a walk in the picture, rounded.
+    fn area_in(&self, walk: &[u32], view: AxisView) -> f64 {
+        let axis = usize::from(view.axis);
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let origin = self.scaled.origin_at(walk[0]);
+        let sum: f64 = walk
+            .iter()
+            .zip(walk.iter().cycle().skip(1))
+            .map(|(&a, &b)| {
+                let (a, b) = (self.scaled.relative(a, origin), self.scaled.relative(b, origin));
+                a[i] * b[j] - a[j] * b[i]
+            })
+            .sum();
+        if view.from == Sign::Plus { sum } else { -sum }
+    }
+
+    /// The least height of a triangle, rounded, in the unit of the positions.
+    fn height(&self, [a, b, c]: [u32; 3]) -> f64 {
+        let origin = self.scaled.origin_at(a);
+        let [u, v] = [b, c].map(|vertex| self.scaled.relative(vertex, origin));
+        let w = [0, 1, 2].map(|i| v[i] - u[i]);
+        let longest = [u, v, w].into_iter().map(|side| dot(side, side)).fold(0.0, f64::max).sqrt();
+        let normal = cross(u, v);
+        let height = if longest > 0.0 { dot(normal, normal).sqrt() / longest } else { 0.0 };
+        self.scaled.unscaled(height, 1)
     }
 
     /// The two triangles on the sides of the shorter diagonal of a quadrangle, or of the one that is inside of it. The
@@ -434,6 +529,26 @@ impl Cutter<'_> {
     }
 }
 
+/// Closed walks along all of these sides.
+fn loops(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
+    let mut is_used = vec![false; sides.len()];
+    let mut loops = Vec::new();
+    for first in 0..sides.len() {
+        let (mut walk, mut at) = (Vec::new(), Some(first).filter(|&side| !is_used[side]));
+        while let Some(side) = at {
+            is_used[side] = true;
+            walk.push(sides[side][0]);
+            // The sides of one walk mostly follow each other.
+            let order = (side + 1..sides.len()).chain(0..side);
+            at = order.filter(|&next| !is_used[next]).find(|&next| sides[next][0] == sides[side][1]);
+        }
+        if !walk.is_empty() {
+            loops.push(walk);
+        }
+    }
+    loops
+}
+
 /// Puts a vertex on a side, in whichever directions that is there. Whether it is there at all.
 fn split_side(sides: &mut Vec<[u32; 2]>, [a, b]: [u32; 2], vertex: u32) -> bool {
     let count = sides.len();
@@ -484,6 +599,58 @@ mod tests {
     /// A square with a smaller one inside, in the plane x = 2.
     const SQUARES: [f64; 24] =
         [2., 0., 0., 2., 4., 0., 2., 4., 4., 2., 0., 4., 2., 1., 1., 2., 3., 1., 2., 3., 3., 2., 1., 3.];
+
+    /// An edge of the square has two vertices that are one in the picture, and a spike that comes back one unit beside itself.
+    #[test]
+    fn sides_that_cross_by_rounding_are_taken_apart() {
+        let unit = f64::EPSILON;
+        let flat = [
+            0.,
+            0.,
+            1.,
+            1.,
+            0.,
+            1.,
+            1.,
+            0.5,
+            1.,
+            1.,
+            0.5,
+            1. + unit,
+            1.,
+            1.,
+            1.,
+            0.5,
+            1.,
+            1.,
+            0.75,
+            1. - unit,
+            1.,
+            0.5,
+            1. + unit,
+            1.,
+            0.,
+            1.,
+            1.,
+        ];
+        let own = polygons(&flat, &[&[0, 1, 2, 3, 4, 5, 6, 7, 8]], &[0]);
+        let found = PolygonTriangles::new(&own, NonPlanar::Split).unwrap();
+        assert_eq!(found.apart, [0]);
+        // Together they have the sides of the polygon, but for those that lie on each other.
+        let point = |v: u32| &flat[3 * v as usize..][..3];
+        let area: f64 = found
+            .triangles
+            .iter()
+            .map(|t| t.map(point))
+            .map(|[a, b, c]| ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2.0)
+            .sum();
+        assert!((area - 1.0).abs() < 4.0 * unit, "{area}");
+        // The same by a thousand units is no rounding.
+        let far = flat.map(|x| if (x - 1.0).abs() < 2.0 * unit { 1.0 + 1000.0 * (x - 1.0) } else { x });
+        let message =
+            PolygonTriangles::new(&polygons(&far, &[&[0, 1, 2, 3, 4, 5, 6, 7, 8]], &[0]), NonPlanar::Split);
+        assert!(message.unwrap_err().to_string().contains("polygon 0 is not simple"));
+    }
 
     #[test]
     fn holes_may_be_walks_or_bridged() {

@@ -157,11 +157,28 @@ fn laws_hold_on_a_map_of_random_triangles() {
 }
 
 #[test]
-fn polygons_that_cross_themselves_need_a_rule() {
+fn polygons_that_cross_themselves_are_taken_by_a_rule() {
     let folder = tempfile::tempdir().unwrap();
     // A star with five points: the middle is wound around twice.
     let star = file(&folder, "star.wkt", "POLYGON ((0 3, 2 -3, -3 1, 3 1, -2 -3, 0 3))");
-    let message = coface(&["boolean", "union", argument(&star)]).fails_with(1).to_owned();
+    let object = combined(&["union", argument(&star)]);
+    assert_eq!((&object["f_vector"], &object["pinches"]), (&json!([10, 10, 1]), &json!(0)));
+    let remark = &object["remarks"][0];
+    assert_eq!((&remark["code"], &remark["count"]), (&json!("self-crossing-ring"), &json!(1)));
+    assert_eq!(remark["places"].as_array().unwrap().len(), 5);
+    let arranged = coface(&["arrange", argument(&star), "--json"]).json();
+    assert_eq!(arranged["remarks"][0]["places"], remark["places"]);
+    assert!(coface(&["arrange", argument(&star), "--strict"]).fails_with(1).contains("crosses itself"));
+    // An SVG says its own rule.
+    let svg = file(
+        &folder,
+        "star.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg'><path fill-rule='evenodd' d='M0 3L2-3-3 1 3 1-2-3z'/></svg>",
+    );
+    let object = combined(&["union", argument(&svg), "--strict"]);
+    assert_eq!(object["f_vector"], json!([10, 15, 5]));
+    assert_eq!(object["remarks"][0]["code"], json!("self-crossing-ring"));
+    let message = coface(&["boolean", "union", argument(&star), "--strict"]).fails_with(1).to_owned();
     assert!(
         message.contains("star.wkt: polygon 0 crosses itself at (") && message.contains("--rule"),
         "{message}"

@@ -61,7 +61,7 @@ impl Coordinates {
                 for &place in places.iter().chain(places.first().filter(|_| to_close)) {
                     drawing.corner(place);
                 }
-                drawing.end_ring(|| format!("a ring of {name}"))?;
+                drawing.end_ring(|| format!("a ring of {name}"));
             }
         }
         Ok(())

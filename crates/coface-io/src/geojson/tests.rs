@@ -1,7 +1,7 @@
 //! Tests of both directions.
 
 use super::{read, write};
-use crate::{CellData, Group, GroupKind, Model, wkt};
+use crate::{CellData, Format, Group, GroupKind, Model, ReadOptions, RemarkCode, read_with, wkt};
 use coface_algebra::RaggedArray;
 use coface_algebra::{ErrorKind, VertexId};
 use proptest::collection::vec;
@@ -73,6 +73,19 @@ fn geometries_alone_and_bare_rings_are_read() {
 }
 
 #[test]
+fn a_ring_that_is_not_closed_is_closed_with_a_remark() {
+    let text = br#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,0],[0,1]]]}"#;
+    let model = read(&text[..]).unwrap();
+    assert_eq!(model.lines().list(0), [0, 1, 2, 0]);
+    let remark = &model.remarks()[0];
+    assert_eq!((remark.code, remark.count), (RemarkCode::UnclosedRing, 1));
+    assert!(remark.message.contains("begins at (0, 0) but ends at (0, 1)"), "{}", remark.message);
+    assert_eq!(remark.places[0].point.as_deref(), Some(&[0.0, 1.0][..]));
+    let strict = ReadOptions::new().format(Format::GeoJson).strict(true);
+    assert!(read_with(&text[..], &strict).is_err());
+}
+
+#[test]
 fn heights_are_kept() {
     let model = read(&br#"{"type":"LineString","coordinates":[[0,0,5],[1,0],[1,1,6,7]]}"#[..]).unwrap();
     assert_eq!(model.positions().as_flat(), [0., 0., 5., 1., 0., 0., 1., 1., 6.]);
@@ -83,7 +96,6 @@ fn heights_are_kept() {
 #[test]
 fn faults_have_a_line_and_a_cure() {
     for (text, message) in [
-        (r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1]]]}"#, "begins at (0, 0) but ends at (0, 1)"),
         (r#"{"type":"Polygon","coordinates":[[0,0],[1,0]]}"#, "a Polygon are a list of positions"),
         (r#"{"type":"Point","coordinates":5}"#, "a Point are a number"),
         (r#"{"type":"Point","coordinates":[5]}"#, "position 0 has one number"),

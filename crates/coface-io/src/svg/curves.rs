@@ -23,25 +23,40 @@ pub(super) struct Subpath {
 /// What becomes of curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Curves {
-    Refused,
     /// Chords that are within this length.
     Chords(f64),
     /// Cubics between corners.
     Kept,
 }
 
-/// Why a curve has no chords.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Fault {
-    /// A curve without a tolerance.
-    Curve,
-    /// Anything else, in words.
-    Text(String),
-}
-
-impl From<String> for Fault {
-    fn from(text: String) -> Self {
-        Self::Text(text)
+impl Subpath {
+    /// Extends a box, given by its lowest and its highest corner, so that it holds the subpath.
+    pub(super) fn extend(&self, bounds: &mut [[f64; 2]; 2]) {
+        let mut include = |axis: usize, x: f64| {
+            bounds[0][axis] = bounds[0][axis].min(x);
+            bounds[1][axis] = bounds[1][axis].max(x);
+        };
+        for corner in &self.corners {
+            (0..2).for_each(|axis| include(axis, corner[axis]));
+        }
+        for &(side, [first, second]) in &self.cubics {
+            let (from, to) = (self.corners[side], self.corners[side + 1]);
+            for axis in 0..2 {
+                let [p, q, r, s] = [from, first, second, to].map(|point| point[axis]);
+                // A third of the derivative is a t^2 + 2 b t + c.
+                let (a, b, c) = (s - p + 3.0 * (q - r), p - 2.0 * q + r, q - p);
+                let root = (b * b - a * c).sqrt();
+                for t in [(-b + root) / a, (-b - root) / a, -c / (2.0 * b)] {
+                    if t > 0.0 && t < 1.0 {
+                        let u = 1.0 - t;
+                        include(
+                            axis,
+                            u * u * u * p + 3.0 * u * u * t * q + 3.0 * u * t * t * r + t * t * t * s,
+                        );
+                    }
+                }
+            }
+        }
     }
 }
 
@@ -134,7 +149,7 @@ impl Pen {
     ///
     /// Chords between points at equal steps of the parameter are within an eighth of the square of the step times the greatest
     /// second derivative.
-    pub(super) fn curve_to(&mut self, controls: &[[f64; 2]]) -> Result<(), Fault> {
+    pub(super) fn curve_to(&mut self, controls: &[[f64; 2]]) -> Result<(), String> {
         let to = controls.last().copied().unwrap_or(self.at);
         let points: Vec<[f64; 2]> =
             [self.at].iter().chain(controls).map(|&control| self.map.point(control)).collect();
@@ -179,13 +194,13 @@ impl Pen {
     }
 
     /// How many chords of equal steps from 0 to 1 are near enough to a curve with at most this second derivative.
-    fn chord_count(&self, bend: f64) -> Result<usize, Fault> {
-        let Curves::Chords(tolerance) = self.curves else { return Err(Fault::Curve) };
+    fn chord_count(&self, bend: f64) -> Result<usize, String> {
+        let Curves::Chords(tolerance) = self.curves else { return Ok(1) };
         let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
         if count <= MOST_CHORDS {
             return Ok(count as usize);
         }
-        Err(Fault::Text(format!("a curve takes {count:.0} chords to be within {tolerance}")))
+        Err(format!("a curve takes {count:.0} chords to be within {tolerance}"))
     }
 
     /// The part of an ellipse with this center and half axes from one angle (of the circle that it is the image of) to another.
@@ -196,7 +211,7 @@ impl Pen {
         axes: [[f64; 2]; 2],
         [from, sweep]: [f64; 2],
         to: Option<[f64; 2]>,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), String> {
         let [u, v] = axes.map(|axis| self.map.direction(axis));
         // The square of the longest half axis of the image is the larger eigenvalue of the products of these two.
         let product = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
@@ -296,7 +311,7 @@ impl Pen {
     }
 
     /// A whole ellipse along the axes, as a subpath of its own.
-    pub(super) fn whole_ellipse(&mut self, center: [f64; 2], radii: [f64; 2]) -> Result<(), Fault> {
+    pub(super) fn whole_ellipse(&mut self, center: [f64; 2], radii: [f64; 2]) -> Result<(), String> {
         self.is_drawing = false;
         self.ellipse(center, [[radii[0], 0.0], [0.0, radii[1]]], [0.0, std::f64::consts::TAU], None)
     }
@@ -312,7 +327,7 @@ impl Pen {
         is_large: bool,
         is_positive: bool,
         to: [f64; 2],
-    ) -> Result<(), Fault> {
+    ) -> Result<(), String> {
         let [mut rx, mut ry] = radii.map(f64::abs);
         let from = self.at;
         if from == to {

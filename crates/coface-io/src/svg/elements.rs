@@ -1,6 +1,6 @@
 //! The shapes of SVG and their attributes.
 
-use super::curves::{Fault, Pen};
+use super::curves::Pen;
 use super::path;
 use coface_arrange::boolean::InsideRule;
 use roxmltree::Node;
@@ -56,7 +56,7 @@ pub(super) fn style_of<'a>(node: Node<'a, '_>, property: &str) -> Option<&'a str
 }
 
 /// Draws an element if it is a shape.
-pub(super) fn draw(node: Node<'_, '_>, pen: &mut Pen) -> Result<(), Fault> {
+pub(super) fn draw(node: Node<'_, '_>, pen: &mut Pen) -> Result<(), String> {
     let length = |name: &str| length_of(node, name);
     match node.tag_name().name() {
         "path" => path::draw(node.attribute("d").unwrap_or_default(), pen),
@@ -104,7 +104,7 @@ fn rectangle(
     [width, height]: [f64; 2],
     [rx, ry]: [f64; 2],
     pen: &mut Pen,
-) -> Result<(), Fault> {
+) -> Result<(), String> {
     let (right, bottom) = (x + width, y + height);
     if rx <= 0.0 || ry <= 0.0 {
         pen.move_to([x, y]);
@@ -130,13 +130,13 @@ fn rectangle(
 }
 
 /// A length in the unit of the user; `px` is that unit. Absent attributes and `auto` are `None`.
-fn length_of(node: Node<'_, '_>, name: &str) -> Result<Option<f64>, Fault> {
+fn length_of(node: Node<'_, '_>, name: &str) -> Result<Option<f64>, String> {
     let Some(text) = node.attribute(name).map(str::trim).filter(|text| !matches!(*text, "" | "auto")) else {
         return Ok(None);
     };
     let number = text.strip_suffix("px").unwrap_or(text);
     match number.trim().parse().ok().filter(|x: &f64| x.is_finite()) {
         Some(number) => Ok(Some(number)),
-        None => Err(Fault::Text(format!("{name}=\"{text}\" is no length in the unit of the drawing"))),
+        None => Err(format!("{name}=\"{text}\" is no length in the unit of the drawing")),
     }
 }

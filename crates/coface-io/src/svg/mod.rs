@@ -6,8 +6,8 @@
 //! that are no rings. Open subpaths, polylines and lines are lines. The `id` of an element names a group of its lines.
 //!
 //! Coordinates are those of the user: transformations are applied, `viewBox`, `width` and `height` are not. The second axis points
-//! down in a picture and is not turned around. Curves are replaced by chords within a tolerance that must be given. What is defined
-//! but not drawn (`defs`, `symbol`, `clipPath`, `mask`, `pattern`, `marker`) is passed over, and so are text, images and `use`, with
+//! down in a picture and is not turned around. Curves are replaced by chords within a tolerance: the one that is given, or a thousandth
+//! of the diagonal of the box around the drawing, with a remark. What is defined but not drawn (`defs`, `symbol`, `clipPath`, `mask`, `pattern`, `marker`) is passed over, and so are text, images and `use`, with
 //! a warning.
 
 #[cfg(feature = "xml")]

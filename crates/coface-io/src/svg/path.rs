@@ -1,12 +1,12 @@
 //! The data of a path: M L H V C S Q T A Z.
 
-use super::curves::{Fault, Pen};
+use super::curves::Pen;
 
 /// Draws the data of a path.
 ///
 /// # Errors
 /// A curve without a tolerance, or what is wrong with the text and at which byte of it.
-pub(super) fn draw(data: &str, pen: &mut Pen) -> Result<(), Fault> {
+pub(super) fn draw(data: &str, pen: &mut Pen) -> Result<(), String> {
     let mut words = Words { data: data.as_bytes(), at: 0 };
     let mut command = None;
     // The control point that S and T mirror, with the degree of its curve.
@@ -103,7 +103,7 @@ fn mirrored(at: [f64; 2], last: Option<(usize, [f64; 2])>, degree: usize) -> [f6
 ///
 /// # Errors
 /// What is wrong with the text.
-pub(super) fn draw_points(data: &str, is_closed: bool, pen: &mut Pen) -> Result<(), Fault> {
+pub(super) fn draw_points(data: &str, is_closed: bool, pen: &mut Pen) -> Result<(), String> {
     let mut words = Words { data: data.as_bytes(), at: 0 };
     let mut is_first = true;
     loop {

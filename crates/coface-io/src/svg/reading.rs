@@ -1,10 +1,10 @@
 //! From a stream to a model.
 
-use super::curves::{Curves, Fault, FilledPath, Pen, Subpath};
+use super::curves::{Curves, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
 use super::transformation::Transformation;
 use crate::drawing::{Drawing, Place};
-use crate::yin::check_tolerance;
+use crate::yin::{NO_BOUNDS, check_tolerance, default_tolerance, flattening_remark};
 use crate::{CellData, GroupKind, Model};
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
@@ -17,10 +17,11 @@ const LONGEST: u64 = 1 << 30;
 const DEEPEST: usize = 256;
 const CURE: &str = "the file must be SVG, as drawing programs write it";
 
-/// Reads the lines and rings of a drawing without curves: see [what becomes of what](crate::svg).
+/// Reads the lines and rings of a drawing: see [what becomes of what](crate::svg). Curves become chords that are within a
+/// thousandth of the size of the drawing, the diagonal of its bounding box; a remark says the length.
 ///
 /// # Errors
-/// As [`read_flattened`]; and [`ErrorKind::InvalidInput`] naming the first curve, with its line.
+/// As [`read_flattened`].
 ///
 /// # Examples
 /// ```
@@ -56,7 +57,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>"#;
 /// let model = coface_io::svg::read_flattened(text.as_bytes(), 0.01)?;
 /// assert_eq!((model.lines().len(), model.vertex_count()), (1, 23));
-/// assert!(coface_io::svg::read(text.as_bytes()).is_err());
+/// assert_eq!(coface_io::svg::read(text.as_bytes())?.remarks().len(), 1);
 /// # Ok(()) }
 /// ```
 pub fn read_flattened(input: impl Read, tolerance: f64) -> Result<Model, Error> {
@@ -65,11 +66,22 @@ pub fn read_flattened(input: impl Read, tolerance: f64) -> Result<Model, Error> 
 }
 
 pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {
-    let curves = tolerance.map_or(Curves::Refused, Curves::Chords);
-    let mut reader = Reader::new(curves);
-    reader.read(input)?;
+    let text = text_of(input)?;
+    let (mut curve_count, mut length) = (0, tolerance);
+    if tolerance.is_none() {
+        let mut kept = Reader::new(Curves::Kept);
+        kept.read(&text)?;
+        curve_count = kept.curve_count;
+        length = Some(default_tolerance(kept.bounds));
+    }
+    let tolerance = length.expect("one of both has been stated");
+    let mut reader = Reader::new(Curves::Chords(tolerance));
+    reader.read(&text)?;
     let Reader { drawing, fill_rules, passed_over, .. } = reader;
     let mut model = drawing.finish()?;
+    if curve_count > 0 {
+        model.remarks.push(flattening_remark(curve_count, tolerance));
+    }
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
         let message =
@@ -94,7 +106,7 @@ pub(super) struct ShapePaths {
 /// The shapes of a drawing with their curves.
 pub(super) fn read_paths(input: impl Read) -> Result<ShapePaths, Error> {
     let mut reader = Reader::new(Curves::Kept);
-    reader.read(input)?;
+    reader.read(&text_of(input)?)?;
     let Reader { paths, outlines, passed_over, .. } = reader;
     Ok(ShapePaths { filled: paths, outlines, passed_over })
 }
@@ -156,6 +168,9 @@ struct Reader {
     /// The rule of each line that the drawing keeps.
     fill_rules: Vec<i64>,
     passed_over: usize,
+    /// The number of shapes with curves, and the box around all that is drawn, if curves are kept.
+    curve_count: usize,
+    bounds: [[f64; 2]; 2],
 }
 
 impl Reader {
@@ -167,13 +182,14 @@ impl Reader {
             outlines: Vec::new(),
             fill_rules: Vec::new(),
             passed_over: 0,
+            curve_count: 0,
+            bounds: NO_BOUNDS,
         }
     }
 
-    fn read(&mut self, input: impl Read) -> Result<(), Error> {
-        let text = text_of(input)?;
+    fn read(&mut self, text: &str) -> Result<(), Error> {
         let options = ParsingOptions { allow_dtd: true, nodes_limit: u32::MAX, ..ParsingOptions::default() };
-        let document = Document::parse_with_options(&text, options).map_err(|error| {
+        let document = Document::parse_with_options(text, options).map_err(|error| {
             Error::parse(shortened(&error.to_string())).at_line(u64::from(error.pos().row)).with_cure(CURE)
         })?;
         let root = document.root_element();
@@ -228,14 +244,7 @@ impl Reader {
         let mut pen = Pen::new(map, self.curves);
         match elements::draw(node, &mut pen) {
             Ok(()) => {}
-            Err(Fault::Text(text)) => return Err(fault(text)),
-            Err(Fault::Curve) => {
-                return Err(Error::invalid(format!("<{name}> has a curve, and lines are straight here"))
-                    .at_line(line_of(node))
-                    .with_cure(
-                        "say how far chords may be from curves, in the unit of the drawing: --flatten LENGTH",
-                    ));
-            }
+            Err(text) => return Err(fault(text)),
         }
         let is_finite = |subpath: &Subpath| {
             let inner = subpath.cubics.iter().flat_map(|(_, controls)| controls);
@@ -243,6 +252,10 @@ impl Reader {
         };
         if !pen.subpaths.iter().all(is_finite) {
             return Err(fault("a transformed coordinate is not finite".to_owned()));
+        }
+        if self.curves == Curves::Kept {
+            self.curve_count += usize::from(pen.subpaths.iter().any(|subpath| !subpath.cubics.is_empty()));
+            pen.subpaths.iter().for_each(|subpath| subpath.extend(&mut self.bounds));
         }
         if self.curves == Curves::Kept && !pen.subpaths.is_empty() {
             let path = FilledPath {
@@ -283,7 +296,7 @@ impl Reader {
             for &[x, y] in subpath.corners.iter().chain(subpath.corners.first()) {
                 self.drawing.corner(Place { x, y, z: None });
             }
-            if self.drawing.end_ring(name)? {
+            if self.drawing.end_ring(name) {
                 self.fill_rules.push(match rule {
                     FillRule::Nonzero => 0,
                     FillRule::EvenOdd => 1,

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use super::{read, read_flattened, write};
-use crate::{GroupKind, Model};
+use crate::{GroupKind, Model, RemarkCode};
 use coface_algebra::ErrorKind;
 use coface_algebra::RaggedArray;
 
@@ -122,10 +122,33 @@ fn curves_are_as_near_as_asked() {
             );
             last = off;
         }
-        let error = read(svg(&format!("\n{shape}")).as_bytes()).unwrap_err();
-        assert_eq!((error.kind(), error.line()), (ErrorKind::InvalidInput, Some(2)), "{error}");
-        assert!(error.to_string().contains("has a curve") && error.to_string().contains("--flatten"));
+        // Where nothing is said chords are within a thousandth of the size of the drawing.
+        let model = read(svg(shape).as_bytes()).unwrap();
+        let remark = &model.remarks()[0];
+        assert_eq!((remark.code, remark.count), (RemarkCode::CurvesFlattened, 1));
+        assert!(remark.message.contains("--flatten"), "{}", remark.message);
+        let (low, high) = model
+            .positions()
+            .as_flat()
+            .as_chunks::<2>()
+            .0
+            .iter()
+            .fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), p| {
+                ([0, 1].map(|i| low[i].min(p[i])), [0, 1].map(|i| high[i].max(p[i])))
+            });
+        let size = (high[0] - low[0]).hypot(high[1] - low[1]);
+        assert!((area(&model) - truth).abs() <= 40.0 * 1.002e-3 * size, "{shape}: {}", area(&model));
+        let strict = crate::ReadOptions::new().format(crate::Format::Svg).strict(true);
+        let error = crate::read_with(svg(shape).as_bytes(), &strict).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidInput, "{error}");
     }
+    // The box of the circle has the diagonal 2 sqrt(2): chords within 2.83e-3.
+    let circle = read(svg("<circle r='1'/>").as_bytes()).unwrap();
+    assert!(circle.remarks()[0].message.contains("within 2.828e-3 of them"), "{:?}", circle.remarks());
+    assert_eq!(
+        circle.positions(),
+        read_flattened(svg("<circle r='1'/>").as_bytes(), 2.8284271247e-3).unwrap().positions()
+    );
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(read_flattened(svg("").as_bytes(), bad).is_err());
     }

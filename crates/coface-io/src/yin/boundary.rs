@@ -1,6 +1,6 @@
 //! What a file says about the boundary of a set.
 
-use super::flattening::flattened;
+use super::flattening::{NO_BOUNDS, default_tolerance, flattened, flattening_remark};
 use crate::Remark;
 use crate::{CellData, Format, Group, GroupKind, Model};
 use coface_algebra::RaggedArray;
@@ -444,12 +444,32 @@ impl BoundaryDrawing {
     }
 }
 
-/// The curves of a drawing as closed lines, for all that asks about lines and polygons. Curves become chords within a tolerance.
+/// The box around the curves of a drawing, nearly: curves are seen as chords within a thousandth of the box of their controls.
+fn bounds_of(drawing: &BoundaryDrawing) -> Result<[[f64; 2]; 2], Error> {
+    let mut bounds = NO_BOUNDS;
+    let extend = |bounds: &mut [[f64; 2]; 2], points: &[[f64; 2]]| {
+        for (point, axis) in points.iter().flat_map(|point| [(point, 0), (point, 1)]) {
+            bounds[0][axis] = bounds[0][axis].min(point[axis]);
+            bounds[1][axis] = bounds[1][axis].max(point[axis]);
+        }
+    };
+    if drawing.order != Order::LINEAR {
+        for curve in &drawing.curves {
+            let curve = curve.curve(drawing.order, &EndCondition::NotAKnot)?;
+            let mut hull = NO_BOUNDS;
+            (0..curve.piece_count()).for_each(|piece| extend(&mut hull, curve.piece(piece)));
+            extend(&mut bounds, &flattened(&curve, default_tolerance(hull))?);
+        }
+    }
+    Ok(bounds)
+}
+
+/// The curves of a drawing as closed lines, for all that asks about lines and polygons. Curves become chords within a tolerance, a thousandth of the
+/// size of the drawing with a remark if none is stated.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] for the whole plane and for unbounded sets, which no model holds; [`ErrorKind::InvalidInput`]
-/// for curves without a tolerance; those of the fit.
-pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, tolerance: Option<f64>) -> Result<Model, Error> {
+/// [`ErrorKind::UnsupportedFormat`] for the whole plane and for unbounded sets, which no model holds; those of the fit.
+pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, stated: Option<f64>) -> Result<Model, Error> {
     let refuse = |what: &str| {
         Err(Error::new(ErrorKind::UnsupportedFormat, format!("this is {what}, which no model holds"))
             .with_cure("ask coface yin, which knows unbounded sets"))
@@ -457,6 +477,10 @@ pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, tolerance: Option<f64>
     if drawing.is_plane {
         return refuse("the whole plane");
     }
+    let tolerance = match stated {
+        Some(tolerance) => tolerance,
+        None => default_tolerance(bounds_of(drawing)?),
+    };
     let mut flat: Vec<f64> = Vec::new();
     let (mut lines, mut rings) = (RaggedArray::new(), Vec::new());
     let mut names: Vec<(String, Vec<u32>)> = Vec::new();
@@ -466,13 +490,6 @@ pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, tolerance: Option<f64>
             Curve::polyline(&curve.points)?;
             curve.points.clone()
         } else {
-            let Some(tolerance) = tolerance else {
-                return Err(Error::invalid(format!(
-                    "curve {number} is of order {}, and lines are straight here",
-                    drawing.order
-                ))
-                .with_cure("say how far chords may be from curves: --flatten LENGTH; or ask coface yin"));
-            };
             flattened(&curve.curve(drawing.order, &EndCondition::NotAKnot)?, tolerance)?
         };
         doubled_area += (0..points.len())
@@ -505,6 +522,9 @@ pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, tolerance: Option<f64>
         .with_data(column("fill_rule", vec![0; count])?)?;
     for (name, members) in names {
         model = model.with_group(Group::new(name, GroupKind::Lines, members))?;
+    }
+    if stated.is_none() && drawing.order != Order::LINEAR {
+        model.remarks.push(flattening_remark(count, tolerance));
     }
     Ok(model)
 }

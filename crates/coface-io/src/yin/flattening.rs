@@ -1,5 +1,6 @@
 //! Curves as chords.
 
+use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_yin::{Curve, Order};
 
@@ -65,6 +66,28 @@ pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Err
         }
     }
     Ok(corners)
+}
+
+/// The box that holds nothing: its lowest corner is above its highest.
+pub(crate) const NO_BOUNDS: [[f64; 2]; 2] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+
+/// How far chords may be from curves where nothing is said: a thousandth of the diagonal of the box around all curves.
+pub(crate) fn default_tolerance([low, high]: [[f64; 2]; 2]) -> f64 {
+    let size = (high[0] - low[0]).hypot(high[1] - low[1]);
+    if size.is_finite() && size > 0.0 { (size / 1000.0).max(f64::MIN_POSITIVE) } else { 1.0 }
+}
+
+/// The remark on shapes whose curves became chords without being asked.
+pub(crate) fn flattening_remark(count: usize, tolerance: f64) -> Remark {
+    let subject = match count {
+        1 => "1 shape has curves, which".to_owned(),
+        _ => format!("{count} shapes have curves, which"),
+    };
+    let message = format!(
+        "{subject} became chords that are within {tolerance:.3e} of them, a thousandth of the drawing's size; --flatten LENGTH \
+         says another length, and coface yin keeps curves"
+    );
+    Remark::new(RemarkCode::CurvesFlattened, message).at(count, [])
 }
 
 /// `InvalidInput` unless this is a distance of chords from curves.

@@ -41,7 +41,7 @@ pub(crate) use dat::is_dat;
 pub use dat::{read_dat, write_dat};
 pub(crate) use factories::is_factories;
 pub use factories::read_factories;
-pub(crate) use flattening::check_tolerance;
 pub use flattening::flattened;
+pub(crate) use flattening::{NO_BOUNDS, check_tolerance, default_tolerance, flattening_remark};
 pub use json::write_json;
 pub use rings::drawing_of_model;

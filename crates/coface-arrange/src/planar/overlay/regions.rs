@@ -291,10 +291,10 @@ impl PlanarOverlay {
         }
     }
 
-    /// A point where rings of a region meet each other or themselves: the lowest where two of their sides cross, or
-    /// else the lowest.
+    /// Points where rings of a region meet each other or themselves, at most so many: those where two of their sides
+    /// cross before the others, the lowest first.
     #[doc(hidden)]
-    pub fn meeting_of(&self, region: u32) -> Option<PlanarPoint> {
+    pub fn meetings_of(&self, region: u32, most: usize) -> Vec<PlanarPoint> {
         let is_own = |ring: u32| self.regions[ring as usize] == region;
         let mut degrees = vec![0u8; self.chains.nodes.len()];
         for (chains, ends) in self.cells.edges.chains.iter().zip(&self.cells.edges.ends) {
@@ -309,13 +309,13 @@ impl PlanarOverlay {
             let sides = crossing.map(|crossing| self.crossings[crossing].segments);
             sides.is_some_and(|sides| sides.iter().all(|&side| is_own(self.rings.ring_of(side) as u32)))
         };
-        let meetings = (0..degrees.len()).filter(|&node| degrees[node] > 2);
+        let mut meetings: Vec<usize> = (0..degrees.len()).filter(|&node| degrees[node] > 2).collect();
         let parts = self.parts();
-        let first = meetings.min_by(|&a, &b| {
+        meetings.sort_by(|&a, &b| {
             let order = is_crossing(b).cmp(&is_crossing(a));
             order.then_with(|| parts.compare_nodes(a as u32, b as u32))
-        })?;
-        Some(parts.node_point(first as u32))
+        });
+        meetings.into_iter().take(most).map(|node| parts.node_point(node as u32)).collect()
     }
 
     pub(super) fn parts(&self) -> Parts<'_> {

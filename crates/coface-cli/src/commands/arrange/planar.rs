@@ -23,6 +23,7 @@ pub(super) fn run(
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
     let drawing = PlanarDrawing::new(models, verb.source.source())?;
     let mut request = ArrangementRequest::default();
+    request.strict = common.strict;
     request.rule = verb.cells.rule.map(super::Rule::inside);
     request.prune = verb.prune;
     request.snap = verb.cells.snap;

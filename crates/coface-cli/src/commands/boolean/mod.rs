@@ -20,8 +20,8 @@ use std::path::PathBuf;
 /// ! for complement, & for intersection, - for difference, ^ for xor, | for union, from the tightest to the loosest.
 ///
 /// Inputs in the plane are polygons (GeoJSON, WKT, SVG, meshes), or closed lines. The result has polygons with holes: outer
-/// rings run counterclockwise, all rings are simple and touch in points only. A polygon that crosses itself is refused unless
-/// --rule says what is inside of it.
+/// rings run counterclockwise, all rings are simple and touch in points only. What a ring winds around is inside of it, also where
+/// it crosses itself; holes are subtracted, and an SVG says its own rule. --rule says otherwise, and --strict refuses such rings.
 ///
 /// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
 /// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json

@@ -29,6 +29,7 @@ pub(super) fn run(
         return Err(Failure::new("there is no region in the inputs: give polygons or closed lines"));
     }
     let mut request = BooleanRequest::default();
+    request.strict = common.strict;
     request.rule = verb.cells.rule.map(Rule::inside);
     request.keep_walls = verb.keep_walls;
     request.snap = verb.cells.snap;
