@@ -1,8 +1,10 @@
-//! GeoJSON: points, lines and polygons with holes, with names.
+//! GeoJSON and TopoJSON: points, lines and polygons with holes, with names.
 //!
 //! A file is a `FeatureCollection`, a `Feature`, a geometry (`Point`, `MultiPoint`, `LineString`, `MultiLineString`,
 //! `Polygon`, `MultiPolygon`, `GeometryCollection`), or the bare coordinates of a polygon or of several,
-//! whose rings need not have their first position at the end again.
+//! whose rings need not have their first position at the end again. A `Topology` (TopoJSON) is read as the map that it stands for:
+//! arcs are joined, whole numbers become coordinates by its `transform`, and the geometries of each object are features.
+//! GeoPackage and FlatGeobuf are not read: convert them to GeoJSON, for instance with `ogr2ogr map.geojson map.gpkg`.
 //!
 //! Lines and points share their vertices: equal positions are one vertex, so that ways that meet are connected. A polygon with
 //! holes is no polygon of a mesh: each ring becomes a closed line, and two arrays of integers on the lines say what
@@ -18,6 +20,7 @@ mod coordinates;
 mod reading;
 #[cfg(test)]
 mod tests;
+mod topology;
 mod writing;
 
 pub(super) use reading::is_geojson;

@@ -1,6 +1,7 @@
 //! From a stream to a model.
 
 use super::coordinates::{Coordinates, Nested};
+use super::topology::Topology;
 use crate::Model;
 use crate::drawing::Drawing;
 use crate::json::Faults;
@@ -20,9 +21,9 @@ const LEVELS: [(&str, usize); 6] = [
     ("Polygon", 3),
     ("MultiPolygon", 4),
 ];
-const OTHERS: [&str; 3] = ["GeometryCollection", "Feature", "FeatureCollection"];
+const OTHERS: [&str; 4] = ["GeometryCollection", "Feature", "FeatureCollection", "Topology"];
 
-/// Reads a drawing or map: see [what becomes of what](crate::geojson).
+/// Reads a drawing or map, GeoJSON or TopoJSON: see [what becomes of what](crate::geojson).
 ///
 /// A line whose positions are all equal is kept as a point; heights that are missing beside others are 0; both with a
 /// warning.
@@ -118,6 +119,7 @@ struct Object {
     /// What stands under `"geometry"`, unless that is null.
     geometry: Option<Box<Object>>,
     has_features: bool,
+    topology: Topology,
     name: Option<String>,
     id: Option<String>,
 }
@@ -133,6 +135,7 @@ impl Object {
         }
         match kind {
             "FeatureCollection" => Ok(()),
+            "Topology" => self.topology.draw(drawing),
             "Feature" => {
                 drawing.begin_feature(self.name.or(self.id));
                 let drawn = self.geometry.map_or(Ok(()), |geometry| geometry.draw_geometry(drawing));
@@ -152,11 +155,7 @@ impl Object {
         }
         let Some(&(name, level)) = LEVELS.iter().find(|(name, _)| *name == kind) else {
             let fault = Error::parse(format!("\"{}\" is not a type of geometry", shortened(&kind)));
-            return Err(fault.with_cure(if kind == "Topology" {
-                "this is TopoJSON: convert it to GeoJSON first"
-            } else {
-                CURE
-            }));
+            return Err(fault.with_cure(CURE));
         };
         let Some(coordinates) = self.coordinates else {
             return Err(Error::parse(format!("a {name} has no \"coordinates\"")).with_cure(CURE));
@@ -279,6 +278,9 @@ impl<'de> Visitor<'de> for Parsed<'_, '_> {
                     map.next_value_seed(Features(&mut *self.0))?;
                 }
                 "properties" => object.name = map.next_value_seed(Properties)?,
+                "objects" => object.topology.objects = Some(map.next_value()?),
+                "arcs" => object.topology.arcs = Some(map.next_value()?),
+                "transform" => object.topology.transform = Some(map.next_value()?),
                 "id" => object.id = name_of(&map.next_value()?),
                 _ => {
                     map.next_value::<IgnoredAny>()?;
@@ -290,7 +292,7 @@ impl<'de> Visitor<'de> for Parsed<'_, '_> {
 }
 
 /// The name that a value is: a text or a number.
-fn name_of(value: &serde_json::Value) -> Option<String> {
+pub(super) fn name_of(value: &serde_json::Value) -> Option<String> {
     match value {
         serde_json::Value::String(name) => Some(name.clone()),
         serde_json::Value::Number(number) => Some(number.to_string()),

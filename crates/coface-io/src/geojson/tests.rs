@@ -85,6 +85,28 @@ fn a_ring_that_is_not_closed_is_closed_with_a_remark() {
     assert!(read_with(&text[..], &strict).is_err());
 }
 
+/// Two squares side by side that share an arc, as whole numbers with differences.
+#[test]
+fn a_topology_is_read_as_the_map_that_it_is() {
+    let topology = r#"{"type": "Topology", "transform": {"scale": [0.5, 2], "translate": [10, -1]},
+        "arcs": [[[2, 0], [0, 1]], [[2, 1], [-2, 0], [0, -1], [2, 0]], [[2, 0], [2, 0], [0, 1], [-2, 0]]],
+        "objects": {"squares": {"type": "GeometryCollection", "geometries": [
+            {"type": "Polygon", "arcs": [[0, 1]], "properties": {"name": "west"}},
+            {"type": "Polygon", "arcs": [[2, -1]], "id": 7},
+            {"type": null}]},
+          "town": {"type": "Point", "coordinates": [1, 1]}}}"#;
+    let map = r#"{"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"name": "west"}, "geometry": {"type": "Polygon", "coordinates":
+            [[[11, -1], [11, 1], [10, 1], [10, -1], [11, -1]]]}},
+        {"type": "Feature", "id": 7, "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+            [[[11, -1], [12, -1], [12, 1], [11, 1], [11, -1]]]}},
+        {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [10.5, 1]}}]}"#;
+    let model = read(topology.as_bytes()).unwrap();
+    assert_eq!(model, read(map.as_bytes()).unwrap());
+    assert!(model.remarks().is_empty());
+    assert!(super::reading::is_geojson(topology.as_bytes()));
+}
+
 #[test]
 fn heights_are_kept() {
     let model = read(&br#"{"type":"LineString","coordinates":[[0,0,5],[1,0],[1,1,6,7]]}"#[..]).unwrap();
@@ -107,7 +129,11 @@ fn faults_have_a_line_and_a_cure() {
         (r#"{"coordinates":[1,2]}"#, "no \"type\""),
         (r#"{"type":"Feature","geometry":{"type":"Feature"}}"#, "\"Feature\" is not a type of geometry"),
         (r#"{"type":"Point","features":[]}"#, "no FeatureCollection"),
-        (r#"{"type":"Topology","arcs":[]}"#, "TopoJSON"),
+        (r#"{"type":"Topology","arcs":[]}"#, "no \"objects\""),
+        (
+            r#"{"type":"Topology","arcs":[],"objects":{"a":{"type":"Polygon","arcs":[[0]]}}}"#,
+            "arc 0 is named",
+        ),
         (r#"{"type":"FeatureCollection","features":{}}"#, "a list of features"),
         (r#"{"type":"FeatureCollection","features":["#, "EOF"),
         ("[[0,0],[1,0]]", "a Polygon are a list of positions"),

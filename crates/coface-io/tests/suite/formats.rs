@@ -137,7 +137,7 @@ fn every_sample_is_read_and_recognized() {
 }
 
 /// What to put for what in a sample, and what the message must say.
-const FAULTS: [(Format, &str, &str, &str); 63] = [
+const FAULTS: [(Format, &str, &str, &str); 60] = [
     (Format::VtkGrid, "0 1 2 3<", "0 1 2 4<", "4"),
     (Format::VtkGrid, ">10<", ">42<", "polyhedra"),
     (Format::Off, "3 0 1 2", "3 0 1 3", "3"),
@@ -190,14 +190,11 @@ const FAULTS: [(Format, &str, &str, &str); 63] = [
     (Format::Lines, "1,0,0,1", "1,0,0", "3 numbers"),
     (Format::Lines, "1,0,0,1", "1,0,0,inf", "inf"),
     (Format::Lines, "1,0,0,1", "1,0,0,b", "\"b\""),
-    (Format::GeoJson, "[0,1],[0,0]", "[0,1]", "ends at (0, 1)"),
     (Format::GeoJson, "[0,1]", "[0]", "one number"),
     (Format::GeoJson, "[0,1]", "[0,1e999]", "out of range"),
     (Format::GeoJson, "Polygon", "Polyhedron", "polyhedron"),
-    (Format::Wkt, ", 0 0))", "))", "ends at (0, 1)"),
     (Format::Wkt, "0 1,", "0 nan,", "nan"),
     (Format::Wkt, "POINT", "PINT", "\"PINT\""),
-    (Format::Svg, "h1", "c1 1 2 2 3 3", "has a curve"),
     (Format::Svg, "h1", "h1e999", "number is missing"),
     (Format::Svg, "\"5\"", "\"5cm\"", "no length"),
     (Format::Svg, "</svg>", "", "root"),

@@ -376,7 +376,7 @@ fn limits_and_faults_are_told() {
     let two = SpatialPolygons::joined(&[cube([0.0; 3], 1.0), cube([0.5; 3], 1.0)]).unwrap();
     let error = SpatialArrangement::new(&two, &options).unwrap_err();
     assert_eq!(error.kind(), coface::ErrorKind::TooLarge);
-    let error = SpatialArrangement::new(&unit(second), &SpatialOptions::default()).unwrap_err();
+    let error = SpatialArrangement::new(&unit(second), &SPLIT.non_planar(NonPlanar::Refuse)).unwrap_err();
     assert!(error.message().contains("is not planar"), "{error}");
     let empty = SpatialArrangement::new(&SpatialPolygons::joined(&[]).unwrap(), &SPLIT).unwrap();
     assert_eq!(empty.f_vector(), [0; 4]);
