@@ -370,7 +370,8 @@ impl Cutter<'_> {
         fault: TriangulationFault,
         view: AxisView,
     ) -> Result<Outcome, Error> {
-        if matches!(fault, TriangulationFault::RepeatedSide(_)) || sides.len() > MOST_CLIPPED {
+        let is_wrong = matches!(fault, TriangulationFault::RepeatedSide(_) | TriangulationFault::WrongWay(_));
+        if is_wrong || sides.len() > MOST_CLIPPED || loops(sides).len() > 1 {
             return Err(self.fault(polygon, fault, view));
         }
         match self.clipped(sides, rounding, view) {
