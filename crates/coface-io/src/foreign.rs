@@ -85,9 +85,6 @@ pub(super) fn surely(start: &[u8]) -> Option<Known> {
         if is_of_type("CityJSON") || is_of_type("CityJSONFeature") {
             return Some(("CityJSON", "convert it to OBJ first"));
         }
-        if is_of_type("Topology") {
-            return Some(("TopoJSON", "convert it to GeoJSON first"));
-        }
     }
     if text.starts_with(b"ISO-10303-21") && memchr::memmem::find(text, b"'IFC").is_some() {
         return Some(("IFC", "export a mesh of it, such as OBJ"));
@@ -153,7 +150,6 @@ mod tests {
     fn what_is_not_read_is_named() {
         for (start, what) in [
             (&b"{\"type\": \"CityJSON\", \"version\": \"2.0\"}"[..], "CityJSON"),
-            (b"{\"type\":\"Topology\"}", "TopoJSON"),
             (b"<?xml version='1.0'?><a:b xmlns:gml='http://www.opengis.net/gml'/>", "GML"),
             (b"0101000000000000000000F03F000000000000F03F", "well-known binary"),
             (b"01030000000100000004000000000000000000000000", "well-known binary"),
