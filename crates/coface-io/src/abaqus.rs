@@ -258,7 +258,7 @@ impl Mesh {
                 match (*is_range, numbers.as_slice()) {
                     (true, &[first, last]) => self.add_range(is_of_nodes, &name, first, last, 1),
                     (true, &[first, last, step]) if step > 0 => {
-                        self.add_range(is_of_nodes, &name, first, last, step)
+                        self.add_range(is_of_nodes, &name, first, last, step);
                     }
                     (true, _) => {
                         let line = quoted(line.as_bytes());

@@ -312,11 +312,11 @@ fn simpler_cell(shape: CellShape, corners: &[u32]) -> Option<(CellShape, Vec<u32
                     cell[corner] = Some(vertex);
                 }
                 let cell: Vec<u32> = cell.into_iter().collect::<Option<_>>()?;
-                let has = |wanted: &&[usize]| {
+                let has = |wanted: &[usize]| {
                     let wanted: Vec<u32> = wanted.iter().map(|&corner| cell[corner]).collect();
                     faces.iter().any(|face| is_turned(face, &wanted))
                 };
-                simpler.faces().iter().all(|face| has(&face)).then_some((simpler, cell))
+                simpler.faces().iter().all(|face| has(face)).then_some((simpler, cell))
             })
         })
     })

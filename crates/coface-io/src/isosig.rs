@@ -116,7 +116,8 @@ pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
 pub(crate) fn entries(input: impl Read) -> Result<Vec<String>, Error> {
     let mut entries = Vec::new();
     scan_with(input, |line| {
-        entries.push(if line.name.is_empty() { (entries.len() + 1).to_string() } else { line.name })
+        let place = entries.len() + 1;
+        entries.push(if line.name.is_empty() { place.to_string() } else { line.name });
     })?;
     Ok(entries)
 }
@@ -142,7 +143,7 @@ fn scan(input: impl Read, wanted: Option<&str>) -> Result<(usize, Option<Line>),
     let (mut count, mut found, mut has_name) = (0, None, false);
     scan_with(input, |line| {
         count += 1;
-        let is_named = wanted.is_some_and(|wanted| line.name == wanted);
+        let is_named = wanted.is_some_and(|wanted| !wanted.is_empty() && line.name == wanted);
         // A name comes before a place.
         if !has_name && (is_named || place == Some(count)) {
             has_name = is_named;

@@ -106,8 +106,9 @@ fn model(columns: Vec<Vec<f64>>, names: Option<Vec<String>>, count: usize) -> Re
         _ => (0..columns.len().min(3)).collect(),
     };
     let mut coordinates = Vec::with_capacity(count * axes.len());
-    for row in 0..count {
-        coordinates.extend(axes.iter().map(|&axis| columns[axis][row]));
+    let mut rows: Vec<_> = axes.iter().map(|&axis| columns[axis].iter().copied()).collect();
+    for _ in 0..count {
+        coordinates.extend(rows.iter_mut().filter_map(Iterator::next));
     }
     let mut data = Vec::new();
     for (i, column) in columns.into_iter().enumerate().filter(|(i, _)| !axes.contains(i)) {
