@@ -3,7 +3,7 @@
 //! * `answer` has the answers as plain data: what the program prints as JSON, with their schema.
 //! * `producer` makes the chain complex of a model and names its cells; `facts` reports on it; `repair` makes it ready for
 //!   other questions.
-//! * `homology`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `planar`, `spatial`,
+//! * `homology`, `groups`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `planar`, `spatial`,
 //!   `congruence` and `yin` each answer the requests of some verbs.
 //! * `text` lays answers out for people.
 //!
@@ -13,6 +13,7 @@ pub mod answer;
 mod cocycles;
 mod congruence;
 mod facts;
+mod groups;
 mod homology;
 mod incidence;
 mod persistence;
@@ -33,6 +34,7 @@ pub use facts::{
     Answer, BoundaryPart, DataSummary, Kind, Moment, Problem, ProblemKind, Report, ReportRequest, Skin,
     Witness, homology_of_volume,
 };
+pub use groups::{FoundGroups, GivenWalks, GroupsRequest, ShortPaths, SurfaceLoops};
 pub use homology::{
     FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
 };

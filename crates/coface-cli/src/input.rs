@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::remarks;
 use coface::answers::Producer;
 use coface::io;
 use coface::io::yin::BoundaryDrawing;
@@ -14,6 +15,15 @@ pub(crate) struct Loaded {
     pub(crate) name: String,
     pub(crate) format: Format,
     pub(crate) model: Model,
+}
+
+impl Loaded {
+    /// Takes what the reader of the model assumed.
+    fn new(name: String, model: Model) -> Self {
+        remarks::take(&name, model.remarks());
+        let format = model.format().unwrap_or(Format::Json);
+        Self { name, format, model }
+    }
 }
 
 /// The name of an input for people.
@@ -50,18 +60,19 @@ impl<'a> Source<'a> {
                 let name = name(Path::new("-"));
                 let model =
                     io::read_with(&bytes[..], &options).map_err(|error| error.in_file(name.clone()))?;
-                let format = model.format().unwrap_or(Format::Json);
-                Ok(Loaded { name, format, model })
+                Ok(Loaded::new(name, model))
             }
         }
     }
 
     /// The boundary of a set of the plane in it.
     pub(crate) fn boundary(&self, options: &ReadOptions) -> Result<BoundaryDrawing, coface::Error> {
-        match self {
-            Self::File(path) => io::read_boundary_path(path, options),
-            Self::Bytes(bytes) => io::read_boundary_with(&bytes[..], options),
-        }
+        let (name, drawing) = match self {
+            Self::File(path) => (name(path), io::read_boundary_path(path, options)?),
+            Self::Bytes(bytes) => (name(Path::new("-")), io::read_boundary_with(&bytes[..], options)?),
+        };
+        remarks::take(&name, drawing.remarks());
+        Ok(drawing)
     }
 }
 
@@ -74,8 +85,7 @@ pub(crate) fn read(path: &Path, options: ReadOptions, progress: &Progress) -> Re
     } else {
         io::read_path_with(path, &options)?
     };
-    let format = model.format().unwrap_or(Format::Json);
-    Ok(Loaded { name, format, model })
+    Ok(Loaded::new(name, model))
 }
 
 /// Reads a model and identifies its cells: its name for people, and the producer.
@@ -92,5 +102,6 @@ pub(crate) fn identify(loaded: Loaded, progress: &Progress) -> Result<(String, P
     let Loaded { name, model, .. } = loaded;
     progress.stage("identifying cells");
     let producer = Producer::of(model).map_err(|error| error.in_file(name.clone()))?;
+    remarks::take(&name, producer.remarks());
     Ok((name, producer))
 }

@@ -9,28 +9,29 @@ mod classes;
 mod commands;
 mod failure;
 mod filtration;
+mod groups;
 mod input;
 mod output;
 mod progress;
+mod remarks;
 mod simplices;
 mod surface;
 mod target;
 mod verbs;
 mod workers;
 
-use clap::{CommandFactory, Parser};
 use failure::Failure;
 use std::process::ExitCode;
 use verbs::Arguments;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = Arguments::of_command_line();
     progress::end_on_signals();
     match start_threads(&arguments).and_then(|()| progress::watched(|| verbs::run(&arguments))) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
-        Err(Failure::Usage(kind, message)) => Arguments::command().error(kind, message).exit(),
+        Err(Failure::Usage(kind, message)) => Arguments::of_verb_in_use().error(kind, message).exit(),
         Err(failure) => {
             failure.say();
             ExitCode::FAILURE

@@ -2,7 +2,7 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use coface::answers::answer::{Remark, to_json};
+use crate::remarks::object;
 use coface::io::replace_file;
 use serde::Serialize;
 use std::io::{self, BufWriter, Write};
@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// Prints one answer as a JSON object on standard output, with a line end.
 pub(crate) fn print_json(answer: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
-    let text = to_json(answer);
+    let text = object(answer);
     print_bytes(|out| {
         out.write_all(text.as_bytes())?;
         out.write_all(b"\n")
@@ -36,13 +36,6 @@ pub(crate) fn remark(text: &str) {
     let _ = writeln!(anstream::stderr(), "{style}remark:{style:#} {text}");
 }
 
-/// Prints the remarks of an answer on standard error, unless `--quiet` is given.
-pub(crate) fn say_remarks(remarks: &[Remark], common: &Common) {
-    if !common.quiet {
-        remarks.iter().for_each(|said| remark(&said.message));
-    }
-}
-
 fn failed(error: &io::Error) -> Failure {
     Failure::writing("standard output", error)
 }
@@ -54,7 +47,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes one JSON object to a file, with a line end.
 pub(crate) fn write_json(path: &Path, answer: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
-    write_file(path, (to_json(answer) + "\n").as_bytes())
+    write_file(path, (object(answer) + "\n").as_bytes())
 }
 
 /// Whether a file is one of JSON by its name.

@@ -3,8 +3,12 @@
 use crate::arguments::Common;
 use crate::commands;
 use crate::failure::Failure;
+use crate::remarks::say_read;
 use clap::builder::styling::{AnsiColor, Styles};
-use clap::{Command, CommandFactory, Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
+use std::path::Path;
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -26,9 +30,48 @@ pub(crate) struct Arguments {
 }
 
 impl Arguments {
+    /// The command line of this run; a file alone is a file to report on: `coface FILE` is `coface info FILE`. Wrong usage
+    /// ends the program.
+    pub(crate) fn of_command_line() -> Self {
+        let words: Vec<OsString> = std::env::args_os().collect();
+        let matches = Self::shaped().try_get_matches_from(&words).or_else(|error| match file_alone(&error) {
+            Some(true) => Self::shaped().try_get_matches_from(with_info(&words)),
+            Some(false) => Err(no_such_file(&error)),
+            None => Err(error),
+        });
+        matches.and_then(|matches| Self::from_arg_matches(&matches)).unwrap_or_else(|error| error.exit())
+    }
+
+    /// The verb of this run, whose usage a message about it shows.
+    pub(crate) fn of_verb_in_use() -> Command {
+        let mut whole = Self::shaped();
+        whole.build();
+        let words = std::env::args().skip(1);
+        let verb = words.into_iter().find_map(|word| whole.find_subcommand(&word).cloned());
+        verb.unwrap_or(whole)
+    }
+
+    /// The command line with the options that a verb cannot use left out of its help. It takes them all the same.
+    pub(crate) fn shaped() -> Command {
+        let mut whole = Self::command();
+        let of_volumes = |option: &&Arg| option.get_help_heading() == Some("Volumes");
+        let volumes: Vec<Arg> =
+            whole.get_arguments().filter(of_volumes).map(|one| one.clone().hide(true)).collect();
+        let of_inputs = |option: &&Arg| OF_INPUTS.contains(&option.get_id().as_str());
+        let inputs: Vec<Arg> =
+            whole.get_arguments().filter(of_inputs).map(|one| one.clone().hide(true)).collect();
+        for verb in WITHOUT_VOLUMES {
+            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes));
+        }
+        for verb in WITHOUT_INPUTS {
+            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&inputs));
+        }
+        whole
+    }
+
     /// The program for people: without the verbs that no help lists.
     pub(crate) fn for_people() -> Command {
-        let whole = Self::command();
+        let whole = Self::shaped();
         let mut shown = Command::new("coface")
             .version(env!("CARGO_PKG_VERSION"))
             .after_help(AFTER_HELP)
@@ -44,11 +87,60 @@ impl Arguments {
     }
 }
 
+/// Whether the word that is no verb names a file that is there, or standard input; `None` if it looks like a verb.
+fn file_alone(error: &clap::Error) -> Option<bool> {
+    let word = word_that_is_no_verb(error)?;
+    // One model of a file with several is FILE#3.
+    let file = word.rsplit_once('#').map_or(word, |(file, _)| file);
+    let is_there = word == "-" || Path::new(word).exists() || Path::new(file).is_file();
+    (is_there || word.contains(['.', '/'])).then_some(is_there)
+}
+
+fn word_that_is_no_verb(error: &clap::Error) -> Option<&str> {
+    match error.get(ContextKind::InvalidSubcommand)? {
+        ContextValue::String(word) => Some(word),
+        _ => None,
+    }
+}
+
+fn no_such_file(error: &clap::Error) -> clap::Error {
+    let word = word_that_is_no_verb(error).unwrap_or_default();
+    let message = format!("{word}: there is no such file, and no verb of this name; check the path");
+    Arguments::shaped().error(ErrorKind::InvalidSubcommand, message)
+}
+
+/// The command line with the verb `info` in front.
+fn with_info(words: &[OsString]) -> impl Iterator<Item = OsString> {
+    let (program, rest) = words.split_at(words.len().min(1));
+    program.iter().cloned().chain([OsString::from("info")]).chain(rest.iter().cloned())
+}
+
+/// The verbs that never read a volume of voxels.
+const WITHOUT_VOLUMES: [&str; 11] = [
+    "star",
+    "closure",
+    "link",
+    "boundary",
+    "interior",
+    "skeleton",
+    "congruence",
+    "arrange",
+    "boolean",
+    "yin",
+    "merge",
+];
+
+/// The verbs that read no model.
+const WITHOUT_INPUTS: [&str; 2] = ["completions", "man"];
+
+/// The options that say how a model is read.
+const OF_INPUTS: [&str; 4] = ["format", "flatten", "strict", "partial"];
+
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.
 Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage; 130 interrupted; 143 terminated.
 
-  coface info bunny.ply              what is it, and what is wrong with it?
+  coface bunny.ply                   what is it, and what is wrong with it? (coface info)
   coface homology torus.off --json   integral homology for a program
   coface link mesh.obj --simplices 17
   coface convert scan.ply -o scan.off";
@@ -62,6 +154,10 @@ pub(crate) enum Verb {
     Merge(commands::merge::Merge),
     Persistence(commands::persistence::Persistence),
     Pi1(commands::pi1::Pi1),
+    Loops(commands::loops::Loops),
+    Cycles(commands::cycles::Cycles),
+    Homotopic(commands::homotopic::Homotopic),
+    Subgroups(commands::subgroups::Subgroups),
     Cut(commands::cut::Cut),
     Cover(commands::cover::Cover),
     Cocycles(commands::cocycles::Cocycles),
@@ -87,8 +183,14 @@ pub(crate) enum Verb {
     Man(commands::man::Man),
 }
 
-/// Runs the verb of the command line.
+/// Runs the verb of the command line, and says what the readers of its inputs assumed.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let done = serve(arguments);
+    say_read(&arguments.common);
+    done
+}
+
+fn serve(arguments: &Arguments) -> Result<(), Failure> {
     let common = &arguments.common;
     match &arguments.verb {
         Verb::Info(verb) => verb.run(common),
@@ -98,6 +200,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Merge(verb) => verb.run(common),
         Verb::Persistence(verb) => verb.run(common),
         Verb::Pi1(verb) => verb.run(common),
+        Verb::Loops(verb) => verb.run(common),
+        Verb::Cycles(verb) => verb.run(common),
+        Verb::Homotopic(verb) => verb.run(common),
+        Verb::Subgroups(verb) => verb.run(common),
         Verb::Cut(verb) => verb.run(common),
         Verb::Cover(verb) => verb.run(common),
         Verb::Cocycles(verb) => verb.run(common),

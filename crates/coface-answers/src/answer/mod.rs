@@ -19,6 +19,7 @@ mod groups;
 mod homology;
 mod incidence;
 mod info;
+mod loops;
 mod persistence;
 mod pi1;
 mod picture;
@@ -62,6 +63,10 @@ pub use generate::GenerateAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,
     ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
+};
+pub use loops::{
+    CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,
+    SubgroupsComponent,
 };
 pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use pi1::{

@@ -2,10 +2,11 @@
 
 use super::{
     BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
-    DoubleCoverAnswer, GenerateAnswer, HomologyAnswer, IncidenceAnswer, InfoAnswer, InfoReports,
-    PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
-    ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, ViewAnswer, YinAdvectAnswer,
-    YinCombinationAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
+    CyclesAnswer, DoubleCoverAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer, IncidenceAnswer,
+    InfoAnswer, InfoReports, LoopsAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer,
+    PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer,
+    SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
+    YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -60,6 +61,10 @@ answers! {
     "reduce" => ReduceAnswer,
     "persistence" => PersistenceAnswer,
     "pi1" => Pi1Answer,
+    "loops" => LoopsAnswer,
+    "cycles" => CyclesAnswer,
+    "homotopic" => HomotopicAnswer,
+    "subgroups" => SubgroupsAnswer,
     "cut" => CutAnswer,
     "cover" => CoverAnswer,
     "cover --orientation" => DoubleCoverAnswer,

@@ -2,8 +2,9 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks};
+use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks::say_remarks;
 use crate::workers::{self, Task};
 use clap::Args;
 use coface::answers::answer::{BatchAnswer, Remark, RemarkCode};

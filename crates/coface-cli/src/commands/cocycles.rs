@@ -3,8 +3,9 @@
 use crate::arguments::Common;
 use crate::chains::read_terms;
 use crate::failure::Failure;
-use crate::output::{is_json, print_json, print_text, say_remarks, write_json};
+use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::{input, surface};
 use clap::{Args, ValueEnum};
 use coface::Error;
@@ -97,6 +98,7 @@ impl Cocycles {
             .harmonic(self.harmonic)
             .weights(self.weights.map(EdgeWeights::from));
         let found = request.found(&producer).map_err(|error| in_words(error).in_file(name.clone()))?;
+        accept(found.remarks(), common)?;
         say_remarks(found.remarks(), common);
         let mut answer = found.answer(&name);
         if let Some(path) = &common.output {
@@ -174,8 +176,22 @@ fn page_of_test(file: &Path, answer: &CochainTestAnswer) -> String {
     let fact = |label: &str, value: String, gloss: &str| (label.to_owned(), value, gloss.to_owned());
     let yes = |is: bool| if is { "yes" } else { "no" }.to_owned();
     let mut facts = vec![
-        fact("closed", yes(answer.closed), "the sum around each face is zero"),
-        fact("exact", yes(answer.exact), "it is the difference of a function on the vertices"),
+        fact(
+            "closed",
+            yes(answer.closed),
+            match answer.closed {
+                true => "the sum around each face is zero",
+                false => "the sum around some face is not zero",
+            },
+        ),
+        fact(
+            "exact",
+            yes(answer.exact),
+            match answer.exact {
+                true => "it is the difference of a function on the vertices",
+                false => "it is not the difference of a function on the vertices",
+            },
+        ),
     ];
     let walk = answer.walk.as_ref().zip(answer.period.as_ref()).map(|found| ("along", found));
     let face = answer.face.as_ref().zip(answer.sum.as_ref()).map(|found| ("around face", found));

@@ -4,8 +4,9 @@ use crate::arguments::Common;
 use crate::classes::{ClassFormat, write_classes};
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
-use crate::output::{print_json, print_text, say_remarks};
+use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{CongruenceAnswer, Remark, RemarkCode};
@@ -123,11 +124,14 @@ impl Congruence {
         }
         progress.stage("merging");
         let congruence = ModelCongruence::of(models, &self.request())?;
+        progress.stage("multiplying boundaries");
         let model = match output {
             Some((_, Format::Json)) => Some(congruence.to_chains()?),
             Some(_) => Some(congruence.to_mesh()?),
             None => None,
         };
+        let mut answer = congruence.answer()?;
+        accept(&answer.remarks, common)?;
         progress.stage("writing");
         let write_model = || match (output, &model) {
             (Some((path, format)), Some(model)) => io::write_path(model, path, Some(format)),
@@ -137,8 +141,6 @@ impl Congruence {
             (Some(path), Some(format)) => write_classes(&congruence, path, format, write_model)?,
             _ => write_model()?,
         }
-        progress.stage("multiplying boundaries");
-        let mut answer = congruence.answer()?;
         drop(progress);
         if left_out > 0 && output.is_some() {
             let message = format!("groups and data are not kept: {left_out} left out");

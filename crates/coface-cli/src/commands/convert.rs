@@ -5,8 +5,9 @@ use crate::arguments::{Common, format_of_name};
 use crate::commands::yin::lost_kinks;
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
-use crate::output::{print_bytes, print_json, say_remarks, write_json};
+use crate::output::{print_bytes, print_json, write_json};
 use crate::progress::Progress;
+use crate::remarks::{self, say_remarks};
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{CarriersAnswer, ConvertAnswer, MeshRepairAnswer, Remark, RemarkCode};
@@ -258,6 +259,7 @@ impl Convert {
         if format != Format::Dat && !matches!(drawing.format(), Some(Format::Json | Format::Dat)) {
             return Ok(None);
         }
+        remarks::take(&name, drawing.remarks());
         progress.stage("checking");
         let set = PlanarSet::of(&drawing, &SetRequest::default()).map_err(|error| error.in_file(name))?;
         Ok(Some(set))
@@ -270,6 +272,7 @@ impl Convert {
         common: &Common,
         progress: Progress,
     ) -> Result<(), Failure> {
+        remarks::accept(set.remarks(), common)?;
         let Some(path) = &common.output else {
             let mut bytes = Vec::new();
             set.write(&mut bytes, format, None)?;

@@ -2,8 +2,9 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks};
+use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::surface;
 use clap::{ArgGroup, Args, ValueEnum};
 use coface::Error;
@@ -89,6 +90,7 @@ impl Cover {
             }
             placed => placed.map_err(in_file)?,
         };
+        accept(&remarks, common)?;
         say_remarks(&remarks, common);
         let mut object = cover.answer(placed.as_ref());
         object.file = Some(name.clone());

@@ -2,8 +2,9 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks};
+use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::surface;
 use clap::Args;
 use coface::algebra::Word;
@@ -69,6 +70,7 @@ impl Cut {
             );
             remarks.push(Remark::new(RemarkCode::StepLeftOut, message).at(cut.seams().len(), []));
         }
+        accept(&remarks, common)?;
         say_remarks(&remarks, common);
         let object = self.save(&cut, &name, remarks, common, &progress)?;
         drop(progress);

@@ -5,9 +5,10 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{is_json, print_bytes, print_text};
 use crate::progress::Progress;
+use crate::remarks::object;
 use clap::Args;
 use coface::algebra::SparseMatrix;
-use coface::answers::answer::{IncidenceAnswer, to_json};
+use coface::answers::answer::IncidenceAnswer;
 use coface::answers::text;
 use coface::answers::{FoundOperator, OperatorKind, OperatorRequest};
 use coface::complexes::lar::{Operator, Shared};
@@ -23,9 +24,12 @@ use std::path::{Path, PathBuf};
 /// An operator is named by two of the letters V, E, F, C for vertices, edges, faces and 3-cells: the rows of FE are faces,
 /// its columns edges. Degrees beyond 3 are written as 4:3. Cells are numbered as in the chain complex of the model.
 ///
-/// Without an option that says otherwise an entry is the number of vertices that two cells share, and for VV the number of
-/// edges between two vertices, on the diagonal at one. Such counts are not incidence: an edge whose ends lie on a face that
-/// is not convex need not be an edge of it. --incident gives incidence by the faces and edges of the model itself.
+/// Of two different dimensions an entry is 1 where one cell is a face of the other: the incidence matrix, by the faces and
+/// edges of the model itself. Of one dimension, and with --shared, an entry is the number of vertices that two cells share,
+/// and for VV the number of edges between two vertices, on the diagonal at one. Such counts are not incidence: an edge whose
+/// ends lie on a face that is not convex need not be an edge of it.
+///
+/// A small matrix is printed whole.
 ///
 /// The file named by -o is a matrix in Matrix Market form if its name ends in .mtx, or the object of --json with entries if it
 /// ends in .json.
@@ -37,6 +41,9 @@ pub(crate) struct Incidence {
     /// Rows and columns: VV, VE, VF, VC, EV, EE, EF, EC, FV, FE, FF, FC, CV, CE, CF, CC, or two degrees as in 4:3
     #[arg(long, value_name = "ROWS COLUMNS", value_parser = operator)]
     operator: Operator,
+    /// The number of vertices that two cells share; of two vertices the number of edges between them
+    #[arg(long, group = "kind")]
+    shared: bool,
     /// Only which cells share at least N vertices, 1 each; none with itself
     #[arg(long, value_name = "N", group = "kind", value_parser = clap::value_parser!(u32).range(1..))]
     at_least: Option<u32>,
@@ -85,7 +92,16 @@ impl Incidence {
         match (common.json, output) {
             (true, _) => print_bytes(|out| write_entries(&found, &file, self.entries, out)),
             (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&page(&found.counts(&file), self.operator, kind, found.histogram())),
+            (false, None) => {
+                let counts = found.counts(&file);
+                let mut whole = String::new();
+                if (1..=SMALL[0]).contains(&counts.rows) && (1..=SMALL[1]).contains(&counts.columns) {
+                    let found = OperatorRequest::new(self.operator, kind).entries(true).found(&producer)?;
+                    whole = found.by_rows().map_or_else(String::new, matrix);
+                }
+                let page = page(&counts, self.operator, kind, found.histogram());
+                print_text(&format!("{page}{whole}"))
+            }
         }
     }
 
@@ -93,9 +109,10 @@ impl Incidence {
         match (self.at_least, self.exactly) {
             (Some(n), _) => OperatorKind::Shared(Shared::AtLeast(n)),
             (_, Some(n)) => OperatorKind::Shared(Shared::Exactly(n)),
-            _ if self.incident => OperatorKind::Incident,
             _ if self.signed => OperatorKind::Signed,
-            _ => OperatorKind::Counts,
+            _ if self.incident => OperatorKind::Incident,
+            _ if self.shared || self.operator.is_square() => OperatorKind::Counts,
+            _ => OperatorKind::Incident,
         }
     }
 }
@@ -138,7 +155,7 @@ fn write_entries(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     // Entries are written one by one: there may be many.
-    let text = to_json(&found.counts(file));
+    let text = object(&found.counts(file));
     match found.by_rows().filter(|_| with_entries) {
         Some(by_rows) => {
             // Before the brace that ends the object.
@@ -191,6 +208,25 @@ fn page(
     }
     text::facts(&format!("operator {} of {}", operator, answer.file), &facts)
 }
+
+/// The largest matrix that a page prints whole, in rows and columns.
+const SMALL: [usize; 2] = [40, 30];
+
+/// The rows of a small matrix, with a dot for 0.
+fn matrix(by_rows: &SparseMatrix) -> String {
+    let columns = by_rows.row_count();
+    let mut text = String::from("\n");
+    for entries in by_rows.columns() {
+        let mut row = vec![".".to_owned(); columns];
+        for (column, entry) in entries.iter() {
+            row[column] = entry.to_string();
+        }
+        let cells: Vec<String> = row.iter().map(|entry| format!("{entry:>2}")).collect();
+        text += &format!("  {}\n", cells.join(" "));
+    }
+    text
+}
+
 fn vertices(count: u32) -> String {
     text::count(count as usize, "vertex")
 }

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
+use crate::remarks::{accept, are_on_the_page};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use clap::{Args, ValueEnum};
@@ -124,6 +125,9 @@ impl Info {
         }
         drop(progress);
         let is_given = is_shown || common.output.as_deref().is_some_and(is_json);
+        if is_shown {
+            are_on_the_page();
+        }
         if self.inputs.len() == 1 {
             show(common, is_given, &entries.pop(), &page)?;
         } else {
@@ -148,6 +152,7 @@ impl Info {
             .moments(self.moment.clone())
             .full_verdict(self.verdict == VerdictEffort::Full);
         let report = Report::answering(loaded.model, &request).map_err(in_file)?;
+        accept(report.remarks(), common)?;
         let mut figures = Vec::new();
         if let Some(model) = model {
             progress.stage("drawing");

@@ -3,8 +3,9 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Source};
-use crate::output::{print_json, print_text, remark};
+use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks::take;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::ShardAnswer;
 use coface::io::{Structure, format_of_path};
@@ -180,9 +181,7 @@ pub(crate) fn cut_input(
         progress.stage("cutting into shards");
         let (shards, remarks) =
             shard_volume_file(sort, input, format, reading.volume_reading(), folder, &request)?;
-        if !common.quiet {
-            remarks.iter().for_each(|one| remark(&format!("{name}: {}", one.message)));
-        }
+        take(&name, &remarks);
         return Ok(shards);
     }
     if input.is_file() && sort == GridSort::Cubes {

@@ -49,7 +49,7 @@ fn places(answer: &Value) -> BTreeSet<(u64, u64)> {
 
 #[test]
 fn counts_have_a_histogram() {
-    let answer = reading(&["--operator", "FE"], CUBE);
+    let answer = reading(&["--operator", "FE", "--shared"], CUBE);
     assert_eq!(
         answer,
         json!({"file": "standard input", "operator": "FE", "kind": "shared vertices", "rows": 6, "columns": 12,
@@ -173,9 +173,22 @@ fn usage_is_checked() {
     ] {
         assert_eq!(coface(arguments).status, 2, "{arguments:?}");
     }
-    let page = coface_reading(&["incidence", "-", "--operator", "FE"], CUBE.as_bytes());
+    let page = coface_reading(&["incidence", "-", "--operator", "FE", "--shared"], CUBE.as_bytes());
     assert!(page.stdout.contains("operator FE of standard input"), "{}", page.stdout);
     assert!(page.stdout.contains("48"), "{}", page.stdout);
+}
+
+/// Of two dimensions the operator is the incidence matrix, and a small one is printed whole.
+#[test]
+fn two_dimensions_are_incident() {
+    let plain = reading(&["--operator", "FE", "--entries"], ARROW);
+    assert_eq!(plain, reading(&["--operator", "FE", "--incident", "--entries"], ARROW));
+    assert_eq!((&plain["kind"], &plain["entries_count"]), (&json!("incident"), &json!(7)));
+    let page = coface_reading(&["incidence", "-", "--operator", "FE"], ARROW.as_bytes()).stdout;
+    // The edges are 01, 02, 03, 12, 23; the arrow has all but 02, the triangle 02, 03, 23.
+    assert!(page.contains("\n   1  .  1  1  1\n   .  1  1  .  1\n"), "{page}");
+    let counts = coface_reading(&["incidence", "-", "--operator", "VV"], ARROW.as_bytes()).stdout;
+    assert!(counts.contains("\n   3  1  1  1\n"), "{counts}");
 }
 
 /// Each edge of a surface has two faces, or one at the boundary, and two vertices; the records say how many edges there are.

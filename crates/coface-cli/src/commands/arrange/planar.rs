@@ -3,8 +3,9 @@
 use super::Arrange;
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks, write_json};
+use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use coface::answers::answer::PlanarArrangementAnswer;
 use coface::answers::text;
@@ -31,6 +32,7 @@ pub(super) fn run(
     let arranged = DrawingArrangement::new(drawing, &request)?;
     progress.stage("multiplying boundaries and checking coordinates");
     let answer = arranged.answer()?;
+    accept(&answer.remarks, common)?;
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => replace_file(path, |out| arranged.write(out, format))?,

@@ -3,8 +3,9 @@
 use super::{Arrange, CellOptions, Rule};
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks, write_json};
+use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{SpatialArrangementAnswer, SpatialRounding};
@@ -116,6 +117,7 @@ pub(super) fn run(
     let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     progress.stage("multiplying boundaries");
     let answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
+    accept(&answer.remarks, common)?;
     progress.stage("writing");
     if let Some((path, target)) = output {
         let triangles = verb.space.triangles(arrangement.scene(), output);

@@ -4,8 +4,9 @@ use super::{Boolean, Task};
 use crate::arguments::Common;
 use crate::commands::arrange::Rule;
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks, write_json};
+use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use coface::answers::answer::PlanarBooleanAnswer;
 use coface::answers::text;
@@ -36,6 +37,7 @@ pub(super) fn run(
     request.max_cells = verb.cells.max_cells;
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
     let answer = result.answer();
+    accept(&answer.remarks, common)?;
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => replace_file(path, |out| result.write(out, format))?,

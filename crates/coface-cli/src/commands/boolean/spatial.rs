@@ -4,8 +4,9 @@ use super::{Boolean, Task};
 use crate::arguments::Common;
 use crate::commands::arrange::{Rule, in_space, named, rounding};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, say_remarks, write_json};
+use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{BoundaryVerdict, Remark, RemarkCode, SolidBooleanAnswer};
@@ -71,6 +72,7 @@ pub(super) fn run(
     request.keep_walls = verb.keep_walls;
     let result = SolidBoolean::of(&arrangement, &request)?;
     let mut answer = result.answer()?;
+    accept(&answer.remarks, common)?;
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => {

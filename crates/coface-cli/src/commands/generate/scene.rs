@@ -204,7 +204,8 @@ impl Reading<'_> {
             return Ok(parts.clone());
         }
         self.progress.stage(format!("reading {}", path.display()));
-        let model = coface::io::read_path(&path, self.common.format)?;
+        let model = coface::io::read_path_with(&path, &self.common.reading())?;
+        crate::remarks::take(&path.display().to_string(), model.remarks());
         let parts = model.placed_cells().map_err(|error| error.in_file(path.display().to_string()))?;
         let parts: Vec<Arc<PlacedCells>> =
             parts.into_iter().map(|cells| self.embedded(cells).map(Arc::new)).collect::<Result<_, _>>()?;

@@ -10,8 +10,9 @@ use crate::arguments::Common;
 use crate::commands::arrange::{Rule, output_format};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_json, print_text, remark, say_remarks};
+use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks::{accept, say_remarks, take};
 use clap::{Args, Subcommand, ValueEnum};
 use coface::answers::answer::{
     Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinInfoAnswer, YinKinkPoint, YinKinksAnswer,
@@ -216,11 +217,8 @@ impl SetOptions {
         let drawing = drawing.map_err(|error| error.in_file(name.clone()))?;
         progress.stage("checking");
         let set = PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name.clone()))?;
-        if !common.quiet {
-            for one in set.remarks() {
-                remark(&format!("{name}: {}", one.message));
-            }
-        }
+        accept(set.remarks(), common)?;
+        take(&name, set.remarks());
         Ok(set)
     }
 

@@ -1,0 +1,97 @@
+//! The answers of `loops`, `cycles`, `homotopic` and `subgroups`.
+
+use super::{ClosedPath, GroupAnswer, GroupCounts, Remark, WalkAnswer, WalkPair};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Loops that generate the fundamental group of each component.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LoopsAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// Which loops they are: `any`, `shortest` or `canonical`.
+    pub kind: String,
+    /// The components; that of the base vertex comes first.
+    pub components: Vec<LoopsComponent>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// The loops of one component.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LoopsComponent {
+    /// The vertex where loops start and end, by its number in the file.
+    pub base: u32,
+    /// The group in words; `null` if it is not recognized, which says nothing.
+    pub name: Option<String>,
+    /// The loops: loop i is generator i + 1.
+    pub loops: Vec<ClosedPath>,
+    /// The relators: i is loop i, counted from 1, -i its inverse, and the product of the letters can be contracted.
+    pub relators: Vec<Vec<i32>>,
+}
+
+/// Short closed paths on a surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CyclesAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// Which paths they are: `non-contractible`, `non-separating` or `homology-basis`.
+    pub kind: String,
+    /// The paths; empty if none is of this kind.
+    pub cycles: Vec<ClosedPath>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// Closed walks on a surface compared with each other.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct HomotopicAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// The groups that the words of walks are in.
+    pub components: Vec<HomotopicComponent>,
+    /// What is known of each walk.
+    pub walks: Vec<WalkAnswer>,
+    /// All pairs of walks.
+    pub pairs: Vec<WalkPair>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// The group that the words of walks on a component are in.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct HomotopicComponent {
+    /// The vertex where loops start and end, by its number in the file.
+    pub base: u32,
+    /// The number of generators.
+    pub generators: usize,
+    /// The relators: i is generator i, counted from 1, -i its inverse, and the product of the letters is the unit.
+    pub relators: Vec<Vec<i32>>,
+}
+
+/// The numbers of subgroups of the fundamental group of each component.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SubgroupsAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// The highest index of subgroups that are counted.
+    pub highest_index: usize,
+    /// The components; that of the base vertex comes first.
+    pub components: Vec<SubgroupsComponent>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// The numbers of one component.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SubgroupsComponent {
+    /// The vertex where loops start and end, by its number in the file.
+    pub base: u32,
+    /// The abelianization, which agrees with the first homology.
+    pub abelianization: GroupAnswer,
+    /// The group in words; `null` if it is not recognized, which says nothing.
+    pub name: Option<String>,
+    /// The numbers; absent at an isolated vertex.
+    #[serde(flatten)]
+    pub counts: Option<GroupCounts>,
+}

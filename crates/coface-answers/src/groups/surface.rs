@@ -1,0 +1,164 @@
+//! Loops of surfaces: shortest, canonical, and walks that are given.
+
+use super::found::{FoundGroups, unit_lengths};
+use super::{Counts, GroupsRequest, ShortPaths, Shown, SurfaceLoops, check, no_vertex, walks};
+use crate::Producer;
+use crate::answer::ClosedPath;
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, VertexId, Word};
+use coface_complexes::surface::GeneralizedMap;
+use coface_topology::{
+    AbelianGroup, ClosedWalk, CycleKind, Effort, Presentation, ShortestCycle, SurfaceGroup, SurfaceHomotopy,
+    TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
+};
+
+/// The group of one component of a surface, in the generators that are shown.
+pub(super) struct SurfaceComponent {
+    pub(super) presentation: Presentation,
+    loops: Vec<ClosedWalk>,
+    /// The generators of the trees as words in those that are shown, where they differ.
+    pub(super) images: Option<Vec<Word>>,
+}
+
+impl SurfaceComponent {
+    fn new(request: &GroupsRequest, surface: &Surface<'_>, component: usize) -> Result<Self, Error> {
+        let (homotopy, trees) = (&surface.homotopy, surface.trees);
+        let group: &SurfaceGroup = &homotopy.groups()[component];
+        if request.surface_loops == SurfaceLoops::Canonical
+            && let Some((loops, system)) = homotopy.canonical_loops(component)
+        {
+            let relators = if loops.is_empty() { Vec::new() } else { vec![system.relator()] };
+            let presentation = Presentation::new(loops.len(), relators)?;
+            return Ok(Self { presentation, loops, images: Some(system.images().to_vec()) });
+        }
+        let presentation = group.presentation();
+        let found = &trees.components()[component];
+        let loops = if request.surface_loops == SurfaceLoops::Shortest && found.has_boundary() {
+            let loops = shortest_loops(surface.map, found.base(), surface.lengths)?;
+            loops.into_iter().map(|cycle| cycle.walk().clone()).collect()
+        } else {
+            let letters = (1..=found.generators().len() as i32).map(|letter| Word::from_letters([letter]));
+            letters.map(|letter| homotopy.walk_of_word(component, &letter)).collect()
+        };
+        Ok(Self { presentation, loops, images: None })
+    }
+}
+
+/// A surface with its loops.
+pub(super) struct Surface<'a> {
+    pub(super) map: &'a GeneralizedMap,
+    trees: &'a TreeCotree,
+    pub(super) homotopy: SurfaceHomotopy<'a>,
+    lengths: Option<&'a [f64]>,
+}
+
+pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<FoundGroups, Error> {
+    let skeleton = producer.two_skeleton()?;
+    let numbers: Vec<u32> =
+        (0..skeleton.vertex_count()).map(|vertex| producer.cell_vertices(0, vertex)[0]).collect();
+    let number = |vertex: VertexId| numbers[vertex.index()];
+    let vertex_numbered = |wanted: u32, purpose: &str| {
+        let place = numbers.iter().position(|&number| number == wanted);
+        place.map(VertexId::new).ok_or_else(|| no_vertex(wanted, purpose))
+    };
+    let base = request.base.map(|base| vertex_numbered(base, "to be the base")).transpose()?;
+    let steps = stage("cutting the surface open", 0);
+    let map = GeneralizedMap::new(skeleton)?;
+    let has_lengths = request.surface_loops == SurfaceLoops::Shortest || request.short.is_some();
+    let lengths = if has_lengths { lengths(producer, &map, &numbers)? } else { None };
+    let trees = TreeCotree::greedy(&map, base, lengths.as_deref())?;
+    let homotopy = SurfaceHomotopy::new(&map, &trees)?;
+    let surface = Surface { map: &map, trees: &trees, homotopy, lengths: lengths.as_deref() };
+    let components = (0..trees.components().len())
+        .map(|component| SurfaceComponent::new(request, &surface, component))
+        .collect::<Result<Vec<_>, _>>()?;
+    drop(steps);
+    let steps = stage("comparing with homology", 0);
+    let groups: Vec<AbelianGroup> =
+        components.iter().map(|component| component.presentation.abelianization()).collect();
+    let betti = groups.iter().map(AbelianGroup::betti).sum();
+    let torsion = groups.iter().flat_map(|group| group.torsion().to_vec()).collect();
+    check(&AbelianGroup::new(betti, torsion), &producer.chain_complex()?)?;
+    drop(steps);
+    let effort = Effort::new().time_limit(request.time_limit);
+    let mut shown = Vec::new();
+    for (i, (found, group)) in components.iter().zip(surface.homotopy.groups()).enumerate() {
+        let length = |walk: &ClosedWalk| {
+            let steps = walk.steps().iter();
+            steps.map(|&step| lengths.as_ref().map_or(1.0, |lengths| lengths[(step >> 1) as usize])).sum()
+        };
+        let path = |walk: &ClosedWalk| walk.vertices(map.skeleton()).into_iter().map(number).collect();
+        let loops = if request.has_loops { found.loops.iter().map(path).collect() } else { Vec::new() };
+        shown.push(Shown {
+            presentation: found.presentation.clone(),
+            generators: Vec::new(),
+            name: Some(group.name()),
+            counts: request.highest_index.map(|highest| Counts::new(&found.presentation, highest, effort)),
+            lengths: Some(found.loops.iter().map(length).collect()),
+            base: number(trees.components()[i].base()),
+            loops,
+        });
+    }
+    for vertex in (0..numbers.len()).map(VertexId::new) {
+        if trees.component_of_vertex(vertex).is_none() {
+            shown.push(Shown::of_point(number(vertex)));
+        }
+    }
+    let mut groups = FoundGroups::new(request, shown, producer);
+    if has_lengths && lengths.is_none() {
+        groups.remarks.push(unit_lengths());
+    }
+    if let Some(given) = &request.walks {
+        let _steps = stage("comparing walks", 0);
+        groups.compared = Some(walks::compare(given, &surface, &components, &numbers)?);
+    }
+    if let Some((kind, through)) = request.short {
+        let _steps = stage("looking for short closed paths", 0);
+        let through = through.map(|wanted| vertex_numbered(wanted, "to go through")).transpose()?;
+        let path = |found: ShortestCycle| ClosedPath {
+            length: found.length(),
+            vertices: found.walk().vertices(map.skeleton()).into_iter().map(number).collect(),
+        };
+        let found = short_paths(kind, through, &map, lengths.as_deref())?;
+        groups.short = Some(found.into_iter().map(path).collect());
+    }
+    Ok(groups)
+}
+
+/// How many vertices searches from all roots may reach in all.
+const MOST_REACHED: usize = 2_000_000_000;
+
+fn short_paths(
+    kind: ShortPaths,
+    through: Option<VertexId>,
+    map: &GeneralizedMap,
+    lengths: Option<&[f64]>,
+) -> Result<Vec<ShortestCycle>, Error> {
+    let one = |kind: CycleKind| -> Result<Vec<ShortestCycle>, Error> {
+        Ok(match through {
+            Some(vertex) => shortest_cycle_through(map, vertex, lengths, kind)?,
+            None => shortest_cycle(map, lengths, kind, MOST_REACHED)?,
+        }
+        .into_iter()
+        .collect())
+    };
+    match kind {
+        ShortPaths::NonContractible => one(CycleKind::NonContractible),
+        ShortPaths::NonSeparating => one(CycleKind::NonSeparating),
+        ShortPaths::HomologyBasis if through.is_some() => {
+            Err(Error::invalid("a basis of homology does not go through one vertex")
+                .with_cure("ask for it without the vertex"))
+        }
+        ShortPaths::HomologyBasis => shortest_homology_basis(map, lengths, MOST_REACHED),
+    }
+}
+
+/// The lengths of edges by the positions of their ends, if there are positions.
+fn lengths(producer: &Producer, map: &GeneralizedMap, numbers: &[u32]) -> Result<Option<Vec<f64>>, Error> {
+    let positions = producer.positions();
+    if positions.dimension() == 0 {
+        return Ok(None);
+    }
+    let ends: Vec<u32> = map.skeleton().edge_ends().iter().map(|&end| numbers[end as usize]).collect();
+    Ok(Some(positions.distances(&ends)?))
+}
