@@ -339,6 +339,18 @@ export interface CycleClass {
   value?: WholeNumber | null;
 }
 
+/** Short closed paths on a surface. */
+export interface CyclesAnswer {
+  /** The paths; empty if none is of this kind. */
+  cycles: ClosedPath[];
+  /** The name of the input. */
+  file: string;
+  /** Which paths they are: `non-contractible`, `non-separating` or `homology-basis`. */
+  kind: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
 /** Named numbers on the cells of a model. */
 export interface DataAnswer {
   /** How many numbers each of these has. */
@@ -556,6 +568,30 @@ export interface HomomorphismAnswer {
   onto: number;
 }
 
+/** Closed walks on a surface compared with each other. */
+export interface HomotopicAnswer {
+  /** The groups that the words of walks are in. */
+  components: HomotopicComponent[];
+  /** The name of the input. */
+  file: string;
+  /** All pairs of walks. */
+  pairs: WalkPair[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What is known of each walk. */
+  walks: WalkAnswer[];
+}
+
+/** The group that the words of walks on a component are in. */
+export interface HomotopicComponent {
+  /** The vertex where loops start and end, by its number in the file. */
+  base: number;
+  /** The number of generators. */
+  generators: number;
+  /** The relators: i is generator i, counted from 1, -i its inverse, and the product of the letters is the unit. */
+  relators: number[][];
+}
+
 /** An operator between the cells of a model: a sparse matrix. */
 export interface IncidenceAnswer {
   /** The number of columns. */
@@ -731,6 +767,30 @@ export interface LoopIntersections {
   matrix: number[][];
 }
 
+/** Loops that generate the fundamental group of each component. */
+export interface LoopsAnswer {
+  /** The components; that of the base vertex comes first. */
+  components: LoopsComponent[];
+  /** The name of the input. */
+  file: string;
+  /** Which loops they are: `any`, `shortest` or `canonical`. */
+  kind: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** The loops of one component. */
+export interface LoopsComponent {
+  /** The vertex where loops start and end, by its number in the file. */
+  base: number;
+  /** The loops: loop i is generator i + 1. */
+  loops: ClosedPath[];
+  /** The group in words; `null` if it is not recognized, which says nothing. */
+  name?: string | null;
+  /** The relators: i is loop i, counted from 1, -i its inverse, and the product of the letters can be contracted. */
+  relators: number[][];
+}
+
 /** Whether a model is a manifold, with or without boundary. */
 export interface ManifoldAnswer {
   /** Whether there is no boundary. */
@@ -759,6 +819,11 @@ export interface MeshRepairAnswer {
   edges_split: [number, number][];
   /** The polygons whose direction was reversed. */
   faces_turned: number[];
+  /**
+   * What else was done to make a surface; absent unless that was asked for. The other lists are then by the vertices and faces after
+   * merging and cleaning.
+   */
+  surface?: SurfaceRepairAnswer | null;
   /** The vertices with several fans of faces that were split. */
   vertices_split: number[];
 }
@@ -893,6 +958,8 @@ export interface Place {
   cell?: number[] | null;
   /** The name of the input. */
   file?: string | null;
+  /** The line of the file, counted from 1. */
+  line?: number | null;
   /** A point, in the unit of the input. */
   point?: number[] | null;
 }
@@ -1275,6 +1342,32 @@ export interface SubgroupCount {
   subgroups: number;
 }
 
+/** The numbers of subgroups of the fundamental group of each component. */
+export interface SubgroupsAnswer {
+  /** The components; that of the base vertex comes first. */
+  components: SubgroupsComponent[];
+  /** The name of the input. */
+  file: string;
+  /** The highest index of subgroups that are counted. */
+  highest_index: number;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** The numbers of one component. */
+export interface SubgroupsComponent {
+  /** The abelianization, which agrees with the first homology. */
+  abelianization: GroupAnswer;
+  /** The vertex where loops start and end, by its number in the file. */
+  base: number;
+  /** The numbers of homomorphisms to some finite groups; `null` where they take too long to count. */
+  homomorphisms?: Record<string, HomomorphismAnswer | null>;
+  /** The group in words; `null` if it is not recognized, which says nothing. */
+  name?: string | null;
+  /** The numbers of subgroups of index 1, 2, ...; `null` if they take too long to count. */
+  subgroups?: SubgroupCount[] | null;
+}
+
 /** A connected component of a model of polygons. */
 export interface SurfaceAnswer {
   /** The number of its boundary loops. */
@@ -1289,6 +1382,24 @@ export interface SurfaceAnswer {
   name?: string | null;
   /** Whether it is orientable; `null` if it is no surface. */
   orientable?: boolean | null;
+}
+
+/** What was merged, left out and filled to make a surface. */
+export interface SurfaceRepairAnswer {
+  /** How many holes were filled. */
+  holes_filled: number;
+  /** How many lines that were no sides of faces were left out. */
+  lines_left_out: number;
+  /** How many polygons that collapsed or met themselves were left out. */
+  polygons_collapsed: number;
+  /** How many polygons that repeated an earlier one were left out. */
+  polygons_repeated: number;
+  /** How many triangles fill the holes. */
+  triangles_added: number;
+  /** How many vertices that were in no face were left out. */
+  vertices_left_out: number;
+  /** How many vertices were merged with another one. */
+  vertices_merged: number;
 }
 
 /** A curve that vanished. */
