@@ -4,7 +4,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::remark;
-use coface::answers::answer::{Place, Remark};
+use coface::answers::answer::{Place, Remark, RemarkCode};
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -49,19 +49,31 @@ pub(crate) fn are_on_the_page() {
     read().iter_mut().for_each(|known| known.is_said = true);
 }
 
+impl Read {
+    /// Whether a remark of an answer with this code says the same; an answer about several inputs begins it with the name.
+    fn is_said_by(&self, code: RemarkCode, message: &str) -> bool {
+        let unnamed =
+            message.strip_prefix(&self.name).and_then(|rest| rest.strip_prefix(": ")).unwrap_or(message);
+        self.remark.code == code && self.remark.message == unnamed
+    }
+}
+
 /// Prints the remarks of an answer on standard error, unless `--quiet` is given; those that a reader left are said once.
 pub(crate) fn say_remarks(remarks: &[Remark], common: &Common) {
-    let is_read = |said: &Remark| {
-        read().iter().any(|known| known.remark.code == said.code && known.remark.message == said.message)
-    };
+    let is_read = |said: &Remark| read().iter().any(|known| known.is_said_by(said.code, &said.message));
     if !common.quiet {
         remarks.iter().filter(|said| !is_read(said)).for_each(|said| remark(&said.message));
     }
 }
 
 /// Refuses the first assumption among the remarks of an answer with `--strict`; to be asked before anything is written.
+///
+/// Rings that cross themselves and polygons that are not flat are left to the request: it knows whether the file or an option
+/// said what becomes of them, and then nothing is assumed.
 pub(crate) fn accept(remarks: &[Remark], common: &Common) -> Result<(), Failure> {
-    match remarks.iter().find(|remark| common.strict && remark.code.is_assumption()) {
+    let is_decided = |code| matches!(code, RemarkCode::SelfCrossingRing | RemarkCode::FacesSplit);
+    let is_assumed = |remark: &&Remark| remark.code.is_assumption() && !is_decided(remark.code);
+    match remarks.iter().find(|remark| common.strict && is_assumed(remark)) {
         Some(remark) => Err(Failure::new(format!(
             "{}; --strict refuses what is assumed: leave it out, or correct the input",
             remark.message
@@ -74,18 +86,17 @@ pub(crate) fn accept(remarks: &[Remark], common: &Common) -> Result<(), Failure>
 pub(crate) fn object(answer: &(impl Serialize + ?Sized)) -> String {
     let mut object = serde_json::to_value(answer).expect("answers have texts as keys");
     if let Some(Value::Array(own)) = object.get_mut("remarks") {
-        let mut all = read_remarks();
-        all.retain(|one| {
-            !own.iter().any(|own| own["code"] == one["code"] && own["message"] == one["message"])
-        });
+        let own_remarks: Vec<Remark> =
+            own.iter().filter_map(|one| serde_json::from_value(one.clone()).ok()).collect();
+        let mut all = read_remarks(&own_remarks);
         all.append(own);
         *own = all;
     }
     object.to_string()
 }
 
-/// The remarks of readers; of several inputs each names its own.
-fn read_remarks() -> Vec<Value> {
+/// The remarks of readers that the answer does not have itself; of several inputs each names its own.
+fn read_remarks(own: &[Remark]) -> Vec<Value> {
     let read = read();
     let is_one = read.iter().all(|known| known.name == read[0].name);
     let named = |known: &Read| {
@@ -100,5 +111,6 @@ fn read_remarks() -> Vec<Value> {
         }
         serde_json::to_value(&remark).expect("remarks have texts as keys")
     };
-    read.iter().map(named).collect()
+    let is_own = |known: &&Read| own.iter().any(|own| known.is_said_by(own.code, &own.message));
+    read.iter().filter(|known| !is_own(known)).map(named).collect()
 }
