@@ -241,8 +241,12 @@ mod tests {
 
     #[test]
     fn a_model_without_faults_stays_as_it_is() {
-        let request =
-            RepairRequest { split_edges: Some(FacesAtEdge::Apart), split_vertices: true, orient: true };
+        let request = RepairRequest {
+            split_edges: Some(FacesAtEdge::Apart),
+            split_vertices: true,
+            orient: true,
+            orient_parts: false,
+        };
         let polygons = RaggedArray::from_lists([[0, 1, 2]]);
         let sound = ModelParts { polygons, groups: Vec::new(), ..bow_tie().into_parts() }.into_model();
         assert_eq!(repaired(&sound, request).unwrap().0, sound);
@@ -252,8 +256,8 @@ mod tests {
 
     #[test]
     fn what_is_no_polygon_mesh_is_refused() {
-        let facets = coface_io::Structure::Facets(RaggedArray::from_lists([[0, 1, 2]]));
+        let facets = coface_io::Structure::Facets(RaggedArray::from_lists([[0, 1, 2, 3]]));
         let error = repaired(&Model::from_structure(facets), RepairRequest::default()).unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::UnsupportedFormat);
+        assert_eq!(error.kind(), coface_algebra::ErrorKind::UnsupportedFormat);
     }
 }

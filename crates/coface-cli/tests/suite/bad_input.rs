@@ -36,11 +36,10 @@ fn files_that_are_none() {
 #[test]
 fn garbage_and_wrong_names() {
     let noise: Vec<u8> = (0..5000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
-    for name in ["a.off", "a.obj", "a.ply", "a.stl", "a.mesh", "a.msh", "a.vtk", "a.json", "a.xyz"] {
+    for name in ["a.off", "a.obj", "a.ply", "a.stl", "a.mesh", "a.msh", "a.vtk", "a.json", "a.weather"] {
         message(name, &noise);
         message(name, b"It was a dark and stormy night;\nthe rain fell in torrents.\n");
     }
-    message("surface.ply", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
 }
 
 #[test]
@@ -51,8 +50,6 @@ fn faults_are_named_with_their_line() {
     assert!(message("a.off", text.as_bytes()).contains(":6:"), "an index out of range");
     let text = "v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n";
     assert!(message("a.obj", text.as_bytes()).contains(":3:"), "an infinite coordinate");
-    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 1\n";
-    assert!(message("a.obj", text.as_bytes()).contains(":4:"), "a repeated vertex");
     let text = "OFF\n4000000000 1 0\n0 0 0\n";
     message("a.off", text.as_bytes());
     message("a.json", br#"{"facets":[[0,1,1]]}"#);

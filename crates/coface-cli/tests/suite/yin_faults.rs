@@ -160,7 +160,7 @@ fn outputs_that_are_none_are_refused() {
     let path = argument(&path);
     let other = |name: &str| folder.path().join(name);
     for (words, said) in [
-        (&["info", path, "-o", argument(&other("a.xyz"))][..], "no format known"),
+        (&["info", path, "-o", argument(&other("a.weather"))][..], "no format known"),
         (&["cut-cells", path, "-o", argument(&other("a.svg"))], ".csv or .json"),
         (&["cut-cells", path, "--picture", "kinks", "-o", argument(&other("a.csv"))], "--picture"),
         (&["cut-cells", path, "--spacing", "-1"], "-1"),

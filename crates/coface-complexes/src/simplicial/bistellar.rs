@@ -176,7 +176,7 @@ pub(super) fn is_sphere_or_ball(facets: &RaggedArray) -> bool {
             return true;
         }
     }
-    if size < 2 || size > MOST_VERTICES {
+    if !(2..=MOST_VERTICES).contains(&size) {
         return false;
     }
     let lists = facets.iter().map(|facet| Face::of(facet).expect("the size is checked"));
