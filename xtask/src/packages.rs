@@ -22,10 +22,11 @@ const LICENCES: &[&str] = &[
     "Zlib",
     "0BSD",
     "MIT-0",
+    "bzip2-1.0.6",
 ];
 
 /// Packages that may be there in two versions, as those who need them have not met yet; the same as in `deny.toml`.
-const TWICE: &[&str] = &["getrandom", "miniz_oxide", "syn"];
+const TWICE: &[&str] = &["cpufeatures", "getrandom", "miniz_oxide", "syn"];
 
 /// Asks `cargo deny` where it is installed, and looks by ourselves else.
 pub(crate) fn packages(tally: &mut Tally) {

@@ -94,7 +94,11 @@ impl Oddities {
     pub(crate) fn into_remarks(mut self) -> Vec<Remark> {
         self.found.sort_by_key(|&(oddity, ..)| oddity);
         let remark = |(oddity, count, places): (Oddity, usize, Vec<Place>)| {
-            Remark::new(oddity.code(), oddity.message(count)).at(count, places)
+            let mut message = oddity.message(count);
+            if let Some(line) = places.first().and_then(|place| place.line) {
+                message += &format!("; the first is on line {line}");
+            }
+            Remark::new(oddity.code(), message).at(count, places)
         };
         self.found.into_iter().map(remark).collect()
     }
@@ -134,7 +138,10 @@ mod tests {
         whole.note(Oddity::Repeated, || Place::cell(&[7, 7]));
         let remarks = whole.into_remarks();
         assert_eq!(remarks[0].message, "1 cell repeats a vertex; the repetition is dropped");
-        assert_eq!(remarks[1].message, "9 cells have too few different vertices and are left out");
+        assert_eq!(
+            remarks[1].message,
+            "9 cells have too few different vertices and are left out; the first is on line 0"
+        );
         assert_eq!((remarks[1].count, remarks[1].places.len()), (9, LISTED_PLACES));
         assert_eq!(remarks[1].places[4].cell, Some(vec![4]));
     }

@@ -8,6 +8,7 @@ use super::{
     format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, output, parts, ply, points_text,
     stl, svg, tetgen, three_mf, volume, vtk, wkt, yin,
 };
+use crate::RemarkCode;
 use coface_algebra::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -93,14 +94,16 @@ impl ReadOptions {
         self
     }
 
-    /// Replaces curves by chords that are at most this far from them, in the unit of the file. Without it curves are refused.
+    /// Replaces curves by chords that are at most this far from them, in the unit of the file. Without it the distance is a
+    /// thousandth of the size of the drawing, and a remark says so.
     ///
     /// # Examples
     /// ```
     /// use coface_io::{ReadOptions, read_with};
     /// let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>"#;
-    /// assert!(read_with(text.as_bytes(), &ReadOptions::new()).is_err());
-    /// assert!(read_with(text.as_bytes(), &ReadOptions::new().flatten(0.5)).is_ok());
+    /// let corners = |options| read_with(text.as_bytes(), &options).map(|model| model.vertex_count());
+    /// assert!(corners(ReadOptions::new().flatten(0.5))? < corners(ReadOptions::new())?);
+    /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     #[must_use]
     pub fn flatten(mut self, tolerance: impl Into<Option<f64>>) -> Self {
@@ -723,9 +726,21 @@ fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
 fn read_started(opened: Opened<'_>, options: &ReadOptions) -> Result<Model, Error> {
     options.accept(&opened.remarks)?;
     let Opened { start, whole, rest, format, remarks, path, .. } = opened;
-    let mut model = read_format(&start, whole, rest, (format, path.as_deref()), options)?;
+    let read = read_format(&start, whole, rest, (format, path.as_deref()), options);
+    let mut model = read.map_err(|error| explained(error, &remarks))?;
     model.remarks.splice(..0, remarks);
     Ok(model)
+}
+
+/// Where the content decided the format and is not whole, the name may have been right.
+fn explained(error: Error, remarks: &[Remark]) -> Error {
+    match remarks.iter().find(|remark| remark.code == RemarkCode::FormatByContent) {
+        Some(remark) => {
+            let cure = error.cure().map_or_else(String::new, |cure| format!("{cure}; "));
+            error.with_cure(format!("{cure}note that {}", remark.message))
+        }
+        None => error,
+    }
 }
 
 fn read_format(

@@ -3,6 +3,7 @@
 mod cells;
 mod pickling;
 mod reading;
+mod repairs;
 
 pub(crate) use pickling::_model;
 pub(crate) use reading::{format_of, read, read_options};
@@ -18,12 +19,9 @@ use crate::volumes::voxels_of;
 use crate::work::run;
 use cells::{Parts, kind_of, kind_word, model_of_parts, shape_word};
 use coface::algebra::RaggedArray;
-use coface::answers::{
-    Pair, RepairRequest, SurfaceRepairRequest, repaired, repaired_surface, simplicial_complex, triangulated,
-};
+use coface::answers::{Pair, repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
-use coface::complexes::surface::FacesAtEdge;
 use coface::io;
 use coface::io::{CellData, Format, Group, Structure};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
@@ -839,19 +837,13 @@ impl Model {
         orient: bool,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyArray1<i64>>)> {
-        let split_edges = match split_edges {
-            None => None,
-            Some(word) => Some(faces_at_edge(py, word)?),
-        };
-        let mut request = RepairRequest::default();
-        (request.split_edges, request.split_vertices, request.orient) = (split_edges, split_vertices, orient);
+        let request = repairs::request(py, split_edges, split_vertices, orient)?;
         let (model, repair) = run(py, progress, || repaired(self.model(), request))?;
         let sources = arrays::id_array(py, repair.vertex_sources().iter().map(|vertex| vertex.to_u32()));
         Ok((Self::of(model), sources))
     }
 
-    /// A surface made of the polygons of the model: vertices merged, collapsed and repeated polygons left out, split, turned and, on
-    /// request, closed.
+    /// A surface made of the polygons of the model: merged, cleaned, split, turned and, on request, closed.
     ///
     /// Parameters
     /// ----------
@@ -863,7 +855,6 @@ impl Model {
     /// Returns
     /// -------
     /// model : Model
-    ///     The surface.
     /// done : dict
     ///     How much was done: the keys ``vertices_merged``, ``vertices_left_out``, ``polygons_collapsed``, ``polygons_repeated``,
     ///     ``lines_left_out``, ``edges_split``, ``vertices_split``, ``faces_turned``, ``holes_filled`` and ``triangles_added``.
@@ -873,7 +864,7 @@ impl Model {
     /// >>> import coface
     /// >>> disk = coface.Model.from_facets([[0, 1, 2]])
     /// >>> sphere, done = disk.repaired_surface(closed=True)
-    /// >>> done["holes_filled"], coface.Surface(sphere).genus
+    /// >>> done["holes_filled"], sphere.surface().genus
     /// (1, 0)
     #[pyo3(signature = (*, tolerance=0.0, closed=false, progress=None))]
     fn repaired_surface<'py>(
@@ -883,25 +874,8 @@ impl Model {
         closed: bool,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyDict>)> {
-        let request = SurfaceRepairRequest::new().tolerance(tolerance).closed(closed);
-        let (model, done) = run(py, progress, || repaired_surface(self.model(), &request))?;
-        let counts = [
-            ("vertices_merged", done.merged_count()),
-            ("vertices_left_out", done.unused_count()),
-            ("polygons_collapsed", done.collapsed_count()),
-            ("polygons_repeated", done.duplicate_count()),
-            ("lines_left_out", done.loose_line_count()),
-            ("edges_split", done.mesh().edges_split().len()),
-            ("vertices_split", done.mesh().vertices_split().len()),
-            ("faces_turned", done.mesh().faces_turned().len()),
-            ("holes_filled", done.hole_count()),
-            ("triangles_added", done.added_face_count()),
-        ];
-        let dict = PyDict::new(py);
-        for (key, count) in counts {
-            dict.set_item(key, count)?;
-        }
-        Ok((Self::of(model), dict))
+        let (model, done) = run(py, progress, || repairs::surface_of(self.model(), tolerance, closed))?;
+        Ok((Self::of(model), repairs::counts(py, &done)?))
     }
 
     /// A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
@@ -978,7 +952,7 @@ impl Model {
         let parts = PyDict::new(py);
         match model.structure() {
             Some(Structure::Facets(facets)) => {
-                parts.set_item("facets", pair(py, facets)?)?;
+                parts.set_item("facets", pickling::pair(py, facets)?)?;
             }
             Some(Structure::Halfedges { .. }) => parts.set_item("halfedges", self.halfedges(py)?)?,
             Some(Structure::Gluings(_)) => parts.set_item("gluings", self.gluings())?,
@@ -989,13 +963,13 @@ impl Model {
             }
             _ => {
                 parts.set_item("vertex_count", model.vertex_count())?;
-                parts.set_item("faces", pair(py, model.polygons())?)?;
+                parts.set_item("faces", pickling::pair(py, model.polygons())?)?;
                 parts.set_item(
                     "shapes",
                     model.shapes().iter().map(|&shape| shape_word(shape)).collect::<Vec<_>>(),
                 )?;
-                parts.set_item("cells", pair(py, model.cells())?)?;
-                parts.set_item("lines", pair(py, model.lines())?)?;
+                parts.set_item("cells", pickling::pair(py, model.cells())?)?;
+                parts.set_item("lines", pickling::pair(py, model.lines())?)?;
                 parts.set_item("points", self.points(py))?;
             }
         }
@@ -1004,21 +978,6 @@ impl Model {
         parts.set_item("data", self.data(py)?)?;
         let rebuild = py.import("coface._coface")?.getattr("_model")?;
         Ok((rebuild, PyTuple::new(py, [parts])?))
-    }
-}
-
-/// Lists as (flat, offsets), on memory of their own.
-fn pair<'py>(py: Python<'py>, lists: &RaggedArray) -> PyResult<Bound<'py, PyTuple>> {
-    let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
-    let flat = PyArray1::from_slice(py, lists.items());
-    PyTuple::new(py, [flat.into_any(), PyArray1::from_vec(py, offsets).into_any()])
-}
-
-fn faces_at_edge(py: Python<'_>, word: &str) -> PyResult<FacesAtEdge> {
-    match word {
-        "apart" => Ok(FacesAtEdge::Apart),
-        "pairs" => Ok(FacesAtEdge::CoherentPairs),
-        _ => Err(invalid(py, format!("split_edges is {word:?}"), "give \"apart\" or \"pairs\"")),
     }
 }
 

@@ -268,7 +268,7 @@ impl<'a> FoundCocycles<'a> {
     /// belongs to the direction of its line.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidArgument`] if the model has no positions, or a value is beyond 64 bits.
+    /// [`ErrorKind::InvalidInput`] if the model has no positions, or a value is beyond 64 bits.
     ///
     /// # Examples
     /// ```

@@ -292,7 +292,8 @@ mod tests {
             (&[2][..], Answer::Yes, 2)
         );
         let rim = report_of(&[vec![0, 1], vec![1, 2], vec![0, 2], vec![7]]);
-        assert_eq!((rim.manifold(), rim.is_closed(), rim.is_pure()), (Answer::Yes, Some(true), Some(false)));
+        assert_eq!((rim.manifold(), rim.is_closed(), rim.is_pure()), (Answer::No, Some(true), Some(false)));
+        assert!(rim.witness().unwrap().message().ends_with("without that facet it is a manifold"));
         let star = report_of(&[vec![0, 1], vec![0, 2], vec![0, 30]]);
         assert_eq!((star.manifold(), star.is_closed()), (Answer::No, Some(false)));
         assert_eq!(star.witness().unwrap().cells(), [[0]]);

@@ -28,7 +28,7 @@ pub struct RepairRequest {
 /// of its groups. Points stay. Polygons that repeat an earlier one stay beside it.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] for models with 3-cells, and for structures that are no facet list of dimension 2; those of [`PolygonMesh::new`] and
+/// [`coface_algebra::ErrorKind::UnsupportedFormat`] for models with 3-cells, and for structures that are no facet list of dimension 2; those of [`PolygonMesh::new`] and
 /// of the steps of [`MeshRepair`].
 ///
 /// # Examples

@@ -450,12 +450,21 @@ proptest! {
         };
         if volumes[2] > 1e-6 {
             let (meet, rest) = (again("a & b"), again("a - b"));
+            // A sliver of a result may cross itself once its corners are rounded; that is refused by name, not answered wrongly.
+            let is_input = |model: &Model| {
+                SceneArrangement::of([("model", model)], &SpatialRequest::default())
+                    .map_err(|error| assert!(error.message().contains("is not simple"), "{error}"))
+                    .is_ok()
+            };
+            prop_assume!(is_input(&meet) && is_input(&rest));
             let next = arranged(&[a.clone(), meet.clone()]);
             let twice = combined(&next, "a & b");
             prop_assert!(is_near(twice.volume().unwrap(), volumes[2]));
             let joined = arranged(&[meet.clone(), rest]);
             prop_assert!(is_near(combined(&joined, "a | b").volume().unwrap(), volumes[0]));
-            let third = arranged(&[twice.to_mesh().unwrap(), b]);
+            let twice = twice.to_mesh().unwrap();
+            prop_assume!(is_input(&twice));
+            let third = arranged(&[twice, b]);
             prop_assert!(is_near(combined(&third, "a & b").volume().unwrap(), volumes[2]));
             prop_assert!(combined(&third, "a - b").volume().unwrap() < 1e-12);
         }

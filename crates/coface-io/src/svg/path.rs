@@ -17,16 +17,16 @@ pub(super) fn draw(data: &str, pen: &mut Pen) -> Result<(), String> {
         if byte.is_ascii_alphabetic() {
             words.at += 1;
             if command.is_none() && !byte.eq_ignore_ascii_case(&b'M') {
-                return Err(words.fault("a path must begin with M").into());
+                return Err(words.fault("a path must begin with M"));
             }
             command = Some(byte);
         } else {
             // Numbers without a letter go on with the last command, after a move with lines.
             command = match command {
-                None => return Err(words.fault("a path must begin with M").into()),
+                None => return Err(words.fault("a path must begin with M")),
                 Some(b'M') => Some(b'L'),
                 Some(b'm') => Some(b'l'),
-                Some(b'Z' | b'z') => return Err(words.fault("numbers stand behind Z").into()),
+                Some(b'Z' | b'z') => return Err(words.fault("numbers stand behind Z")),
                 command => command,
             };
         }
@@ -82,7 +82,7 @@ pub(super) fn draw(data: &str, pen: &mut Pen) -> Result<(), String> {
             _ => {
                 let name = char::from(letter);
                 words.at -= 1;
-                return Err(words.fault(&format!("'{name}' is not a command of a path")).into());
+                return Err(words.fault(&format!("'{name}' is not a command of a path")));
             }
         }
         last_control = control;

@@ -7,13 +7,15 @@ use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid};
 use crate::volumes::_volume;
 use coface::VertexId;
+use coface::algebra::RaggedArray;
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
 use coface::geometry::Positions;
 use coface::io;
 use coface::io::{Group, Structure};
+use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 
 /// Makes a model again from what :meth:`Model.__reduce__` gave.
 #[pyfunction]
@@ -72,4 +74,11 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
         model = model.with_data(py, &name, &values, &kind)?;
     }
     Ok(model)
+}
+
+/// Lists as (flat, offsets), on memory of their own.
+pub(super) fn pair<'py>(py: Python<'py>, lists: &RaggedArray) -> PyResult<Bound<'py, PyTuple>> {
+    let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
+    let flat = PyArray1::from_slice(py, lists.items());
+    PyTuple::new(py, [flat.into_any(), PyArray1::from_vec(py, offsets).into_any()])
 }

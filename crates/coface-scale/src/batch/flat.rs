@@ -66,18 +66,6 @@ const COLUMNS: [(&str, &str, Form); 39] = [
 ];
 
 /// How many columns the numbered ones of a table have: as many as the rows that were seen need, and no fewer than those of an empty complex.
-///
-/// # Examples
-/// ```
-/// use coface_scale::batch::Columns;
-/// # fn main() -> Result<(), coface_algebra::Error> {
-/// let mut columns = Columns::default();
-/// columns.see(&serde_json::json!({"f_vector": [3, 3, 1]}))?;
-/// let names = columns.names(false);
-/// assert!(names.contains(&"f_2".to_owned()) && !names.contains(&"f_3".to_owned()));
-/// assert_eq!(names[0], "path");
-/// # Ok(()) }
-/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Columns {
     cells: usize,
@@ -89,16 +77,6 @@ impl Columns {
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if it is no object.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_scale::batch::Columns;
-    /// let row = serde_json::json!({"path": "a.off", "f_vector": [3, 3, 1]});
-    /// let mut columns = Columns::default();
-    /// columns.see(&row)?;
-    /// assert!(columns.see(&serde_json::json!([])).is_err());
-    /// # Ok::<(), coface_algebra::Error>(())
-    /// ```
     pub(crate) fn see(&mut self, row: &Value) -> Result<(), Error> {
         if !row.is_object() {
             return Err(Error::parse("a row is no object"));
@@ -110,16 +88,6 @@ impl Columns {
     }
 
     /// The names of the columns, `seconds` only with timings.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_scale::batch::Columns;
-    /// let row = serde_json::json!({"path": "a.off", "f_vector": [3, 3, 1]});
-    /// let mut columns = Columns::default();
-    /// columns.see(&row)?;
-    /// assert_eq!(columns.names(false)[0], "path");
-    /// # Ok::<(), coface_algebra::Error>(())
-    /// ```
     pub(crate) fn names(&self, timings: bool) -> Vec<String> {
         let mut names = Vec::new();
         for (name, _, form) in columns(timings) {
@@ -136,16 +104,6 @@ impl Columns {
     }
 
     /// The values of a row, one a column; null where there is none.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_scale::batch::Columns;
-    /// let row = serde_json::json!({"path": "a.off", "f_vector": [3, 3, 1]});
-    /// let mut columns = Columns::default();
-    /// columns.see(&row)?;
-    /// assert_eq!(columns.values(&row, false).len(), columns.names(false).len());
-    /// # Ok::<(), coface_algebra::Error>(())
-    /// ```
     pub(crate) fn values(&self, row: &Value, timings: bool) -> Vec<Value> {
         let mut values = Vec::new();
         for (_, pointer, form) in columns(timings) {
