@@ -137,10 +137,12 @@ pub fn repaired_surface(
     let PolygonsOf { model: polygons, labels } = PolygonsOf::new(model)?;
     let cleaned = Cleaned::new(polygons, request.tolerance)?;
     let (kept, counts) = (cleaned.kept, cleaned.counts);
-    let mut splitting = RepairRequest::default();
-    splitting.split_edges = Some(FacesAtEdge::CoherentPairs);
-    splitting.split_vertices = true;
-    splitting.orient_parts = true;
+    let splitting = RepairRequest {
+        split_edges: Some(FacesAtEdge::CoherentPairs),
+        split_vertices: true,
+        orient_parts: true,
+        ..RepairRequest::default()
+    };
     let (mut made, mesh) = repaired_polygons_model(cleaned.model, splitting)?;
     let (mut hole_count, mut added_face_count) = (0, 0);
     if request.closed {

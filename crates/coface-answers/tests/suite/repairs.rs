@@ -17,7 +17,7 @@ fn closed() -> SurfaceRepairRequest {
 
 /// A closed manifold.
 fn check_closed(model: &Model, what: &str) {
-    let report = Report::of(model.clone()).unwrap();
+    let report = Report::of(model.clone()).expect("a surface has a report");
     if report.f_vector().len() < 3 {
         return;
     }

@@ -397,7 +397,7 @@ fn warped_quadrangles_are_split_along_the_shorter_diagonal() {
     let lifted =
         Model::from_polygons(Positions::from_flat(3, flat).unwrap(), RaggedArray::from_lists(SQUARES))
             .unwrap();
-    let scene = arranged(&[lifted.clone()]);
+    let scene = arranged(std::slice::from_ref(&lifted));
     let answer = scene.answer(InsideRule::Nonzero).unwrap();
     assert_eq!(answer.f_vector, [8, 12, 6, 1]);
     // Half of the lid is lifted to the triangle above three corners: a tetrahedron of volume 1/2 * 1/2 / 3.
@@ -457,10 +457,10 @@ proptest! {
                     .is_ok()
             };
             prop_assume!(is_input(&meet) && is_input(&rest));
-            let next = arranged(&[a.clone(), meet.clone()]);
+            let next = arranged(&[a, meet.clone()]);
             let twice = combined(&next, "a & b");
             prop_assert!(is_near(twice.volume().unwrap(), volumes[2]));
-            let joined = arranged(&[meet.clone(), rest]);
+            let joined = arranged(&[meet, rest]);
             prop_assert!(is_near(combined(&joined, "a | b").volume().unwrap(), volumes[0]));
             let twice = twice.to_mesh().unwrap();
             prop_assume!(is_input(&twice));

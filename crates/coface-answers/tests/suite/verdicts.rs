@@ -7,7 +7,8 @@ use coface_complexes::simplicial::SimplicialComplex;
 use coface_io::{Model, Structure};
 
 fn report(facets: &[Vec<u32>]) -> Report {
-    Report::of(Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets)))).unwrap()
+    Report::of(Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets))))
+        .expect("facets have a report")
 }
 
 fn of_complex(complex: &SimplicialComplex) -> Report {

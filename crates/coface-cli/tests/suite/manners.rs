@@ -122,10 +122,10 @@ fn walks_are_compared() {
 /// All pairs of ten walks are on the page; of more than it shows, it says how many are left out.
 #[test]
 fn pairs_of_walks_are_printed_or_counted() {
-    let ten = vec!["0 1 3 0"; 10];
+    let ten = ["0 1 3 0"; 10];
     let page = coface_reading(&[&["homotopic", "-"], &ten[..]].concat(), TORUS).stdout;
     assert_eq!(page.matches("homotopic with the base fixed").count(), 45, "{page}");
-    let twenty = vec!["0 1 3 0"; 20];
+    let twenty = ["0 1 3 0"; 20];
     let page = coface_reading(&[&["homotopic", "-"], &twenty[..]].concat(), TORUS).stdout;
     assert!(page.contains("and 90 more pairs"), "{page}");
     let page = coface_reading(&[&["homotopic", "-", "--all"], &twenty[..]].concat(), TORUS).stdout;

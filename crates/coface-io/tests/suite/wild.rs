@@ -7,7 +7,7 @@ fn read(bytes: &[u8], format: Format, code: RemarkCode) -> Model {
     let text = String::from_utf8_lossy(bytes);
     let options = ReadOptions::new().format(format);
     let model = io::read_with(bytes, &options).unwrap_or_else(|error| panic!("{text}: {error}"));
-    model.check().unwrap();
+    model.check().expect("a model that was read is sound");
     assert_eq!(
         model.remarks().first().map(|remark| remark.code),
         Some(code),
@@ -265,7 +265,7 @@ fn gltf_places_its_meshes() {
         match io::read_path(&path, None) {
             Ok(again) => assert!(message.is_empty() && again == model, "{uri}"),
             Err(error) => {
-                assert!(!message.is_empty() && error.to_string().contains(message), "{uri}: {error}")
+                assert!(!message.is_empty() && error.to_string().contains(message), "{uri}: {error}");
             }
         }
     }
