@@ -89,8 +89,12 @@ def test_regions_are_what_the_records_say(record) -> None:
         assert region.measure == pytest.approx(record["area_shoelace"], rel=1e-12)
         return
     if record.get("invalid_features"):
-        with pytest.raises(coface.Error):
-            coface.boolean("union", path)
+        # Rings that cross themselves are read by structure, as GEOS does when it is asked for that.
+        shapely = pytest.importorskip("shapely")
+        collection = json.loads(path.read_text(encoding="utf-8"))
+        shapes = [shapely.geometry.shape(feature["geometry"]) for feature in collection["features"]]
+        valid = [shapely.make_valid(one, method="structure", keep_collapsed=False) for one in shapes]
+        assert coface.boolean("union", path).measure == pytest.approx(shapely.union_all(valid).area, rel=1e-9)
         return
     expected = record["union"]["area"] if "union" in record else record["area_sum"]
     assert coface.boolean("union", path).measure == pytest.approx(expected, rel=1e-9)
@@ -125,7 +129,6 @@ def test_three_manifolds_have_their_homology(entry) -> None:
 FAULTS = {
     "tricky/invalidvertex.stl": coface.ParseError,
     "tricky/unparseable.stl": coface.ParseError,
-    "tricky/notenoughindices.obj": coface.Error,
 }
 
 
@@ -140,7 +143,10 @@ def test_tricky_files(record) -> None:
         assert caught.value.line is not None
         return
     model = coface.read(path)
-    if "vertices" in record:
+    if path.name == "notenoughindices.obj":
+        assert model.f_vector == (3, 3, 1)
+        assert "line 9" in model.warnings[0]
+    elif "vertices" in record:
         assert model.f_vector == (record["vertices"], record["edges"], record["faces"])
         assert model.report().euler_characteristic == record["euler"]
     else:
