@@ -1,12 +1,12 @@
 //! Reading, text and binary.
 
-use super::sections::{Elements, Marks, Section};
+use super::sections::{self, Elements, Marks, Section};
 use crate::assembly::Assembly;
 use crate::oddities::Oddity;
 use crate::scanner::{Scanner, quoted};
 use crate::scratch_mesh::ScratchMesh;
 use crate::values::{Encoding, NumberType, Values};
-use crate::{GroupKind, Model, Place, ReadOptions};
+use crate::{GroupKind, Model, Place, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Read;
 
@@ -99,6 +99,9 @@ fn read_up_to_fault(
         scratch,
         runs: Vec::new(),
         marked: Vec::new(),
+        unknown: Vec::new(),
+        cut_keyword: None,
+        has_end: true,
     };
     let read = if encoding == Encoding::Ascii { reader.read_text() } else { reader.read_binary() };
     Ok((reader, read.err()))
@@ -117,6 +120,12 @@ struct Reader<R> {
     runs: Vec<Run>,
     /// Marked vertices and elements, by number from 0.
     marked: Vec<(Marks, Vec<u64>)>,
+    /// The keywords that are not known, quoted, with their lines; of a binary file the codes.
+    unknown: Vec<(String, Option<u64>)>,
+    /// What the last word would be if it were cut off within a keyword.
+    cut_keyword: Option<&'static str>,
+    /// Whether the file says where it ends.
+    has_end: bool,
 }
 
 /// A section of elements.
@@ -138,17 +147,27 @@ impl<R: Read> Reader<R> {
             return Err(self.values.error(message).with_cure("check that this is a MEDIT mesh"));
         }
         self.values.scanner.expect_u64("the version")?;
+        let mut is_known = true;
         loop {
-            let Some(keyword) = self.values.scanner.next_token()? else { return Ok(()) };
+            let Some(keyword) = self.values.scanner.next_token()? else {
+                return self.end_of_text(is_known);
+            };
             if keyword == b"Dimension" {
                 let dimension = self.values.scanner.expect_i64("the dimension")?;
                 self.set_dimension(dimension)?;
+                is_known = true;
                 continue;
             }
             match Section::from_keyword(keyword) {
                 Section::End => return Ok(()),
-                // A section that is not known: its numbers are passed over here, word by word.
-                Section::Unknown if keyword[0].is_ascii_alphabetic() || is_number(keyword) => {}
+                Section::Unknown if keyword[0].is_ascii_alphabetic() => {
+                    self.cut_keyword = sections::completed(keyword);
+                    let keyword = quoted(keyword);
+                    self.unknown.push((keyword, Some(self.values.scanner.line_number())));
+                    is_known = false;
+                }
+                // The numbers of a section that is not known are passed over here, word by word.
+                Section::Unknown if !is_known && is_number(keyword) => self.cut_keyword = None,
                 Section::Unknown => {
                     let message = format!("{} stands where a keyword should", quoted(keyword));
                     return Err(self
@@ -156,9 +175,22 @@ impl<R: Read> Reader<R> {
                         .error(message)
                         .with_cure("check the count of the section before"));
                 }
-                section => self.read_section(section)?,
+                section => {
+                    is_known = true;
+                    self.read_section(section)?;
+                }
             }
         }
+    }
+
+    /// The file ends without `End`; a last word that begins a keyword was cut off with what followed it.
+    fn end_of_text(&mut self, is_known: bool) -> Result<(), Error> {
+        if let Some(whole) = self.cut_keyword.filter(|_| !is_known) {
+            let message = format!("the file ends within a keyword, which may be {whole}");
+            return Err(self.values.error(message).with_cure("it was cut short: write it again"));
+        }
+        self.has_end = false;
+        Ok(())
     }
 
     /// Each section of a binary file begins with its code and the place of the next one.
@@ -185,7 +217,9 @@ impl<R: Read> Reader<R> {
                 self.set_dimension(dimension)?;
             } else if section == Section::Unknown && next == 0 {
                 return Ok(());
-            } else if section != Section::Unknown {
+            } else if section == Section::Unknown {
+                self.unknown.push((format!("code {code}"), None));
+            } else {
                 self.read_section(section)?;
             }
             match next.checked_sub(self.values.scanner.byte_offset()) {
@@ -345,6 +379,17 @@ impl<R: Read> Reader<R> {
                     break;
                 }
             }
+        }
+        if !self.unknown.is_empty() {
+            let named: Vec<&str> = self.unknown.iter().map(|(keyword, _)| &keyword[..]).take(4).collect();
+            let dots = if self.unknown.len() > named.len() { ", .." } else { "" };
+            let message = format!("sections that are not known were passed over: {}{dots}", named.join(", "));
+            let places = self.unknown.iter().filter_map(|&(_, line)| line.map(Place::line));
+            let remark = Remark::new(RemarkCode::UnknownSection, message);
+            assembly.remarks.push(remark.at(self.unknown.len(), places));
+        }
+        if !self.has_end {
+            assembly.remarks.push(Remark::new(RemarkCode::MissingEnd, "the file ends without End"));
         }
         assembly.finish()
     }

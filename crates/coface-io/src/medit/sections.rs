@@ -96,6 +96,14 @@ impl Section {
     }
 }
 
+/// The first keyword that a word begins without being one.
+pub(super) fn completed(word: &[u8]) -> Option<&'static str> {
+    SECTIONS
+        .iter()
+        .map(|&(name, ..)| name)
+        .find(|name| name.as_bytes().starts_with(word) && name.len() > word.len())
+}
+
 /// The sections that mark vertices or elements.
 pub(super) fn all_marks() -> impl Iterator<Item = Marks> {
     SECTIONS.iter().filter_map(|&(_, _, section)| match section {

@@ -1,6 +1,6 @@
 use super::{read, write};
-use crate::GroupKind;
 use crate::samples::{Limits, meshes};
+use crate::{GroupKind, Model, RemarkCode};
 use proptest::prelude::*;
 
 const HEADER: &str = "MeshVersionFormatted 1\nDimension\n3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
@@ -17,7 +17,7 @@ fn faults_are_placed() {
         ("Triangles 1000000000\n1 2 3 0\n", "the file ends where a vertex should be"),
         ("Triangles 2\n1 2 3 0\n1 2 x 0\n", "line 11: \"x\" is not an integer"),
         ("Triangles -1\n", "cannot be negative"),
-        ("Triangles 1\n1 2 3 4 5\n*", "\"*\" stands where a keyword should"),
+        ("Triangles 1\n1 2 3 4 5\n*", "\"5\" stands where a keyword should"),
         ("Dimension 3\n", "given twice"),
         ("Corners 1\n5\nEnd", "Corners lists number 5, but there are 4"),
         ("Ridges 1\n0\nEnd", "numbers start at 1"),
@@ -126,6 +126,41 @@ fn binary_files_of_all_versions_are_read() {
             }
         }
     }
+}
+
+/// A text that is cut anywhere is refused, or read with the remark that it has no end.
+#[test]
+fn a_cut_text_is_never_taken_for_a_whole_one() {
+    let text = "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTetrahedra 1\n1 2 3 4 0\nHexahedra 0\nEnd\n";
+    for cut in 0..text.len() {
+        let read = read(text[..cut].as_bytes());
+        let is_said =
+            |model: &Model| model.remarks().iter().any(|remark| remark.code == RemarkCode::MissingEnd);
+        match read {
+            Ok(model) => {
+                assert_eq!(is_said(&model), cut + 1 < text.len(), "cut at {cut}: {:?}", model.remarks())
+            }
+            Err(error) => assert!(cut + 1 < text.len(), "cut at {cut}: {error}"),
+        }
+    }
+    let cut = &text[..text.find("dra 0").unwrap()];
+    let error = read(cut.as_bytes()).unwrap_err().to_string();
+    assert!(error.contains("may be Hexahedra"), "{error}");
+}
+
+#[test]
+fn unknown_sections_are_named_and_surplus_rows_refused() {
+    let of = |section: &str, count: usize| {
+        format!(
+            "MeshVersionFormatted 2\nDimension 2\nVertices {count}\n0 0 0\n1 0 0\n0 1 0\n{section}\nEnd\n"
+        )
+    };
+    let model = read(of("Normals 1\n0 0 1\nWhatever\n1", 3).as_bytes()).unwrap();
+    let remark = &model.remarks()[0];
+    assert_eq!((remark.code, remark.count, remark.places[1].line), (RemarkCode::UnknownSection, 2, Some(9)));
+    assert!(remark.message.contains("\"Normals\", \"Whatever\""), "{}", remark.message);
+    let error = read(of("", 2).as_bytes()).unwrap_err().to_string();
+    assert!(error.contains("stands where a keyword should") && error.contains("count"), "{error}");
 }
 
 proptest! {
