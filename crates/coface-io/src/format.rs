@@ -122,7 +122,7 @@ impl Format {
             Self::Medit => &["mesh", "meshb"],
             Self::Msh => &["msh"],
             Self::Vtk => &["vtk"],
-            Self::Json => &["json"],
+            Self::Json => &["json", "jsonl", "ndjson"],
             Self::Isosig => &["isosig", "sig"],
             Self::Lines => &["lines"],
             Self::GeoJson => &["geojson"],

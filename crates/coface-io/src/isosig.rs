@@ -6,6 +6,7 @@
 //! up to the numbering of its simplices and their vertices: writing and reading again gives an isomorphic table.
 
 use super::{Model, Structure};
+use crate::entries::Entry;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::gluing::GluingTable;
@@ -112,12 +113,12 @@ pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
     }
 }
 
-/// The entries of a file: the name behind each signature, or its place among them.
-pub(crate) fn entries(input: impl Read) -> Result<Vec<String>, Error> {
+/// The signatures of a file with the names behind them; their lines are where they stand.
+pub(crate) fn outline(input: impl Read) -> Result<Vec<Entry>, Error> {
     let mut entries = Vec::new();
     scan_with(input, |line| {
-        let place = entries.len() + 1;
-        entries.push(if line.name.is_empty() { place.to_string() } else { line.name });
+        let name = (!line.name.is_empty()).then_some(line.name);
+        entries.push(Entry { name, start: line.start, length: line.length });
     })?;
     Ok(entries)
 }
@@ -130,9 +131,11 @@ pub(super) fn is_signature(line: &[u8]) -> bool {
     })
 }
 
-/// A signature with the number of its line and the name behind it.
+/// A signature with the number of its line, where that stands in the file, and the name behind it.
 struct Line {
     number: u64,
+    start: u64,
+    length: u64,
     text: String,
     name: String,
 }
@@ -156,7 +159,7 @@ fn scan(input: impl Read, wanted: Option<&str>) -> Result<(usize, Option<Line>),
 /// Gives each signature to a function.
 fn scan_with(input: impl Read, mut take: impl FnMut(Line)) -> Result<(), Error> {
     let mut input = BufReader::with_capacity(1 << 16, input);
-    let (mut number, mut line) = (1, Vec::new());
+    let (mut number, mut start, mut line) = (1, 0, Vec::new());
     loop {
         let piece = input.fill_buf()?;
         let (used, is_end) = match piece.iter().position(|&byte| byte == b'\n') {
@@ -186,11 +189,13 @@ fn scan_with(input: impl Read, mut take: impl FnMut(Line)) -> Result<(), Error> 
             }
             // Only ASCII is left.
             let text = signature.iter().copied().map(char::from).collect();
-            take(Line { number, text, name: String::from_utf8_lossy(name).trim().to_owned() });
+            let name = String::from_utf8_lossy(name).trim().to_owned();
+            take(Line { number, start, length: line.len() as u64, text, name });
         }
         if is_last {
             return Ok(());
         }
+        start += line.len() as u64;
         line.clear();
         number += 1;
     }
@@ -206,6 +211,15 @@ fn to_model(line: &Line) -> Result<Model, Error> {
 mod tests {
     use super::*;
 
+    fn names(text: &[u8]) -> Vec<Option<String>> {
+        let at = |entry: &Entry| &text[entry.start as usize..][..entry.length as usize];
+        let entries = outline(text).unwrap();
+        assert!(
+            entries.iter().all(|entry| is_signature(at(entry).trim_ascii()) || at(entry).contains(&b'*'))
+        );
+        entries.into_iter().map(|entry| entry.name).collect()
+    }
+
     #[test]
     fn lines_are_counted_and_faults_named() {
         let text = b"# lens spaces: \xc3\xa9\n\n cMcabbgqw \r\n# more\ncMcabbj*k\ncMcabbjxr";
@@ -219,7 +233,7 @@ mod tests {
             assert!(model(place).unwrap_err().to_string().contains("the file has 3"), "{place}");
         }
         assert_eq!(read(&text[..]).unwrap().remarks()[0].code, RemarkCode::SeveralModels);
-        assert_eq!(entries(&text[..]).unwrap(), ["1", "2", "3"]);
+        assert_eq!(names(&text[..]), [None, None, None]);
         assert!(read(&b"# nothing\n\n"[..]).is_err());
         assert_eq!(read(&b"cMc\xffabbgqw"[..]).unwrap_err().line(), Some(1));
     }
@@ -227,7 +241,10 @@ mod tests {
     #[test]
     fn names_stand_behind_signatures() {
         let list = "cMcabbgqw L(3,1) : #1\ncMcabbjak 1\n\ncMcabbjxr\tL(7,2)\n".as_bytes();
-        assert_eq!(entries(list).unwrap(), ["L(3,1) : #1", "1", "L(7,2)"]);
+        assert_eq!(
+            names(list),
+            [Some("L(3,1) : #1".to_owned()), Some("1".to_owned()), Some("L(7,2)".to_owned())]
+        );
         // A name comes before a place.
         for (entry, signature) in [("L(3,1) : #1", "cMcabbgqw"), ("1", "cMcabbjak"), ("3", "cMcabbjxr")] {
             assert_eq!(read_entry(list, entry).unwrap(), read(signature.as_bytes()).unwrap(), "{entry}");

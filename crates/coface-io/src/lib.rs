@@ -25,6 +25,7 @@ mod decimal;
 mod detection;
 mod drawing;
 mod element_kind;
+mod entries;
 mod features;
 mod foreign;
 mod format;
@@ -75,6 +76,7 @@ pub use data::CellData;
 #[doc(hidden)]
 pub use drawing::Features;
 pub use drawing::{Shape, shapes};
+pub use entries::{FileEntries, entries_of_path};
 pub use format::Format;
 pub use group::{Group, GroupKind};
 pub use model::repeated_vertex;
@@ -82,12 +84,12 @@ pub use model::{Model, Structure};
 #[doc(hidden)]
 pub use model::{ModelParts, segments};
 pub use output::{abandon_files, replace_file};
-#[doc(hidden)]
-pub use readers::stream_mesh;
 pub use readers::{
-    ReadOptions, entries_of_path, format_of_path, read, read_boundary, read_boundary_path,
-    read_boundary_with, read_named, read_path, read_path_with, read_unknown, read_with, write, write_path,
+    ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
+    read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
+#[doc(hidden)]
+pub use readers::{entry_of, stream_mesh};
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use scratch_mesh::NO_VERTEX;

@@ -245,36 +245,6 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
-/// The entries of a file that holds several models: what [`read_path`] takes behind a `#`. Empty for a file that holds one. They are
-/// the names, or the places from 1, of isomorphism signatures, and of the objects of a list in JSON.
-///
-/// # Errors
-/// As [`read_path`].
-///
-/// # Examples
-/// ```
-/// use coface_io as io;
-/// # fn main() -> Result<(), coface_algebra::Error> {
-/// let path = std::env::temp_dir().join("coface-entries-of-path.sig");
-/// std::fs::write(&path, "cMcabbgqw L(3,1)\ncMcabbjak\n")?;
-/// assert_eq!(io::entries_of_path(&path, None)?, ["L(3,1)", "2"]);
-/// # std::fs::remove_file(&path)?;
-/// # Ok(()) }
-/// ```
-pub fn entries_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Vec<String>, Error> {
-    let path = path.as_ref();
-    let found = || {
-        let opened = opened(counted(path)?, Some(path), format)?;
-        let entries = match opened.format {
-            Format::Isosig => isosig::entries(opened.bytes())?,
-            Format::Json => json::entries(opened.bytes())?,
-            _ => Vec::new(),
-        };
-        Ok(if entries.len() > 1 { entries } else { Vec::new() })
-    };
-    found().map_err(|error: Error| error.in_file(path.display().to_string()))
-}
-
 /// The format of a file: what its name and its content tell, or the one that is given.
 ///
 /// # Errors
@@ -602,7 +572,8 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
 }
 
 /// The file and the entry that `file#entry` names, if there is such a file.
-fn entry_of(path: &Path) -> Option<(&Path, &str)> {
+#[doc(hidden)]
+pub fn entry_of(path: &Path) -> Option<(&Path, &str)> {
     let text = path.to_str()?;
     text.match_indices('#')
         .map(|(at, _)| (Path::new(&text[..at]), &text[at + 1..]))
@@ -610,7 +581,7 @@ fn entry_of(path: &Path) -> Option<(&Path, &str)> {
 }
 
 /// A file whose bytes are counted.
-fn counted(path: &Path) -> Result<CountedStream<File>, Error> {
+pub(crate) fn counted(path: &Path) -> Result<CountedStream<File>, Error> {
     let file = open(path)?;
     let total = file.metadata().map_or(0, |metadata| metadata.len());
     Ok(reading(&name_of(path), file, total))
@@ -663,28 +634,33 @@ pub fn stream_mesh(path: &Path, format: Option<Format>, streams: [ScratchStream;
 }
 
 /// A stream, unpacked if it is compressed, whose format is known.
-struct Opened<'r> {
+pub(crate) struct Opened<'r> {
     start: Vec<u8>,
     /// Whether the start is all of it.
     whole: bool,
     rest: Box<dyn Read + 'r>,
-    is_unpacked: bool,
-    format: Format,
+    pub(crate) is_unpacked: bool,
+    pub(crate) format: Format,
     remarks: Vec<Remark>,
     /// The path of the file, if it is one: some formats have files beside it.
     path: Option<PathBuf>,
 }
 
 impl<'r> Opened<'r> {
+    /// Whether text begins with the mark that some editors put there.
+    pub(crate) fn has_mark(&self) -> bool {
+        detection::without_mark(&self.start).len() < self.start.len()
+    }
+
     /// All bytes but the mark that some editors put before text.
-    fn bytes(self) -> impl Read + use<'r> {
+    pub(crate) fn bytes(self) -> impl Read + use<'r> {
         let start = detection::without_mark(&self.start).to_vec();
         std::io::Cursor::new(start).chain(self.rest.take(if self.whole { 0 } else { u64::MAX }))
     }
 }
 
 /// Looks at the start of a stream, which has a name or none, and finds its format unless it is stated.
-fn opened<'r>(
+pub(crate) fn opened<'r>(
     input: impl Read + 'r,
     name: Option<&Path>,
     stated: Option<Format>,

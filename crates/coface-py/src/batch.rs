@@ -131,7 +131,8 @@ pub(crate) fn _serve(py: Python<'_>, fetch: Py<PyAny>) -> PyResult<()> {
         }))
     };
     py.detach(|| {
-        coface::scale::workers::serve(|request| coface::scale::batch::examine_with(request, bytes_at))
+        let mut examiner = coface::scale::batch::Examiner::default();
+        coface::scale::workers::serve(|request| examiner.examine_with(request, bytes_at))
     })
     .or_raise(py)
 }

@@ -8,15 +8,17 @@ use crate::remarks::say_remarks;
 use crate::workers::{self, Task};
 use clap::Args;
 use coface::answers::answer::{BatchAnswer, Remark, RemarkCode};
+use coface::io::entry_of;
 use coface::scale::batch::{Batch as Files, Reading, TableFormat, find_files};
 use coface::scale::workers::{Limits, parse_bytes, parse_duration};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Report on many files, one row a file, into a table.
 ///
 /// PATHS are files; folders, for the files of known formats in them; patterns in quotes, like 'models/**/*.ply'; @LIST, a file with one
-/// path a line; or -, the same on standard input. A row has path, bytes, seconds, error, and everything that coface info --json says. In
+/// path a line; or -, the same on standard input. A file of several models, such as JSON lines or a census of isomorphism signatures, has
+/// a row for each, with the path FILE#NAME that chooses it in any verb. A row has path, bytes, seconds, error, and everything that coface info --json says. In
 /// JSON lines that is one object; in CSV cells are f_0, f_1, .., homology is betti_0, .., torsion_0, .., and lists are text.
 ///
 /// Files are read by worker processes: one that crashes, takes too long or needs too much memory costs its row alone, which says so.
@@ -87,7 +89,13 @@ impl Batch {
         let format = TableFormat::of_path(out)?;
         let progress = Progress::start(common.quiet);
         progress.stage("finding files");
-        let mut batch = Files::new(find_files(&self.paths, self.recursive, std::io::stdin().lock())?);
+        let mut files = find_files(&self.paths, self.recursive, std::io::stdin().lock())?;
+        // The rows of an earlier run, in a folder of the files.
+        if let Ok(earlier) = out.canonicalize() {
+            let is_earlier = |file: &Path| file.canonicalize().is_ok_and(|file| file == earlier);
+            files.retain(|file| !is_earlier(entry_of(file).map_or(file, |(file, _)| file)));
+        }
+        let mut batch = Files::new(files);
         batch.reading = Reading {
             format: common.format,
             flatten: common.flatten,

@@ -4,7 +4,7 @@ use crate::commands::homology::parts;
 use crate::failure::Failure;
 use crate::workers::Task;
 use clap::Args;
-use coface::scale::batch::examine;
+use coface::scale::batch::Examiner;
 use coface::scale::workers::serve;
 
 /// Answer requests, one a line on standard input; for pools of this program.
@@ -18,7 +18,10 @@ pub(crate) struct Worker {
 impl Worker {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         match self.task {
-            Task::Info => serve(examine)?,
+            Task::Info => {
+                let mut examiner = Examiner::default();
+                serve(|request| examiner.examine(request))?;
+            }
             Task::Shards => serve(parts::answer_request)?,
         }
         Ok(())

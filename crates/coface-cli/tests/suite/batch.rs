@@ -79,6 +79,47 @@ fn a_row_is_what_info_says() {
     assert!(!folder.path().join(".out.jsonl.journal").exists(), "the journal goes when the output is there");
 }
 
+/// Each model of a list, of lines and of a census has a row, which says what `info` says of the path in it.
+#[test]
+fn every_model_of_a_file_has_a_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let sphere = "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]";
+    for (name, text) in [
+        ("census.sig", "cMcabbgqw L(3,1) : #1\ncMcabbjak\n".to_owned()),
+        ("lines.jsonl", format!("{{\"name\": \"disk\", \"facets\": [[0,1,2]]}}\n{sphere}\n")),
+        ("nested.json", format!("[{sphere}, [[0,1,2,3],[1,2,3,4]]]")),
+    ] {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let out = folder.path().join("rows.jsonl");
+    // A second run does not take the rows of the first for models.
+    for _ in 0..2 {
+        coface(&["batch", argument(folder.path()), "-o", argument(&out), "--no-timings", "--json"]).json();
+    }
+    let found = rows(&out);
+    let names: Vec<&str> =
+        found.iter().map(|row| row["path"].as_str().unwrap().rsplit_once('/').unwrap().1).collect();
+    let expected = [
+        "census.sig#L(3,1) : #1",
+        "census.sig#2",
+        "lines.jsonl#disk",
+        "lines.jsonl#2",
+        "nested.json#1",
+        "nested.json#2",
+    ];
+    assert_eq!(names, expected);
+    for row in &found {
+        assert!(row["bytes"].is_u64() && row["error"].is_null(), "{row}");
+        let mut info = coface(&["info", "--json", row["path"].as_str().unwrap()]).json();
+        let members = info.as_object_mut().unwrap();
+        members.remove("remarks");
+        for (key, value) in members {
+            assert_eq!(&row[key.as_str()], value, "{key} of {}", row["path"]);
+        }
+    }
+    assert_eq!(found[3]["surface"]["type"], found[4]["surface"]["type"]);
+}
+
 #[test]
 fn the_number_of_jobs_does_not_matter() {
     let folder = folder();

@@ -62,7 +62,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 pub(crate) fn is_geojson(start: &[u8]) -> bool {
     let mut brackets = start.iter().filter(|byte| !byte.is_ascii_whitespace());
     if brackets.by_ref().take(3).eq(b"[[[") {
-        return true;
+        return !has_facets(start);
     }
     if start.trim_ascii_start().first() != Some(&b'{') {
         return false;
@@ -76,6 +76,55 @@ pub(crate) fn is_geojson(start: &[u8]) -> bool {
             .into_iter()
             .any(|name| value.strip_prefix(name.as_bytes()).is_some_and(|rest| rest.starts_with(b"\"")))
     })
+}
+
+/// Whether the innermost lists of nested lists are facets rather than points: distinct whole numbers from 0 in each, three or more in
+/// one of them, and no list within a list of them.
+fn has_facets(start: &[u8]) -> bool {
+    let (mut depth, mut has_long) = (0, false);
+    let mut numbers: Vec<&[u8]> = Vec::new();
+    let mut rest = start;
+    while let Some((&byte, behind)) = rest.split_first() {
+        rest = behind;
+        match byte {
+            b'[' if depth == 3 => return false,
+            b'[' => {
+                depth += 1;
+                numbers.clear();
+            }
+            b']' => {
+                numbers.sort_unstable();
+                if numbers.windows(2).any(|pair| pair[0] == pair[1]) {
+                    return false;
+                }
+                has_long |= depth == 3 && numbers.len() > 2;
+                numbers.clear();
+                let Some(less) = usize::checked_sub(depth, 1) else { return has_long };
+                depth = less;
+            }
+            b'0'..=b'9' => {
+                let length = behind.iter().take_while(|byte| byte.is_ascii_digit()).count();
+                let (number, after) = behind.split_at(length);
+                if after.is_empty() {
+                    // The start that is looked at ends within it.
+                    return has_long;
+                }
+                if number.len() > 9 || matches!(after.first(), Some(b'.' | b'e' | b'E')) {
+                    return false;
+                }
+                // With its first digit.
+                let at = start.len() - rest.len() - 1;
+                numbers.push(&start[at..at + 1 + length]);
+                rest = after;
+            }
+            b',' => {}
+            // Coordinates hold no objects.
+            b'{' => return true,
+            byte if byte.is_ascii_whitespace() => {}
+            _ => return false,
+        }
+    }
+    has_long
 }
 
 /// The fault that was raised, or the parser's own, with the line.

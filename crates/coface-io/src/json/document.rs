@@ -38,15 +38,44 @@ pub(super) enum Content {
 
 /// What the file is.
 pub(super) enum Document {
-    One(Content),
-    /// A list of objects: their names, and those contents whose name or place was wanted, or the first.
-    List {
-        names: Vec<Option<String>>,
-        chosen: Vec<Content>,
-    },
+    /// One object with its name, or a list of facets.
+    One(Option<String>, Content),
+    /// Several models.
+    List(Choice),
 }
 
-/// The whole file; in a list, the objects named `wanted` are kept, or the one at that place, from 1.
+/// The models of a list: their names, and of their contents those that are wanted.
+pub(super) struct Choice {
+    wanted: Option<String>,
+    pub(super) names: Vec<Option<String>>,
+    /// Those of the name that is wanted.
+    named: Vec<Content>,
+    /// The one at the place that is wanted, from 1, or the first if nothing is wanted.
+    placed: Option<Content>,
+}
+
+impl Choice {
+    pub(super) fn new(wanted: Option<&str>) -> Self {
+        Self { wanted: wanted.map(str::to_owned), names: Vec::new(), named: Vec::new(), placed: None }
+    }
+
+    pub(super) fn add(&mut self, name: Option<String>, content: Content) {
+        let place = self.wanted.as_ref().map_or(Some(1), |wanted| wanted.parse().ok());
+        if self.wanted.is_some() && name == self.wanted {
+            self.named.push(content);
+        } else if place == Some(self.names.len() + 1) {
+            self.placed = Some(content);
+        }
+        self.names.push(name);
+    }
+
+    /// What is wanted: a name comes before a place.
+    pub(super) fn into_chosen(self) -> Vec<Content> {
+        if self.named.is_empty() { self.placed.into_iter().collect() } else { self.named }
+    }
+}
+
+/// One value of the file; in a list, the objects named `wanted` are kept, or the one at that place, from 1.
 pub(super) struct Root<'a> {
     pub(super) wanted: Option<&'a str>,
     pub(super) faults: &'a Faults,
@@ -68,47 +97,33 @@ impl<'de> Visitor<'de> for Root<'_> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Document, A::Error> {
-        let (name, content) = visit_object(map, self.faults)?;
-        match self.wanted {
-            None => Ok(Document::One(content)),
-            Some(wanted) => {
-                let chosen = if name.as_deref() == Some(wanted) { vec![content] } else { Vec::new() };
-                Ok(Document::List { names: vec![name], chosen })
-            }
-        }
+        visit_object(map, self.faults).map(|(name, content)| Document::One(name, content))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Document, A::Error> {
         let (mut facets, mut vertices) = (RaggedArray::new(), Vec::new());
-        let (mut names, mut chosen, mut placed) = (Vec::new(), Vec::new(), None);
-        while let Some(object) = list.next_element_seed(Element {
+        let mut choice = Choice::new(self.wanted);
+        while let Some(model) = list.next_element_seed(Element {
             facet: Facet { facets: &mut facets, vertices: &mut vertices, faults: self.faults },
         })? {
-            let Some((name, content)) = object else { continue };
-            let place = self.wanted.map_or(Some(1), |wanted| wanted.parse().ok());
-            if self.wanted.is_some() && name.as_deref() == self.wanted {
-                chosen.push(content);
-            } else if place == Some(names.len() + 1) {
-                placed = Some(content);
+            let Some((name, content)) = model else { continue };
+            choice.add(name, content);
+        }
+        match (facets.is_empty(), choice.names.is_empty()) {
+            (_, true) => Ok(Document::One(None, Content::Facets(facets))),
+            (true, false) => Ok(Document::List(choice)),
+            (false, false) => {
+                Err(self
+                    .faults
+                    .raise(Error::parse("the list holds facets as well as models").with_cure(
+                        "keep to one: a list of facets, or a list of lists of facets and objects",
+                    )))
             }
-            names.push(name);
-        }
-        // A name comes before a place.
-        if chosen.is_empty() {
-            chosen.extend(placed);
-        }
-        match (facets.is_empty(), names.is_empty()) {
-            (_, true) => Ok(Document::One(Content::Facets(facets))),
-            (true, false) => Ok(Document::List { names, chosen }),
-            (false, false) => Err(self.faults.raise(
-                Error::parse("the list holds facets as well as objects")
-                    .with_cure("keep to one: a list of facets, or a list of objects with names"),
-            )),
         }
     }
 }
 
-/// An element of the outermost list: a facet, or an object.
+/// An element of the outermost list: a facet, or a model: an object, or a list of facets.
 struct Element<'a> {
     facet: Facet<'a>,
 }
@@ -129,7 +144,7 @@ impl<'de> Visitor<'de> for Element<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {
-        self.facet.visit_seq(list).map(|()| None)
+        Ok(self.facet.or_list(list)?.map(|facets| (None, Content::Facets(facets))))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {

@@ -77,9 +77,16 @@ impl<'de> Visitor<'de> for Facet<'_> {
         write!(f, "facet {}, a list of vertex numbers", self.facets.len())
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
-        let position = self.facets.len();
+    fn visit_seq<A: SeqAccess<'de>>(mut self, list: A) -> Result<(), A::Error> {
         self.vertices.clear();
+        self.finish(list)
+    }
+}
+
+impl Facet<'_> {
+    /// Reads the rest of a list whose first numbers are there, and appends the facet.
+    fn finish<'de, A: SeqAccess<'de>>(&mut self, mut list: A) -> Result<(), A::Error> {
+        let position = self.facets.len();
         let what = || format!("a vertex of facet {position}");
         while let Some(vertex) = list.next_element_seed(Number { what, faults: self.faults })? {
             self.vertices.push(vertex);
@@ -106,6 +113,68 @@ impl<'de> Visitor<'de> for Facet<'_> {
         }
         self.facets.push(self.vertices);
         Ok(())
+    }
+
+    /// Reads a list that is a facet, which is appended, or a list of facets, which is returned.
+    pub(super) fn or_list<'de, A: SeqAccess<'de>>(
+        mut self,
+        mut list: A,
+    ) -> Result<Option<RaggedArray>, A::Error> {
+        self.vertices.clear();
+        let position = self.facets.len();
+        let number = Number { what: || format!("a vertex of facet {position}"), faults: self.faults };
+        let mut inner = RaggedArray::new();
+        let facet = Facet { facets: &mut inner, vertices: self.vertices, faults: self.faults };
+        match list.next_element_seed(NumberOrFacet { number, facet })? {
+            Some(Some(vertex)) => {
+                self.vertices.push(vertex);
+                self.finish(list).map(|()| None)
+            }
+            Some(None) => {
+                let (vertices, faults) = (self.vertices, self.faults);
+                while list.next_element_seed(Facet { facets: &mut inner, vertices, faults })?.is_some() {}
+                Ok(Some(inner))
+            }
+            None => self.finish(list).map(|()| None),
+        }
+    }
+}
+
+/// The first element of a list: a vertex of a facet, or the first facet of a list of them, which is appended.
+struct NumberOrFacet<'a, W> {
+    number: Number<'a, W>,
+    facet: Facet<'a>,
+}
+
+impl<'de, W: Fn() -> String> DeserializeSeed<'de> for NumberOrFacet<'_, W> {
+    type Value = Option<u32>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de, W: Fn() -> String> Visitor<'de> for NumberOrFacet<'_, W> {
+    type Value = Option<u32>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.number.expecting(f)
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<Self::Value, E> {
+        self.number.visit_u64(value).map(Some)
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<Self::Value, E> {
+        self.number.visit_i64(value).map(Some)
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<Self::Value, E> {
+        self.number.visit_f64(value).map(Some)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {
+        self.facet.visit_seq(list).map(|()| None)
     }
 }
 

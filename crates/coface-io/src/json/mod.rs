@@ -15,7 +15,8 @@
 //!   entry for each facet, the one opposite to vertex 0 first; vertex k goes to vertex images\[k\] of the neighbor;
 //! * `{"order": 2, "curves": [{"points": [[x, y], ..], ..}, ..]}` or `{"plane": true}`: the boundary of a set in the plane, as
 //!   [`yin`](super::yin) says; in a model its curves are closed lines;
-//! * a list of such objects, each with a `"name"`, of which [`read_entry`] chooses one.
+//! * several of these: a list of such objects and lists of facets, or one after the other, such as one a line (JSON lines). [`read`]
+//!   takes the first, and [`read_entry`] the one of a `"name"` or at a place.
 //!
 //! Points under `"vertices"` can stand beside `"boundaries"` too. A matrix of few entries has at most 2^24 rows and columns, any
 //! other at most 16 times as many as entries: an index that a file merely names takes no memory.
@@ -29,6 +30,7 @@ mod facets;
 mod faults;
 mod gluings;
 mod matrices;
+mod outline;
 mod points;
 mod reading;
 #[cfg(test)]
@@ -36,6 +38,7 @@ mod tests;
 mod writing;
 
 pub(crate) use faults::Faults;
-pub(crate) use reading::{entries, read_boundary, read_with};
+pub(crate) use outline::outline;
 pub use reading::{read, read_entry};
+pub(crate) use reading::{read_boundary, read_with};
 pub use writing::write;

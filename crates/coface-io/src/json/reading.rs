@@ -1,7 +1,7 @@
 //! From a stream to a model.
 
 use super::coboundaries::boundaries;
-use super::document::{Content, Document, Root};
+use super::document::{Choice, Content, Document, Root};
 use super::faults::Faults;
 use super::points::PointList;
 use crate::yin::{BoundaryDrawing, model_of_drawing};
@@ -22,7 +22,7 @@ const LISTED_NAMES: usize = 60;
 /// # Errors
 /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no JSON or none of the forms; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming the facet,
 /// halfedge or entry that is wrong; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for numbers beyond 32 bits; the errors of
-/// [`ChainComplex::new`]. All but the last name the line. Of a list of objects the first is read, with a remark.
+/// [`ChainComplex::new`]. All but the last name the line. Of several models the first is read, with a remark.
 ///
 /// # Complexity
 /// Linear; memory is the model.
@@ -50,13 +50,14 @@ pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Mode
     Ok(model)
 }
 
-/// The only object of a file, or the first of several, with a remark.
+/// The only model of a file, or the first of several, with a remark.
 fn first(document: Document) -> Result<(Content, Option<Remark>), Error> {
     match document {
-        Document::List { names, mut chosen } if !chosen.is_empty() => {
-            let content = chosen.swap_remove(0);
+        Document::List(choice) => {
+            let names = choice.names.clone();
+            let content = choice.into_chosen().swap_remove(0);
             let message = format!(
-                "the file is a list of {} objects, and the first is taken; choose one by its place or name after a #: {}",
+                "the file holds {} models, and the first is taken; choose one by its place or name after a #: {}",
                 names.len(),
                 listed(&names)
             );
@@ -65,17 +66,6 @@ fn first(document: Document) -> Result<(Content, Option<Remark>), Error> {
         }
         document => one(document).map(|content| (content, None)),
     }
-}
-
-/// The names of the objects of a list, or their places; none if the file is no list of objects.
-pub(crate) fn entries(input: impl Read) -> Result<Vec<String>, Error> {
-    Ok(match parse(input, None)? {
-        Document::One(_) => Vec::new(),
-        Document::List { names, .. } => {
-            let entry = |(i, name): (usize, Option<String>)| name.unwrap_or_else(|| (i + 1).to_string());
-            names.into_iter().enumerate().map(entry).collect()
-        }
-    })
 }
 
 /// The curves of a file, or of the object of this name in a list.
@@ -102,13 +92,13 @@ pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<Boun
         .with_cure("give curves or polygons: {\"order\": 2, \"curves\": [{\"points\": [[x, y], ..]}, ..]}"))
 }
 
-/// The only object of a file.
+/// The only model of a file.
 fn one(document: Document) -> Result<Content, Error> {
     match document {
-        Document::One(content) => Ok(content),
-        Document::List { names, .. } => {
-            Err(Error::invalid(format!("the file is a list of {} objects", names.len()))
-                .with_cure(format!("choose one by its name after a #: {}", listed(&names))))
+        Document::One(_, content) => Ok(content),
+        Document::List(Choice { names, .. }) => {
+            Err(Error::invalid(format!("the file holds {} models", names.len()))
+                .with_cure(format!("choose one by its place or name after a #: {}", listed(&names))))
         }
     }
 }
@@ -135,31 +125,63 @@ pub fn read_entry(input: impl Read, name: &str) -> Result<Model, Error> {
     to_model(chosen(parse(input, Some(name))?, name)?, None)
 }
 
-/// The object of a name in a list.
-fn chosen(document: Document, name: &str) -> Result<Content, Error> {
-    let (names, mut chosen) = match document {
-        Document::List { names, chosen } => (names, chosen),
-        Document::One(_) => {
-            return Err(Error::invalid(format!("there is no entry {name}: the file is a list of facets"))
+/// The model of a name, or at a place, in a list; of a file of one model, that one.
+fn chosen(document: Document, wanted: &str) -> Result<Content, Error> {
+    let choice = match document {
+        Document::List(choice) => choice,
+        Document::One(None, Content::Facets(_)) if wanted != "1" => {
+            return Err(Error::invalid(format!("there is no entry {wanted}: the file is a list of facets"))
                 .with_cure("leave the entry out"));
         }
+        Document::One(name, content) => {
+            let mut choice = Choice::new(Some(wanted));
+            choice.add(name, content);
+            choice
+        }
     };
+    let names = choice.names.clone();
+    let mut chosen = choice.into_chosen();
     match (chosen.pop(), chosen.len()) {
         (Some(content), 0) => Ok(content),
-        (Some(_), more) => Err(Error::invalid(format!("{} entries have the name {name}", more + 1))
-            .with_cure("give them names of their own")),
-        (None, _) => Err(Error::invalid(format!("there is no entry {name}"))
+        (Some(_), more) => Err(Error::invalid(format!("{} entries have the name {wanted}", more + 1))
+            .with_cure("choose one by its place, or give them names of their own")),
+        (None, _) => Err(Error::invalid(format!("there is no entry {wanted}"))
             .with_cure(format!("choose one of: {}", listed(&names)))),
     }
 }
 
+/// The value of a file, or the list of its values where it has several, such as one a line.
 fn parse(input: impl Read, wanted: Option<&str>) -> Result<Document, Error> {
     let mut deserializer = serde_json::Deserializer::from_reader(BufReader::with_capacity(1 << 16, input));
     let faults = Faults::default();
-    Root { wanted, faults: &faults }
-        .deserialize(&mut deserializer)
-        .and_then(|document| deserializer.end().map(|()| document))
-        .map_err(|error| located(error, faults.take()))
+    let first = Root { wanted, faults: &faults }.deserialize(&mut deserializer);
+    let first = first.map_err(|error| located(error, faults.take()))?;
+    // What stands behind a value is another, or no JSON.
+    if deserializer.end().is_ok() {
+        return Ok(first);
+    }
+    let mut choice = Choice::new(wanted);
+    add_value(&mut choice, first)?;
+    while deserializer.end().is_err() {
+        let value = Root { wanted: None, faults: &faults }.deserialize(&mut deserializer);
+        add_value(&mut choice, value.map_err(|error| located(error, faults.take()))?)?;
+    }
+    Ok(Document::List(choice))
+}
+
+/// Adds one of several values of a file.
+fn add_value(choice: &mut Choice, value: Document) -> Result<(), Error> {
+    match value {
+        Document::One(name, content) => {
+            choice.add(name, content);
+            Ok(())
+        }
+        Document::List(_) => {
+            let place = choice.names.len() + 1;
+            Err(Error::parse(format!("value {place} of the file is itself a list of models"))
+                .with_cure("write one list, or one model a line"))
+        }
+    }
 }
 
 /// The fault that was raised, or the parser's own, with the place.
@@ -265,7 +287,7 @@ fn check_permutation(name: &str, images: &[u32], count: usize) -> Result<(), Err
 fn listed(names: &[Option<String>]) -> String {
     let shown: Vec<String> = names.iter().flatten().take(LISTED_NAMES).map(|name| shortened(name)).collect();
     match (shown.len(), names.len()) {
-        (0, _) => "none has a name, so give them names".to_owned(),
+        (0, _) => format!("they have no names, so a number from 1 to {}", names.len()),
         (shown_count, count) if shown_count < count => {
             format!("{} and {} more", shown.join(", "), count - shown_count)
         }

@@ -366,6 +366,36 @@ fn one_of_several_models_is_chosen() {
     assert_eq!(io::entries_of_path(&census, None).unwrap(), ["L(3,1) : #1", "2"]);
     let chosen = io::read_path(format!("{census}#L(3,1) : #1"), None).unwrap();
     assert_eq!((&chosen, chosen.format()), (&io::read_path(&census, None).unwrap(), Some(Format::Isosig)));
+    for (name, text) in [
+        ("b.json", "[[[0, 1, 2]], [[5, 6], [6, 7, 8]]]"),
+        ("b.jsonl", "[[0, 1, 2]]\n\n[[5, 6], [6, 7, 8]]"),
+        ("c.json", "[[[0, 1, 2]], {\"facets\": [[5, 6], [6, 7, 8]]}]"),
+    ] {
+        let file = path(name, text);
+        let model = io::read_path(&file, None).unwrap();
+        assert_eq!(
+            (model.remarks()[0].code, model.remarks()[0].count),
+            (RemarkCode::SeveralModels, 2),
+            "{name}"
+        );
+        let second = io::read_path(format!("{file}#2"), None).unwrap();
+        let entries = io::FileEntries::of_path(&file, None).unwrap();
+        assert_eq!(entries.read("2", &ReadOptions::new()).unwrap(), second, "{name}");
+        assert_eq!(second, io::read(&b"[[5, 6], [6, 7, 8]]"[..], Format::Json).unwrap());
+    }
+    // Pairs of numbers, and numbers that are no corners of a simplex, are points.
+    for points in ["[[[0, 0], [1, 0], [0, 1], [0, 0]]]", "[[[0, 1, 1], [5, 1, 2], [1, 2, 3], [0, 1, 1]]]"] {
+        assert_eq!(io::read_path(path("d.json", points), None).unwrap().format(), Some(Format::GeoJson));
+    }
+    for (text, fault) in [
+        ("[[0, 1]]\n[[0, 1]", "the file was cut short"),
+        ("[[0, 1]]\n[[2, 2]]", ":2: facet 0 repeats vertex 2"),
+        ("[[0, 1]]\n[{\"facets\": [[0, 1]]}]", "value 2 of the file is itself a list"),
+        ("[[[0, 1, 2]], [0, 1]]", "holds facets as well as models"),
+    ] {
+        let error = io::read_path(path("e.jsonl", text), None).unwrap_err().to_string();
+        assert!(error.contains(fault), "{error}");
+    }
     let parts = path("a.obj", "o low\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no high\nv 0 0 9\nf 4 3 2\n");
     assert!(io::entries_of_path(&parts, None).unwrap().is_empty());
     let model = io::read_path(format!("{parts}#high"), None).unwrap();

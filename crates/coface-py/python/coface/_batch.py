@@ -137,6 +137,8 @@ def batch(
     if out is None:
         return [json.loads(line) for line in _coface._batch_lines(files, options, progress)]
     target = Path(out)
+    # Not the rows of an earlier run, in a folder of the files.
+    files = [file for file in files if Path(file.split("#")[0]).resolve() != target.resolve()]
     if target.suffix.lower() != ".parquet":
         return _summary(_coface._batch_write(files, target, options, progress))
     _pyarrow()

@@ -1,10 +1,12 @@
 //! The report on one file as request and answer.
 
+use super::journal::Stamp;
 use coface_algebra::Error;
 use coface_answers::Report;
 use coface_complexes::cubical::CubicalVolume;
 use coface_io as io;
-use coface_io::{Format, Model, ReadOptions, VolumeReading, VoxelRule};
+use coface_io::{FileEntries, Format, Model, ReadOptions, VolumeReading, VoxelRule};
+
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -209,37 +211,80 @@ impl PathText {
     }
 }
 
-/// Answers the [request](ReportRequest) for a report: an object with everything that `coface info --json` says, or one whose only key is
-/// `error` with `kind`, `message` and `cure`, as a line of JSON.
+/// Answers requests for reports, one after the other. Of a file of several models it keeps where each stands, so that all of them are
+/// read in linear time.
 ///
 /// # Examples
 /// ```
-/// let answer = coface_scale::batch::examine("{\"path\":\"/no/such/file.off\"}");
+/// let mut examiner = coface_scale::batch::Examiner::default();
+/// let answer = examiner.examine("{\"path\":\"/no/such/file.off\"}");
 /// assert!(answer.starts_with("{\"error\":{") && answer.contains("\"kind\":\"io\""));
 /// ```
-pub fn examine(request: &str) -> String {
-    examine_with(request, |_| None)
+#[derive(Debug, Default)]
+pub struct Examiner {
+    /// The file of several models that was asked for last, and its state.
+    last: Option<(PathBuf, Stamp, FileEntries)>,
 }
 
-/// Answers as [`examine`] does; `fetch` gives the bytes of what is no file here, such as those at a URL.
-///
-/// # Examples
-/// ```
-/// use coface_scale::batch::{ReportRequest, examine_with};
-/// let request = ReportRequest::new("memory://segment.lines").to_line();
-/// let answer = examine_with(&request, |_| Some(Ok(b"0,0,1,1".to_vec())));
-/// assert!(answer.contains("\"f_vector\":[2,1]"), "{answer}");
-/// ```
-pub fn examine_with(request: &str, fetch: impl FnOnce(&Path) -> Option<Result<Vec<u8>, Error>>) -> String {
-    let report = ReportRequest::from_line(request).and_then(|request| {
-        let (name, options) = (request.path.display().to_string(), request.reading.options());
-        let model = match fetch(&request.path) {
-            Some(bytes) => io::read_named(&bytes?[..], &name, &options)?,
-            None => io::read_path_with(&request.path, &options)?,
+impl Examiner {
+    /// Answers a [request](ReportRequest) for a report: an object with everything that `coface info --json` says, or one whose only key is
+    /// `error` with `kind`, `message` and `cure`, as a line of JSON.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::{Examiner, ReportRequest};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = std::env::temp_dir().join("coface-examiner.jsonl");
+    /// std::fs::write(&path, "[[0, 1, 2]]\n[[0, 1]]\n")?;
+    /// let request = ReportRequest::new(format!("{}#2", path.display())).to_line();
+    /// assert!(Examiner::default().examine(&request).contains("\"f_vector\":[2,1]"));
+    /// # std::fs::remove_file(&path)?;
+    /// # Ok(()) }
+    /// ```
+    pub fn examine(&mut self, request: &str) -> String {
+        self.examine_with(request, |_| None)
+    }
+
+    /// Answers as [`Examiner::examine`] does; `fetch` gives the bytes of what is no file here, such as those at a URL.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::batch::{Examiner, ReportRequest};
+    /// let request = ReportRequest::new("memory://segment.lines").to_line();
+    /// let answer = Examiner::default().examine_with(&request, |_| Some(Ok(b"0,0,1,1".to_vec())));
+    /// assert!(answer.contains("\"f_vector\":[2,1]"), "{answer}");
+    /// ```
+    pub fn examine_with(
+        &mut self,
+        request: &str,
+        fetch: impl FnOnce(&Path) -> Option<Result<Vec<u8>, Error>>,
+    ) -> String {
+        let report = ReportRequest::from_line(request).and_then(|request| {
+            let (name, options) = (request.path.display().to_string(), request.reading.options());
+            let model = match fetch(&request.path) {
+                Some(bytes) => io::read_named(&bytes?[..], &name, &options)?,
+                None => self.read(&request.path, &options, request.reading.format)?,
+            };
+            report_on(model, &name, request.reading)
+        });
+        report.unwrap_or_else(|error| json!({"error": error_to_json(&error)})).to_string()
+    }
+
+    /// Reads a file, or one of the models of a file.
+    fn read(&mut self, path: &Path, options: &ReadOptions, format: Option<Format>) -> Result<Model, Error> {
+        let Some((file, entry)) = io::entry_of(path).filter(|_| !path.exists()) else {
+            return io::read_path_with(path, options);
         };
-        report_on(model, &name, request.reading)
-    });
-    report.unwrap_or_else(|error| json!({"error": error_to_json(&error)})).to_string()
+        let stamp = Stamp::of(file);
+        let is_known = self.last.as_ref().is_some_and(|(last, state, _)| last == file && *state == stamp);
+        if !is_known {
+            self.last = Some((file.to_path_buf(), stamp, FileEntries::of_path(file, format)?));
+        }
+        match &self.last {
+            Some((.., entries)) => entries.read(entry, options),
+            None => io::read_path_with(path, options),
+        }
+    }
 }
 
 /// What is said about a model that was read from the thing of this name.

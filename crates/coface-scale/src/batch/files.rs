@@ -1,7 +1,7 @@
 //! Finding the files that a batch is about.
 
 use coface_algebra::{Error, ErrorKind};
-use coface_io::Format;
+use coface_io::{Format, entries_of_path};
 use std::collections::HashSet;
 use std::fs;
 use std::io::Read;
@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 /// A word is a file; a folder, which stands for the files in it that have the extension of a format, in the order of their names, with
 /// `is_recursive` those of the folders in it too; a pattern with `*`, `?` or `[`, in which `**` is any number of folders; `@list.txt`, a
 /// file with one path a line; or `-`, the same on standard input. A path that exists is never a pattern or a list. A file need not exist: its row says so.
-/// Links to folders are not followed inside of folders.
+/// Links to folders are not followed inside of folders. A file of several models, which are signatures or JSON, stands for each of
+/// them: `census.sig#L(3,1)`.
 ///
 /// # Errors
 /// [`ErrorKind::Io`] when a folder or list cannot be read; [`ErrorKind::InvalidInput`] when a pattern is none or nothing is named.
@@ -51,6 +52,7 @@ pub fn find_files(
             add(word, is_recursive, &mut files)?;
         }
     }
+    let mut files: Vec<PathBuf> = files.into_iter().flat_map(entries_of).collect();
     let mut seen = HashSet::new();
     files.retain(|file| seen.insert(file.clone()));
     if files.is_empty() {
@@ -58,6 +60,22 @@ pub fn find_files(
             .with_cure("name files, folders with files of known formats, or patterns"));
     }
     Ok(files)
+}
+
+/// The models of a file that holds several, as `file#name`; otherwise the file, whatever is wrong with it.
+fn entries_of(file: PathBuf) -> Vec<PathBuf> {
+    let may_be =
+        matches!(Format::from_input_path(&file), Some(Format::Json | Format::Isosig)) && file.is_file();
+    let entries = may_be.then(|| entries_of_path(&file, None)).and_then(Result::ok).unwrap_or_default();
+    if entries.is_empty() {
+        return vec![file];
+    }
+    let entry = |name: String| {
+        let mut path = file.clone().into_os_string();
+        path.push(format!("#{name}"));
+        path.into()
+    };
+    entries.into_iter().map(entry).collect()
 }
 
 /// The file of a list `@file`.
@@ -174,6 +192,37 @@ mod tests {
         assert_eq!(find_files(&[list], false, std::io::empty()).unwrap(), [at("b.off"), at("missing.off")]);
         let given = find_files(&["-".into()], false, &b"x.off\ny.off\n"[..]).unwrap();
         assert_eq!(given, [PathBuf::from("x.off"), "y.off".into()]);
+    }
+
+    #[test]
+    fn files_of_several_models_stand_for_each() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in [
+            ("census.sig", "cMcabbgqw L(3,1) : #1\ncMcabbjak\n"),
+            ("lines.jsonl", "[[0, 1, 2]]\n[[0, 1]]\n"),
+            ("list.json", r#"[{"name": "a", "facets": [[0]]}, {"name": "a", "facets": [[1]]}]"#),
+            ("nested.json", "[[[0, 1, 2]], [[0, 1, 2, 3], [1, 2, 3, 4]]]"),
+            ("one.json", "[[0, 1, 2]]"),
+            ("torn.json", "[[[0, 1"),
+        ] {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+        let found = find_files(&[folder.path().into()], false, std::io::empty()).unwrap();
+        let names: Vec<_> =
+            found.iter().map(|path| path.strip_prefix(folder.path()).unwrap().to_str().unwrap()).collect();
+        let expected = [
+            "census.sig#L(3,1) : #1",
+            "census.sig#2",
+            "lines.jsonl#1",
+            "lines.jsonl#2",
+            "list.json#a",
+            "list.json#2",
+            "nested.json#1",
+            "nested.json#2",
+            "one.json",
+            "torn.json",
+        ];
+        assert_eq!(names, expected);
     }
 
     #[test]

@@ -22,7 +22,7 @@ impl Stamp {
     /// Of a file, or of the file in whose list `file#entry` is.
     pub(crate) fn of(path: &Path) -> Self {
         let whole = fs::metadata(path).ok();
-        let found = whole.or_else(|| fs::metadata(path.to_str()?.rsplit_once('#')?.0).ok());
+        let found = whole.or_else(|| fs::metadata(coface_io::entry_of(path)?.0).ok());
         Self(found.map(|found| {
             let changed = found.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
             (found.len(), changed.map_or_else(String::new, |time| time.as_nanos().to_string()))

@@ -11,7 +11,7 @@ mod journal;
 mod row;
 mod table;
 
-pub use examination::{Reading, ReportRequest, examine, examine_with};
+pub use examination::{Examiner, Reading, ReportRequest};
 pub use files::find_files;
 pub use flat::flat_line;
 pub use row::Row;
