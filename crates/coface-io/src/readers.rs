@@ -175,7 +175,7 @@ impl ReadOptions {
         match remarks.iter().find(|remark| self.strict && remark.code.is_assumption()) {
             Some(remark) => {
                 Err(Error::invalid(format!("{}; strict reading assumes nothing", remark.message))
-                    .with_cure("read it without strict, or correct the file"))
+                    .with_cure("leave out --strict, or correct the file"))
             }
             None => Ok(()),
         }

@@ -27,6 +27,8 @@ pub(crate) struct Options {
     memory: Option<u64>,
     format: Option<String>,
     flatten: Option<f64>,
+    strict: bool,
+    partial: bool,
     voxels: Voxels,
     all_places: bool,
     timings: bool,
@@ -53,7 +55,8 @@ impl Options {
         let format = format_of(py, self.format.as_deref())?;
         let mut batch = Batch::new(files);
         let volume = reading_of(py, &self.voxels)?;
-        batch.reading = Reading { format, flatten: self.flatten, volume, all_places: self.all_places };
+        let Self { flatten, strict, partial, all_places, .. } = *self;
+        batch.reading = Reading { format, flatten, volume, strict, partial, all_places };
         (batch.timings, batch.restart) = (self.timings, self.restart);
         Ok(batch)
     }

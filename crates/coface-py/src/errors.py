@@ -105,3 +105,17 @@ class NonManifoldError(Error, ValueError):
 
 class CoefficientError(Error, ValueError):
     """A coefficient that must be invertible is not, or two coefficients come from different rings."""
+
+
+class AssumptionWarning(UserWarning):
+    """What a reader assumed about a file that says too little or contradicts itself; with ``strict=True`` it is an error.
+
+    Examples
+    --------
+    >>> import coface, warnings
+    >>> with warnings.catch_warnings(record=True) as found:
+    ...     warnings.simplefilter("always")
+    ...     _ = coface.Model.from_bytes("OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n4 0 1 2 2\\n")
+    >>> found[0].category.__name__
+    'AssumptionWarning'
+    """

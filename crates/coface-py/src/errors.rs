@@ -11,7 +11,7 @@ use std::ffi::CString;
 const SOURCE: &str = include_str!("errors.py");
 
 /// The names of the classes, the base first.
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 15] = [
     "Error",
     "FileError",
     "ParseError",
@@ -26,6 +26,7 @@ const NAMES: [&str; 14] = [
     "TooLargeError",
     "NonManifoldError",
     "CoefficientError",
+    "AssumptionWarning",
 ];
 
 static CLASSES: PyOnceLock<Py<PyDict>> = PyOnceLock::new();
@@ -45,6 +46,13 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     // Made once, when the module is loaded first.
     drop(CLASSES.set(py, classes.unbind()));
     Ok(())
+}
+
+/// Warns of what a reader assumed.
+pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
+    let Some(classes) = CLASSES.get(py) else { return Ok(()) };
+    let Some(class) = classes.bind(py).get_item("AssumptionWarning")? else { return Ok(()) };
+    PyErr::warn(py, &class, &CString::new(message.replace('\0', " "))?, 1)
 }
 
 fn class_name(kind: ErrorKind) -> &'static str {
@@ -75,15 +83,31 @@ pub(crate) fn raised(py: Python<'_>, error: &Error) -> PyErr {
         let Some(class) = class else { return Ok(PyRuntimeError::new_err(error.to_string())) };
         let fields = PyDict::new(py);
         fields.set_item("fault", error.message())?;
-        fields.set_item("cure", error.cure())?;
+        fields.set_item("cure", error.cure().map(in_python))?;
         fields.set_item("cells", error.cells())?;
         fields.set_item("file", error.file())?;
         fields.set_item("line", error.line())?;
         fields.set_item("byte", error.byte())?;
-        let value = class.cast::<PyType>()?.call((error.to_string(),), Some(&fields))?;
+        let value = class.cast::<PyType>()?.call((in_python(&error.to_string()),), Some(&fields))?;
         Ok(PyErr::from_value(value))
     };
     make().unwrap_or_else(|fault| fault)
+}
+
+/// A message with the options that it names as the arguments of functions: `--all-places` is `all_places`.
+fn in_python(message: &str) -> String {
+    let mut text = String::with_capacity(message.len());
+    for (place, part) in message.split(' ').enumerate() {
+        if place > 0 {
+            text.push(' ');
+        }
+        let is_word = |name: &str| name.starts_with(|c: char| c.is_ascii_lowercase());
+        match part.split_once("--").filter(|(before, name)| before.len() < 2 && is_word(name)) {
+            Some((before, name)) => text.extend([before, &name.replace('-', "_")]),
+            None => text.push_str(part),
+        }
+    }
+    text
 }
 
 /// Turns faults of the library into exceptions.

@@ -93,6 +93,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(pictures::render, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::matrix_svg, module)?)?;
     module.add_function(wrap_pyfunction!(model::read, module)?)?;
+    module.add_function(wrap_pyfunction!(model::entries, module)?)?;
     module.add_function(wrap_pyfunction!(model::_model, module)?)?;
     module.add_function(wrap_pyfunction!(chain_complex::_chains, module)?)?;
     module.add_function(wrap_pyfunction!(generate::generate, module)?)?;

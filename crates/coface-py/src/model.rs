@@ -6,7 +6,7 @@ mod reading;
 mod repairs;
 
 pub(crate) use pickling::_model;
-pub(crate) use reading::{format_of, read, read_options};
+pub(crate) use reading::{entries, format_of, read, read_options};
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
@@ -281,6 +281,8 @@ impl Model {
     ///     The format, if it is not to be found out.
     /// flatten : float, optional
     ///     How far the polylines of curved SVG paths may be from the curves.
+    /// strict, partial : bool
+    ///     As those of :func:`read`.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -295,20 +297,17 @@ impl Model {
     /// >>> coface.Model.from_bytes("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     /// Model(3 vertices, 1 face)
     #[staticmethod]
-    #[pyo3(signature = (data, format=None, *, flatten=None, progress=None))]
+    #[pyo3(signature = (data, format=None, *, flatten=None, strict=false, partial=false, progress=None))]
     fn from_bytes(
         py: Python<'_>,
         data: &Bound<'_, PyAny>,
         format: Option<&str>,
         flatten: Option<f64>,
+        strict: bool,
+        partial: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let options = read_options(py, format, flatten)?;
-        let bytes = match data.cast::<PyString>() {
-            Ok(text) => text.to_str()?.as_bytes().to_vec(),
-            Err(_) => data.extract::<Vec<u8>>()?,
-        };
-        run(py, progress, || io::read_with(&bytes[..], &options)).map(Self::of)
+        reading::from_bytes(py, data, read_options(py, format, flatten, (strict, partial))?, progress)
     }
 
     /// The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none.

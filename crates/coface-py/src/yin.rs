@@ -246,7 +246,7 @@ answer! { YinSet {
         let mut request = request(py, order, rule, kinks, ends, canonical, fit)?;
         request.flatten = flatten;
         // Curves stay curves unless polylines are asked for.
-        let options = read_options(py, format, flatten.filter(|_| request.order == Some(Order::LINEAR)))?;
+        let options = read_options(py, format, flatten.filter(|_| request.order == Some(Order::LINEAR)), (false, false))?;
         run(py, progress, || {
             let name = path.display().to_string();
             let drawing = io::read_boundary_path(&path, &options)?;

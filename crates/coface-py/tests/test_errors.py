@@ -17,7 +17,7 @@ def test_classes_are_faults_of_python_too() -> None:
     assert issubclass(coface.TooLargeError, OverflowError)
     for name in dir(coface):
         found = getattr(coface, name)
-        if isinstance(found, type) and issubclass(found, Exception):
+        if isinstance(found, type) and issubclass(found, Exception) and not issubclass(found, Warning):
             assert issubclass(found, coface.Error), name
             assert name in coface.__all__
 
@@ -124,3 +124,36 @@ def test_boundaries_that_are_none_are_refused() -> None:
         coface.ChainComplex.from_boundaries([csc_array(np.array([[0.5]]))])
     with pytest.raises(coface.Error):
         coface.ChainComplex.from_boundaries([edges, csc_array(np.zeros((3, 1), int))])
+
+
+REPEATED = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 2\n"
+
+
+def test_assumptions_are_warnings_or_with_strict_faults() -> None:
+    with pytest.warns(coface.AssumptionWarning, match="repeat"):
+        model = coface.Model.from_bytes(REPEATED)
+    assert len(model.warnings) == 1 and model.f_vector == (3, 3, 1)
+    with pytest.raises(coface.InvalidInputError) as caught:
+        coface.Model.from_bytes(REPEATED, strict=True)
+    assert caught.value.cure is not None and "leave out strict, " in caught.value.cure and "--" not in str(caught.value)
+
+
+def test_a_cut_file_is_read_up_to_its_fault(tmp_path) -> None:
+    path = tmp_path / "cut.off"
+    path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    with pytest.raises(coface.ParseError, match="partial"):
+        coface.read(path)
+    with pytest.warns(coface.AssumptionWarning):
+        assert coface.read(path, partial=True).f_vector == (3, 3, 1)
+
+
+def test_one_of_several_models_is_chosen(tmp_path) -> None:
+    path = tmp_path / "models.jsonl"
+    path.write_text('{"name": "disk", "facets": [[0, 1, 2]]}\n[[0, 1]]\n')
+    assert coface.entries(path) == ["disk", "2"]
+    with pytest.warns(coface.AssumptionWarning, match="2 models"):
+        assert coface.read(path).f_vector == (3, 3, 1)
+    assert coface.read(f"{path}#2").f_vector == (2, 1)
+    rows = coface.batch(path)
+    assert [row["path"] for row in rows] == [f"{path}#disk", f"{path}#2"]
+    assert [row["error"] for row in coface.batch(path, strict=True)] == [None, None]

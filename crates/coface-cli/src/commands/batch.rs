@@ -44,7 +44,7 @@ pub(crate) struct Batch {
     /// Do not take rows that an earlier run finished
     #[arg(long)]
     restart: bool,
-    /// Exit with status 1 if any row is an error
+    /// Make everything that a reader assumes an error of its row, and exit with status 1 if any row is an error
     #[arg(long)]
     strict: bool,
     /// Leave out the seconds, so that equal files give equal bytes
@@ -100,6 +100,8 @@ impl Batch {
             format: common.format,
             flatten: common.flatten,
             volume: common.voxels.reading(),
+            strict: self.strict,
+            partial: common.partial,
             all_places: self.all,
         };
         (batch.timings, batch.restart) = (!self.no_timings, self.restart);

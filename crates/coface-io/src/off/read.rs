@@ -331,7 +331,7 @@ fn read_text<R: Read>(blocks: Blocks<R>, header: Header, options: &ReadOptions) 
                 "the header promises {promised} {what}, but the file ends after {found}: {} lines are missing",
                 header.vertices + header.faces - whole.records
             ))
-            .with_cure("correct the counts, or read what is there with partial reading"),
+            .with_cure("correct the counts, or read what is there with --partial"),
         );
     }
     match fault {

@@ -179,9 +179,8 @@ impl<R: Read> Reader<R> {
         }
         match error.cure() {
             Some(cure) => with_record.with_cure(cure),
-            None => with_record.with_cure(
-                "correct the count or complete the file, or read what is there with partial reading",
-            ),
+            None => with_record
+                .with_cure("correct the count or complete the file, or read what is there with --partial"),
         }
     }
 

@@ -19,6 +19,7 @@ Homology(Z, Z^2, Z)
 """
 
 from coface._coface import (
+    AssumptionWarning,
     BoundaryOfBoundaryError,
     Chain,
     ChainComplex,
@@ -65,6 +66,7 @@ from coface._coface import (
     classes,
     cup_products,
     decompose,
+    entries,
     extruded,
     families,
     generate,
@@ -123,6 +125,7 @@ from coface._plot import plot
 from coface._plot import plot_method as _plot_method
 
 __all__ = [
+    "AssumptionWarning",
     "BatchSummary",
     "BoundaryOfBoundaryError",
     "Chain",
@@ -183,6 +186,7 @@ __all__ = [
     "cup_products",
     "cut",
     "decompose",
+    "entries",
     "extruded",
     "families",
     "from_gudhi",

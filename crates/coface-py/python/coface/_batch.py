@@ -43,6 +43,8 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    strict: bool = ...,
+    partial: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -60,6 +62,8 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    strict: bool = ...,
+    partial: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -76,13 +80,15 @@ def batch(
     memory: int | None = MEMORY,
     format: str | None = None,
     flatten: float | None = None,
+    strict: bool = False,
+    partial: bool = False,
     voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
     restart: bool = False,
     progress: _Progress = False,
 ) -> list[dict[str, Any]] | BatchSummary:
-    """Report on many files: one row a file, errors as rows.
+    """Report on many files: one row a file, errors as rows; of a file of several models a row for each.
 
     Files are read by worker processes, so one that crashes, never ends or needs too much memory costs its row alone. A row is a
     dictionary: ``path``, ``bytes`` (``None`` of a URL), ``seconds``, ``error`` (``None``, or ``kind``, ``message`` and ``cure``), and everything that
@@ -102,7 +108,7 @@ def batch(
         How many files are read at once; one a core by default.
     timeout, memory
         The seconds and bytes that one file may take; ``None`` is any.
-    format, flatten
+    format, flatten, strict, partial
         As those of :func:`read`.
     voxels
         Which voxels of volumes are set, by the words of :func:`volume`: ``{"threshold": 0.5, "periodic": [0]}``.
@@ -130,7 +136,8 @@ def batch(
     [('disk', None), (None, 'parse')]
     """
     options = worker_options(
-        jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten, voxels=voxels,
+        jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten, strict=strict,
+        partial=partial, voxels=voxels,
         all_places=all_places, timings=timings, restart=restart,
     )  # fmt: skip
     files = find_files(paths, recursive)

@@ -44,6 +44,8 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    strict: bool = ...,
+    partial: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -60,6 +62,8 @@ def batch(
     memory: int | None = ...,
     format: str | None = ...,
     flatten: float | None = ...,
+    strict: bool = ...,
+    partial: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -75,6 +79,8 @@ def batch(
     memory: int | None = MEMORY,
     format: str | None = None,
     flatten: float | None = None,
+    strict: bool = False,
+    partial: bool = False,
     voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
@@ -88,7 +94,7 @@ def batch(
 
     Parameters
     ----------
-    paths, recursive, timeout, memory, format, flatten, voxels, all_places, timings
+    paths, recursive, timeout, memory, format, flatten, strict, partial, voxels, all_places, timings
         As those of :func:`coface.batch`; folders and patterns are looked up here.
     out
         A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end.
@@ -107,7 +113,8 @@ def batch(
     start()
     files = find_files(paths, recursive)
     options = {
-        "timeout": timeout, "memory": memory, "format": format, "flatten": flatten, "voxels": voxels,
+        "timeout": timeout, "memory": memory, "format": format, "flatten": flatten,
+        "strict": strict, "partial": partial, "voxels": voxels,
         "all_places": all_places, "timings": timings,
     }  # fmt: skip
     # A data set keeps the context it was made in.

@@ -1,23 +1,80 @@
 //! Models from files.
 
 use super::Model;
-use crate::errors::OrRaise;
+use crate::errors::{self, OrRaise};
 use crate::work::run;
 use coface::io;
 use coface::io::{Format, ReadOptions};
 use pyo3::prelude::*;
+use pyo3::types::PyString;
 use std::path::PathBuf;
 
 pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option<Format>> {
     format.map(|name| Format::from_name(name).or_raise(py)).transpose()
 }
 
+/// How a file is read: its format, the distance of chords from curves, whether assumptions are errors and whether a damaged file is read
+/// up to its fault.
 pub(crate) fn read_options(
     py: Python<'_>,
     format: Option<&str>,
     flatten: Option<f64>,
+    (strict, partial): (bool, bool),
 ) -> PyResult<ReadOptions> {
-    Ok(ReadOptions::new().format(format_of(py, format)?).flatten(flatten))
+    let options = ReadOptions::new().format(format_of(py, format)?).flatten(flatten);
+    Ok(options.strict(strict).partial(partial))
+}
+
+/// The model, after a warning for everything that its reader assumed.
+fn warned(py: Python<'_>, model: io::Model) -> PyResult<Model> {
+    for remark in model.remarks().iter().filter(|remark| remark.code.is_assumption()) {
+        errors::warn(py, &remark.message)?;
+    }
+    Ok(Model::of(model))
+}
+
+/// Reads a model from bytes, or from the characters of a text.
+pub(super) fn from_bytes(
+    py: Python<'_>,
+    data: &Bound<'_, PyAny>,
+    options: ReadOptions,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Model> {
+    let bytes = match data.cast::<PyString>() {
+        Ok(text) => text.to_str()?.as_bytes().to_vec(),
+        Err(_) => data.extract::<Vec<u8>>()?,
+    };
+    warned(py, run(py, progress, || io::read_with(&bytes[..], &options))?)
+}
+
+/// The models of a file that holds several.
+///
+/// Parameters
+/// ----------
+/// path : str or os.PathLike
+///     The file: a list of models in JSON, JSON lines, or isomorphism signatures.
+/// format : str, optional
+///     The format, such as ``"json"``, if it is not to be found out.
+///
+/// Returns
+/// -------
+/// list of str
+///     Their names, or their places from 1: what :func:`read` takes behind a ``#``. Empty for a file of one model.
+///
+/// Examples
+/// --------
+/// >>> import coface, pathlib, tempfile
+/// >>> path = pathlib.Path(tempfile.mkdtemp()) / "two.jsonl"
+/// >>> _ = path.write_text('{"name": "disk", "facets": [[0, 1, 2]]}\n[[0, 1]]\n')
+/// >>> coface.entries(path)
+/// ['disk', '2']
+/// >>> coface.read(f"{path}#2").f_vector
+/// (2, 1)
+#[pyfunction]
+#[pyo3(signature = (path, format=None))]
+pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> PyResult<Vec<String>> {
+    let format = format_of(py, format)?;
+    run(py, None, || io::entries_of_path(&path, format))
 }
 
 /// Reads a model from a file; its content and its name decide the format.
@@ -25,11 +82,15 @@ pub(crate) fn read_options(
 /// Parameters
 /// ----------
 /// path : str or os.PathLike
-///     The file. One entry of a JSON file of many is ``file.json:name``.
+///     The file. One model of several is ``file.json#name``: see :func:`entries`.
 /// format : str, optional
 ///     The format, such as ``"off"``, if it is not to be found out.
 /// flatten : float, optional
 ///     How far the polylines of curved SVG paths may be from the curves.
+/// strict : bool
+///     Whether everything that the reader would assume, with an :class:`AssumptionWarning`, is an error instead.
+/// partial : bool
+///     Whether a damaged file is read up to its first fault.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -53,14 +114,16 @@ pub(crate) fn read_options(
 /// >>> coface.read(path)
 /// Model(3 vertices, 1 face)
 #[pyfunction]
-#[pyo3(signature = (path, format=None, *, flatten=None, progress=None))]
+#[pyo3(signature = (path, format=None, *, flatten=None, strict=false, partial=false, progress=None))]
 pub(crate) fn read(
     py: Python<'_>,
     path: PathBuf,
     format: Option<&str>,
     flatten: Option<f64>,
+    strict: bool,
+    partial: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
-    let options = read_options(py, format, flatten)?;
-    run(py, progress, || io::read_path_with(&path, &options)).map(Model::of)
+    let options = read_options(py, format, flatten, (strict, partial))?;
+    warned(py, run(py, progress, || io::read_path_with(&path, &options))?)
 }

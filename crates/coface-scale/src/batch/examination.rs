@@ -39,6 +39,10 @@ pub struct Reading {
     pub flatten: Option<f64>,
     /// Which voxels of volumes are set.
     pub volume: VolumeReading,
+    /// Whether what a reader assumes is an error.
+    pub strict: bool,
+    /// Whether a damaged file is read up to its first fault.
+    pub partial: bool,
     /// Whether every place of every problem is reported, not the first hundred.
     pub all_places: bool,
 }
@@ -48,7 +52,8 @@ const PLACES: usize = 100;
 
 impl Reading {
     fn options(self) -> ReadOptions {
-        ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume)
+        let options = ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume);
+        options.strict(self.strict).partial(self.partial)
     }
 }
 
@@ -115,6 +120,10 @@ pub(crate) struct ReadingText {
     #[serde(default)]
     volume: VolumeText,
     #[serde(default)]
+    strict: bool,
+    #[serde(default)]
+    partial: bool,
+    #[serde(default)]
     all_places: bool,
 }
 
@@ -124,6 +133,8 @@ impl ReadingText {
             format: reading.format.map(|format| format.name().to_owned()),
             flatten: reading.flatten,
             volume: VolumeText::of(reading.volume),
+            strict: reading.strict,
+            partial: reading.partial,
             all_places: reading.all_places,
         }
     }
@@ -133,6 +144,8 @@ impl ReadingText {
             format: self.format.as_deref().map(Format::from_name).transpose()?,
             flatten: self.flatten,
             volume: self.volume.into_reading(),
+            strict: self.strict,
+            partial: self.partial,
             all_places: self.all_places,
         })
     }
@@ -335,8 +348,14 @@ mod tests {
         ];
         for rule in rules {
             volume.rule = rule;
-            request.reading =
-                Reading { format: Some(Format::Svg), flatten: Some(0.125), volume, all_places: true };
+            request.reading = Reading {
+                format: Some(Format::Svg),
+                flatten: Some(0.125),
+                volume,
+                strict: true,
+                partial: true,
+                all_places: true,
+            };
             let line = request.to_line();
             assert!(!line.contains('\n'));
             assert_eq!(ReportRequest::from_line(&line).unwrap(), request);
