@@ -5,6 +5,7 @@
 //! for a line that is no ring. Where a feature without a name has several polygons a third array, `feature`, numbers the features without
 //! names that have lines or rings, one after the other, and is -1 for what has a name.
 
+use super::feature_table::{FeatureTable, FeatureTexts, NO_FEATURE};
 use super::lists::number_by_firsts;
 use super::numbers::Numbers;
 use super::{CellData, Model};
@@ -50,6 +51,14 @@ struct Line {
     ring: i64,
     feature: i64,
     name: Option<usize>,
+    described: u32,
+}
+
+/// A point that has been read.
+struct Point {
+    place: [f64; 3],
+    name: Option<usize>,
+    described: u32,
 }
 
 /// A drawing while it is read: lines corner by corner.
@@ -58,11 +67,14 @@ pub(super) struct Drawing {
     /// The corners of all lines, and of the line that is being made.
     corners: Vec<[f64; 3]>,
     lines: Vec<Line>,
-    points: Vec<([f64; 3], Option<usize>)>,
+    points: Vec<Point>,
     names: Vec<String>,
     number_of_name: BTreeMap<String, usize>,
     /// The name of what comes next.
     name: Option<usize>,
+    /// What the file says of the features, and whether what comes next is of the last of them.
+    descriptions: FeatureTexts,
+    is_described: bool,
     /// The features without names that have lines, and whether the next such line is of another one.
     feature_count: i64,
     begins_feature: bool,
@@ -86,12 +98,26 @@ impl Drawing {
     /// What comes next is another feature, with this name or none.
     pub(super) fn begin_feature(&mut self, name: Option<String>) {
         self.begins_feature = true;
+        self.is_described = false;
         self.name = name.filter(|name| !name.is_empty()).map(|name| {
             *self.number_of_name.entry(name).or_insert_with_key(|name| {
                 self.names.push(name.clone());
                 self.names.len() - 1
             })
         });
+    }
+
+    /// What comes next is another feature, with this name or none, of which the file says this; both texts may be empty.
+    pub(super) fn begin_described(&mut self, name: Option<&str>, properties: &str, id: &str) {
+        self.begin_feature(name.map(str::to_owned));
+        self.descriptions.push(properties, id);
+        self.is_described = true;
+    }
+
+    /// The feature of what is drawn now, by its place among the descriptions.
+    fn described(&self) -> u32 {
+        // `finish` refuses more features than there are numbers.
+        if self.is_described { self.descriptions.len().wrapping_sub(1) as u32 } else { NO_FEATURE }
     }
 
     /// Numbers behind the third coordinate were passed over.
@@ -109,7 +135,11 @@ impl Drawing {
     /// A point of its own.
     pub(super) fn point(&mut self, place: Place) {
         self.note(place);
-        self.points.push((place.coordinates(), self.name));
+        self.push_point(place.coordinates());
+    }
+
+    fn push_point(&mut self, place: [f64; 3]) {
+        self.points.push(Point { place, name: self.name, described: self.described() });
     }
 
     /// The next corner of the line that is being made. One that equals the last is left out.
@@ -183,7 +213,7 @@ impl Drawing {
             1 => {
                 let corner = self.corners[start];
                 self.corners.truncate(start);
-                self.points.push((corner, self.name));
+                self.push_point(corner);
                 self.single_points += 1;
                 if self.single_points <= LISTED {
                     self.remarks.push(Remark::new(
@@ -199,7 +229,8 @@ impl Drawing {
                     self.has_many_polygons |= self.feature_of_polygon == Some(feature);
                     self.feature_of_polygon = Some(feature);
                 }
-                self.lines.push(Line { end: self.corners.len(), polygon, ring, feature, name: self.name });
+                let (end, described) = (self.corners.len(), self.described());
+                self.lines.push(Line { end, polygon, ring, feature, name: self.name, described });
                 true
             }
         }
@@ -250,10 +281,16 @@ impl Drawing {
             );
         }
         let line_corners = self.corners.len();
-        self.corners.extend(self.points.iter().map(|&(corner, _)| corner));
+        self.corners.extend(self.points.iter().map(|point| point.place));
+        let too_many = |what: &str| {
+            Error::new(ErrorKind::TooLarge, format!("the drawing has more than 2^32 - 2 {what}"))
+                .with_cure("divide it")
+        };
         if self.corners.len() >= u32::MAX as usize {
-            return Err(Error::new(ErrorKind::TooLarge, "the drawing has more than 2^32 - 2 corners")
-                .with_cure("divide it"));
+            return Err(too_many("corners"));
+        }
+        if self.descriptions.len() >= NO_FEATURE as usize {
+            return Err(too_many("features"));
         }
         let mut owners = vec![0u32; self.corners.len()];
         let mut ends = vec![0u32];
@@ -280,10 +317,15 @@ impl Drawing {
                 data.push(column(FEATURE, |line| line.feature));
             }
         }
-        let named_points = self.points.iter().zip(&points).map(|(&(_, name), &vertex)| (name, vertex));
+        let named_points = self.points.iter().zip(&points).map(|(point, &vertex)| (point.name, vertex));
         let mut groups = groups_of(&self.names, GroupKind::Vertices, named_points);
         let named_lines = self.lines.iter().zip(0..).map(|(line, i)| (line.name, i));
         groups.extend(groups_of(&self.names, GroupKind::Lines, named_lines));
+        let features = FeatureTable::new(
+            self.descriptions,
+            self.lines.iter().map(|line| line.described).collect(),
+            self.points.iter().map(|point| point.described).collect(),
+        );
         let model = Model {
             vertex_count: firsts.len(),
             positions: Positions::from_flat(dimension, coordinates)?,
@@ -291,6 +333,7 @@ impl Drawing {
             points: points.into_iter().map(VertexId::from_u32).collect(),
             groups,
             data,
+            features,
             remarks: self.remarks,
             ..Model::default()
         };
@@ -435,6 +478,20 @@ impl Features {
     pub(crate) fn are_one(&self, a: &Shape, b: &Shape) -> bool {
         self.of(a).is_some() && self.of(a) == self.of(b)
     }
+}
+
+/// The feature of each of the [`shapes()`] of a model, if the file says something of it.
+#[doc(hidden)]
+pub fn features_of_shapes(model: &Model, shapes: &[(Shape, Option<usize>)]) -> Vec<Option<usize>> {
+    let (features, mut points) = (model.features(), 0..);
+    let feature = |(shape, _): &(Shape, Option<usize>)| match shape {
+        Shape::Line(line) => features.of_line(*line),
+        Shape::Rings(lines) => features.of_line(lines.start),
+        Shape::Face(_) => None,
+        // The listed points come before the others, in their order.
+        Shape::Point(_) => points.next().and_then(|point| features.of_point(point)),
+    };
+    shapes.iter().map(feature).collect()
 }
 
 /// The first group of a kind that each thing is in.

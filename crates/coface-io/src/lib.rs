@@ -26,6 +26,7 @@ mod detection;
 mod drawing;
 mod element_kind;
 mod entries;
+mod feature_table;
 mod features;
 mod foreign;
 mod format;
@@ -74,9 +75,10 @@ pub mod yin;
 
 pub use data::CellData;
 #[doc(hidden)]
-pub use drawing::Features;
+pub use drawing::{Features, features_of_shapes};
 pub use drawing::{Shape, shapes};
 pub use entries::{FileEntries, entries_of_path};
+pub use feature_table::FeatureTable;
 pub use format::Format;
 pub use group::{Group, GroupKind};
 pub use model::repeated_vertex;

@@ -1,7 +1,7 @@
 //! What a file held.
 
 use super::numbers::Numbers;
-use super::{CellData, Format, Group, GroupKind};
+use super::{CellData, FeatureTable, Format, Group, GroupKind};
 use crate::Remark;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
@@ -31,10 +31,11 @@ pub struct Model {
     pub(crate) groups: Vec<Group>,
     pub(crate) data: Vec<CellData>,
     pub(crate) structure: Option<Structure>,
+    pub(crate) features: FeatureTable,
     pub(crate) remarks: Vec<Remark>,
 }
 
-/// Everything that a [`Model`] is made of, for the crates that build one piece by piece.
+/// Everything that a [`Model`] is made of but the features of a map, for the crates that build one piece by piece.
 #[doc(hidden)]
 #[derive(Clone, Debug, Default)]
 pub struct ModelParts {
@@ -82,6 +83,7 @@ impl ModelParts {
             data,
             structure,
             remarks,
+            features: FeatureTable::default(),
         }
     }
 }
@@ -208,7 +210,7 @@ impl Model {
         Ok(model)
     }
 
-    /// The model with these polylines instead of its own; data on those and groups of them go.
+    /// The model with these polylines instead of its own; data on those, groups of them and features go.
     ///
     /// # Errors
     /// Those of [`Self::check`].
@@ -228,6 +230,7 @@ impl Model {
         self.lines = lines;
         self.data.retain(|data| data.kind() != GroupKind::Lines);
         self.groups.retain(|group| group.kind() != GroupKind::Lines);
+        self.features = FeatureTable::default();
         self.check()?;
         Ok(self)
     }
@@ -339,7 +342,8 @@ impl Model {
 
     /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
     /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), that there are as
-    /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice.
+    /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice; and that features, where
+    /// there are any, are those of all lines and points.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first culprit.
@@ -396,6 +400,9 @@ impl Model {
         for (i, data) in self.data.iter().enumerate() {
             self.check_data(data, &self.data[..i])?;
         }
+        if !self.features.fits(self.lines.len(), self.points.len()) {
+            return Err(Error::invalid("the features of the model are not those of its lines and points"));
+        }
         Ok(())
     }
 
@@ -446,7 +453,7 @@ impl Model {
         )))
     }
 
-    /// The parts of the model, to be changed and put together again.
+    /// The parts of the model, to be changed and put together again. Features are left out: their lines may change.
     #[doc(hidden)]
     pub fn into_parts(self) -> ModelParts {
         let Self {
@@ -461,6 +468,7 @@ impl Model {
             groups,
             data,
             structure,
+            features: _,
             remarks,
         } = self;
         ModelParts {
@@ -670,6 +678,20 @@ impl Model {
         self.structure.as_ref()
     }
 
+    /// The features of a map with their properties; none for other models.
+    ///
+    /// # Examples
+    /// ```
+    /// let text = r#"{"type": "Feature", "properties": {"depth": 12.50}, "geometry": {"type": "Point", "coordinates": [1, 2]}}"#;
+    /// let model = coface_io::geojson::read(text.as_bytes())?;
+    /// let well = model.features().of_point(0).expect("the point is of a feature");
+    /// assert_eq!(model.features().properties(well), r#"{"depth":12.50}"#);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn features(&self) -> &FeatureTable {
+        &self.features
+    }
+
     /// What the reader found odd but could read: one sentence each.
     ///
     /// # Examples
@@ -697,6 +719,7 @@ impl PartialEq for Model {
             && self.groups == other.groups
             && self.data == other.data
             && self.structure == other.structure
+            && self.features == other.features
     }
 }
 

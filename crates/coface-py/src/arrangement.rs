@@ -368,6 +368,40 @@ answer! { PlanarArrangement {
         Ok(walks.map(|walk| arrays::id_array(py, walk.iter().map(source))).collect())
     }
 
+    /// The properties of all features of GeoJSON or TopoJSON that contain a bounded face.
+    ///
+    /// Parameters
+    /// ----------
+    /// face : int
+    ///     The number of the face.
+    ///
+    /// Returns
+    /// -------
+    /// dict of str
+    ///     A key with equal values has that value, a key with different values the list of them in the order of the inputs.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, json, pathlib, tempfile
+    /// >>> def square(corner, side, **properties):
+    /// ...     ring = [[corner + x * side, corner + y * side] for x, y in [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]]
+    /// ...     geometry = {"type": "Polygon", "coordinates": [ring]}
+    /// ...     return {"type": "Feature", "properties": properties, "geometry": geometry}
+    /// >>> features = [square(0, 9, kind="parish", code=4), square(1, 2, kind="field", crop="rye")]
+    /// >>> with tempfile.TemporaryDirectory() as folder:
+    /// ...     path = pathlib.Path(folder, "map.geojson")
+    /// ...     _ = path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    /// ...     map = coface.read(path)
+    /// >>> coface._coface.arrange([map]).properties(1)
+    /// {'kind': ['parish', 'field'], 'code': 4, 'crop': 'rye'}
+    fn properties<'py>(&self, py: Python<'py>, face: usize) -> PyResult<Bound<'py, PyAny>> {
+        let count = self.arranged.arrangement().face_count();
+        if face >= count {
+            return Err(invalid(py, format!("there is no face {face}"), &format!("there are {count}")));
+        }
+        loaded(py, &self.arranged.properties_of_face(FaceId::new(face)).or_raise(py)?)
+    }
+
     /// Where everything comes from: ``vertices``, ``edges`` (segments along each) and ``faces`` (inputs around each).
     fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.arranged.provenance())
@@ -408,6 +442,11 @@ answer! { PlanarArrangement {
     fn __repr__(&self) -> String {
         format!("PlanarArrangement(f-vector {})", self.value["f_vector"])
     }
+}
+
+/// The text of JSON as Python reads it: keys in their order, whole numbers with all their digits.
+fn loaded<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?.call_method1("loads", (text,))
 }
 
 /// The format of a path or a name.
@@ -473,6 +512,25 @@ answer! { PlanarBoolean {
             rings.map(|ring| arrays::id_array(py, ring.iter().copied())).collect()
         };
         (0..count).map(rings).collect()
+    }
+
+    /// The properties of all features of GeoJSON or TopoJSON that contain some of a polygon.
+    ///
+    /// Parameters
+    /// ----------
+    /// polygon : int
+    ///     The number of the polygon.
+    ///
+    /// Returns
+    /// -------
+    /// dict of str
+    ///     A key with equal values has that value, a key with different values the list of them in the order of the inputs.
+    fn properties<'py>(&self, py: Python<'py>, polygon: usize) -> PyResult<Bound<'py, PyAny>> {
+        let [_, _, count] = self.result.f_vector();
+        if polygon >= count {
+            return Err(invalid(py, format!("there is no polygon {polygon}"), &format!("there are {count}")));
+        }
+        loaded(py, &self.result.properties_of_polygon(polygon).or_raise(py)?)
     }
 
     /// Vertices where parts of the result touch.

@@ -72,6 +72,8 @@ pub struct RegionBoolean {
     pinches: Vec<VertexId>,
     /// For each polygon the regions that contain some of its faces, rising.
     regions_of_polygon: RaggedArray,
+    /// For each polygon the features with properties that contain some of its faces, rising.
+    pub(super) features_of_polygon: RaggedArray,
     is_valid: bool,
     is_exact: bool,
     /// The vertices, edges and faces that the rings cut the plane into.
@@ -163,6 +165,7 @@ impl RegionBoolean {
         let areas = found.areas();
         let areas = canonical.polygons.iter().map(|&polygon| areas[polygon as usize]).collect();
         let regions_of_polygon = canonical.regions(&containment.regions);
+        let features_of_polygon = canonical.regions(&containment.features);
         let flat = found.positions().as_flat().as_chunks::<2>().0;
         let flat = canonical.order.iter().flat_map(|&vertex| flat[vertex as usize]).collect();
         let positions = Positions::from_flat(2, flat)?;
@@ -185,6 +188,7 @@ impl RegionBoolean {
             component_count,
             pinches,
             regions_of_polygon,
+            features_of_polygon,
             is_valid,
             is_exact,
             cell_counts,

@@ -84,7 +84,7 @@ impl<'a> Canonical<'a> {
         (edges, sources)
     }
 
-    /// For each polygon the regions that contain some of its faces, rising, from those of each face.
+    /// For each polygon the regions, or features, that contain some of its faces, rising, from those of each face.
     pub(super) fn regions(&self, of_face: &RaggedArray) -> RaggedArray {
         let mut pairs: Vec<[u32; 2]> = Vec::new();
         for (face, regions) in of_face.iter().enumerate() {

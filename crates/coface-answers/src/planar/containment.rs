@@ -1,6 +1,6 @@
-//! The regions that contain each face.
+//! The regions and the features that contain each face.
 
-use super::drawing::{Filling, PlanarDrawing};
+use super::drawing::{Filling, NO_FEATURE, PlanarDrawing};
 use crate::answer::{Remark, RemarkCode};
 use coface_algebra::RaggedArray;
 use coface_arrange::boolean::InsideRule;
@@ -10,6 +10,8 @@ use coface_arrange::boolean::InsideRule;
 pub(super) struct Containment {
     /// For each bounded face the regions that contain it, rising.
     pub(super) regions: RaggedArray,
+    /// For each bounded face the features with properties that contain it, rising; empty if there are none.
+    pub(super) features: RaggedArray,
     /// For each ring the least and the greatest winding number around a face.
     pub(super) windings: Vec<[i32; 2]>,
     /// The holes that are not inside of the outer rings of their polygons, rising.
@@ -60,16 +62,15 @@ pub(super) struct ContainmentSearch<'a> {
     /// For each polygon: around how many holes and how often around the rest, or the sum of all winding numbers.
     holes: Vec<u32>,
     sums: Vec<i32>,
-    polygons_of_region: Vec<u32>,
-    /// The regions that the tour is in, rising.
-    inside: Vec<u32>,
+    regions: Around,
+    features: Around,
     /// The holes that the tour is in, rising.
     holes_around: Vec<u32>,
     /// The rings that were crossed on the way to the next face.
     crossed: Vec<u32>,
-    /// Lists in the order of the tour, to be put in that of the faces.
+    /// The place of each face in the order of the tour, and the number of those that have been entered.
     order: Vec<u32>,
-    lists: RaggedArray,
+    entered: u32,
     windings: Vec<[i32; 2]>,
     is_stray: Vec<bool>,
 }
@@ -84,12 +85,12 @@ impl<'a> ContainmentSearch<'a> {
             winding: vec![0; ring_count],
             holes: vec![0; drawing.polygons.len()],
             sums: vec![0; drawing.polygons.len()],
-            polygons_of_region: vec![0; drawing.regions.len()],
-            inside: Vec::new(),
+            regions: Around::new(drawing.regions.len()),
+            features: Around::new(drawing.feature_count()),
             holes_around: Vec::new(),
             crossed: Vec::new(),
             order: vec![0; face_count],
-            lists: RaggedArray::new(),
+            entered: 0,
             windings: vec![[0; 2]; ring_count],
             is_stray: vec![false; ring_count],
         }
@@ -148,13 +149,11 @@ impl<'a> ContainmentSearch<'a> {
         } else {
             self.sums[polygon as usize] += by;
         }
-        let region = drawing.polygons[polygon as usize].region;
         let is_in = self.has_polygon(polygon);
-        let count = &mut self.polygons_of_region[region as usize];
-        let had_polygons = *count > 0;
-        *count = *count + u32::from(is_in) - u32::from(was_in);
-        if had_polygons != (*count > 0) {
-            toggle(&mut self.inside, region);
+        let polygon = drawing.polygons[polygon as usize];
+        self.regions.step(polygon.region, was_in, is_in);
+        if polygon.feature != NO_FEATURE {
+            self.features.step(polygon.feature, was_in, is_in);
         }
     }
 
@@ -173,15 +172,58 @@ impl<'a> ContainmentSearch<'a> {
             }
         }
         self.crossed.clear();
-        self.order[face as usize] = self.lists.len() as u32;
-        self.lists.push(&self.inside);
+        self.order[face as usize] = self.entered;
+        self.entered += 1;
+        self.regions.note();
+        if self.drawing.feature_count() > 0 {
+            self.features.note();
+        }
     }
 
     /// What was found, after the tour.
     pub(super) fn finish(self) -> Containment {
-        let regions = RaggedArray::from_lists(self.order.iter().map(|&at| self.lists.list(at as usize)));
+        let [regions, features] = [&self.regions, &self.features].map(|around| around.by_face(&self.order));
         let stray_holes = (0..).zip(&self.is_stray).filter(|(_, is_stray)| **is_stray).map(|(ring, _)| ring);
-        Containment { regions, windings: self.windings, stray_holes: stray_holes.collect() }
+        Containment { regions, features, windings: self.windings, stray_holes: stray_holes.collect() }
+    }
+}
+
+/// Unions of polygons, by their numbers, that contain the face that a tour is in.
+struct Around {
+    /// How many polygons of each contain it.
+    counts: Vec<u32>,
+    /// Those that contain it, rising.
+    inside: Vec<u32>,
+    /// The lists of the faces in the order of the tour.
+    lists: RaggedArray,
+}
+
+impl Around {
+    fn new(count: usize) -> Self {
+        Self { counts: vec![0; count], inside: Vec::new(), lists: RaggedArray::new() }
+    }
+
+    /// The tour leaves or enters a polygon of this union, or neither.
+    fn step(&mut self, union: u32, was_in: bool, is_in: bool) {
+        let count = &mut self.counts[union as usize];
+        let was_inside = *count > 0;
+        *count = *count + u32::from(is_in) - u32::from(was_in);
+        if was_inside != (*count > 0) {
+            toggle(&mut self.inside, union);
+        }
+    }
+
+    /// The tour is in the next face.
+    fn note(&mut self) {
+        self.lists.push(&self.inside);
+    }
+
+    /// The lists in the order of the faces, whose places in the tour these are; none if none were noted.
+    fn by_face(&self, places: &[u32]) -> RaggedArray {
+        if self.lists.is_empty() {
+            return RaggedArray::new();
+        }
+        RaggedArray::from_lists(places.iter().map(|&place| self.lists.list(place as usize)))
     }
 }
 

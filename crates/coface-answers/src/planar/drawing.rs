@@ -1,15 +1,18 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
+use super::properties::DrawnFeatures;
 use crate::answer::{DrawingInput, Remark, VertexOrigin, remarks_of_file};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::VertexSource;
 use coface_geometry::Positions;
-use coface_io::{Features, GroupKind, Model, Shape, Structure, shapes};
+use coface_io::{Features, GroupKind, Model, Shape, Structure, features_of_shapes, shapes};
 use std::collections::BTreeMap;
 
 /// A segment that is in no ring.
 pub(super) const NO_RING: u32 = u32::MAX;
+/// The feature of what is of none with properties.
+pub(super) const NO_FEATURE: u32 = u32::MAX;
 
 /// What makes one region of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -48,6 +51,7 @@ pub struct PlanarDrawing {
     pub(super) rings: Vec<Ring>,
     pub(super) polygons: Vec<Polygon>,
     pub(super) regions: Vec<Region>,
+    pub(super) features: DrawnFeatures,
     /// Those of the models.
     pub(super) remarks: Vec<Remark>,
 }
@@ -63,6 +67,8 @@ pub(super) struct Ring {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Polygon {
     pub(super) region: u32,
+    /// Its feature among those of all models.
+    pub(super) feature: u32,
     pub(super) filling: Filling,
     /// Its place among the polygons of its model.
     pub(super) number: u32,
@@ -162,9 +168,12 @@ impl PlanarDrawing {
         if source == RegionSource::Models {
             self.regions.push(Region { name: name.to_owned(), model: number, open_at: None, is_empty: true });
         }
+        let first_feature = self.features.add_table(model.features(), self.segments.len())?;
         let mut polygon_number = 0;
         let fill_rules = model.data_named("fill_rule", GroupKind::Lines);
-        for (shape, group) in shapes(model) {
+        let shapes = shapes(model);
+        for (feature, (shape, group)) in features_of_shapes(model, &shapes).into_iter().zip(shapes) {
+            let described = self.features.described(first_feature, feature);
             let filling = match &shape {
                 Shape::Rings(lines) => match fill_rules.and_then(|rules| rules.integer_row(lines.start)) {
                     Some(rule) if rule[0] == 0 => Filling::Stated(InsideRule::Nonzero),
@@ -177,7 +186,7 @@ impl PlanarDrawing {
                 let name = group.map(|group| model.groups()[group].name());
                 let region = regions.region_of(self, name, features.of(&shape));
                 self.regions[region as usize].is_empty = false;
-                self.polygons.push(Polygon { region, filling, number: polygon_number });
+                self.polygons.push(Polygon { region, feature: described, filling, number: polygon_number });
                 polygon_number += 1;
             }
             match shape {
@@ -193,8 +202,9 @@ impl PlanarDrawing {
                     let polygon = model.polygons().list(i);
                     self.path(first, polygon.iter().chain(polygon.first()).copied(), ring)?;
                 }
-                Shape::Point(_) => {}
+                Shape::Point(vertex) => self.features.add_point(described, first + vertex),
             }
+            self.features.extend_to(self.segments.len(), described);
         }
         if let Some(Structure::Chains(complex)) = model.structure()
             && let Some(edges) = complex.boundary_matrix(1)
@@ -213,6 +223,7 @@ impl PlanarDrawing {
                 self.path(first, [from, to].into_iter(), NO_RING)?;
             }
         }
+        self.features.extend_to(self.segments.len(), NO_FEATURE);
         let start = self.segment_starts.last().copied().unwrap_or(0);
         self.segment_starts.push(self.segments.len() as u32);
         if polygon_number == 0 && self.segments.len() > start as usize {
@@ -241,7 +252,8 @@ impl PlanarDrawing {
             return;
         }
         self.regions[region as usize].is_empty = false;
-        self.polygons.push(Polygon { region, filling: Filling::Lines, number: 0 });
+        let feature = self.features.only_one_from(start);
+        self.polygons.push(Polygon { region, feature, filling: Filling::Lines, number: 0 });
         self.rings.push(Ring { polygon: self.polygons.len() as u32 - 1, is_hole: false });
         self.ring_of_segment[start as usize..].fill(self.rings.len() as u32 - 1);
     }
@@ -302,6 +314,19 @@ impl PlanarDrawing {
     /// The names of the regions.
     pub fn region_names(&self) -> Vec<&str> {
         self.regions.iter().map(|region| region.name.as_str()).collect()
+    }
+
+    /// The number of features of all models, one model after the other: 0 where none has properties.
+    pub fn feature_count(&self) -> usize {
+        self.features.count()
+    }
+
+    /// The properties of a feature as its file has them, the text of a JSON object.
+    ///
+    /// # Panics
+    /// If there is no such feature.
+    pub fn properties_of_feature(&self, feature: usize) -> &str {
+        self.features.properties(feature as u32)
     }
 
     /// The number of segments that bound no polygon.

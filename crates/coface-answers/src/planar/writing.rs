@@ -3,6 +3,7 @@
 use super::arrangement::DrawingArrangement;
 use super::boolean::RegionBoolean;
 use super::outline::Outline;
+use super::properties::with_own;
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_geometry::Positions;
@@ -19,7 +20,10 @@ impl DrawingArrangement {
     /// * JSON: the chain complex with the positions of the vertices.
     /// * Segments as text: all edges.
     /// * GeoJSON, WKT, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
-    ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it).
+    ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it), and those of all features that contain
+    ///   it, but for these three; an edge those of the features along it or around it, a vertex those of the features that it is a point of or
+    ///   lies in. A key with equal values keeps its value, one with different values has the list of them
+    ///   ([`MergedProperties`](coface_io::geojson::MergedProperties)).
     /// * Others: faces as polygons; a face with holes or corners that touch is cut into triangles.
     ///
     /// # Errors
@@ -44,14 +48,25 @@ impl DrawingArrangement {
         }
         let [rings, polygons] = arrangement.face_polygons();
         let outline = Outline { rings, polygons };
-        let loose = self.bridges();
+        let bridges = self.bridges();
+        let loose: Vec<[u32; 2]> = bridges.iter().map(|&edge| self.ends(edge)).collect();
         if is_drawing(format) {
             let areas = arrangement.areas();
             let names = self.drawing.region_names();
             let properties = |polygon: usize| {
                 let regions = self.regions_around(FaceId::new(polygon)).iter();
                 let inside: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
-                FaceProperties { face: polygon, area: areas[polygon], inside }
+                let own = FaceProperties { face: polygon, area: areas[polygon], inside };
+                with_own(&own, self.merged_of_face(FaceId::new(polygon))?)
+            };
+            let (lone, of_points) = (self.lone_vertices(), self.features_of_points());
+            let count = outline.polygon_count();
+            let properties = |shape: usize| match shape.checked_sub(count) {
+                None => properties(shape),
+                Some(place) => match bridges.get(place) {
+                    Some(&edge) => self.properties_of_bridge(edge),
+                    None => self.properties_of_lone(lone[place - bridges.len()], &of_points),
+                },
             };
             return write_drawing(&outline, positions, &loose, out, format, properties);
         }
@@ -65,16 +80,24 @@ impl DrawingArrangement {
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a face cannot be cut with rounded coordinates.
     pub fn to_mesh(&self) -> Result<Model, Error> {
         let [rings, polygons] = self.arrangement.face_polygons();
-        mesh(&Outline { rings, polygons }, self.arrangement.positions(), &self.bridges())
+        let loose: Vec<[u32; 2]> = self.bridges().into_iter().map(|edge| self.ends(edge)).collect();
+        mesh(&Outline { rings, polygons }, self.arrangement.positions(), &loose)
     }
 
-    /// The ends of the edges with one face on both sides.
-    fn bridges(&self) -> Vec<[u32; 2]> {
-        (0..self.arrangement.edge_count())
-            .map(EdgeId::new)
-            .filter(|&edge| self.arrangement.is_bridge(edge))
-            .map(|edge| self.arrangement.ends(edge).map(VertexId::to_u32))
-            .collect()
+    /// The edges with one face on both sides.
+    fn bridges(&self) -> Vec<EdgeId> {
+        let edges = (0..self.arrangement.edge_count()).map(EdgeId::new);
+        edges.filter(|&edge| self.arrangement.is_bridge(edge)).collect()
+    }
+
+    fn ends(&self, edge: EdgeId) -> [u32; 2] {
+        self.arrangement.ends(edge).map(VertexId::to_u32)
+    }
+
+    /// The vertices at which no edge ends.
+    fn lone_vertices(&self) -> Vec<VertexId> {
+        let vertices = (0..self.arrangement.vertex_count()).map(VertexId::new);
+        vertices.filter(|&vertex| self.arrangement.halfedges_around(vertex).next().is_none()).collect()
     }
 }
 
@@ -82,7 +105,8 @@ impl RegionBoolean {
     /// Writes the result in a format.
     ///
     /// * GeoJSON, WKT, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
-    ///   those that contain some of it).
+    ///   those that contain some of it), and those of all features that contain some of it, but for these three. A key with equal values
+    ///   keeps its value, one with different values has the list of them ([`MergedProperties`](coface_io::geojson::MergedProperties)).
     /// * Segments as text: the edges.
     /// * Others: polygons; one with holes is cut into triangles.
     ///
@@ -99,7 +123,8 @@ impl RegionBoolean {
             let properties = |polygon: usize| {
                 let regions = self.regions_of_polygon(polygon).iter();
                 let regions: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
-                PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions }
+                let own = PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions };
+                with_own(&own, self.merged_of_polygon(polygon)?)
             };
             return write_drawing(&self.outline, positions, &[], out, format, properties);
         }
@@ -138,14 +163,14 @@ struct PolygonProperties<'a> {
     regions: Vec<&'a str>,
 }
 
-/// Polygons with holes, then loose edges, then vertices that nothing uses.
-fn write_drawing<P: Serialize>(
+/// Polygons with holes, then loose edges, then vertices that nothing uses; with properties by their places.
+fn write_drawing(
     outline: &Outline,
     positions: Positions,
     loose: &[[u32; 2]],
     out: &mut dyn Write,
     format: Format,
-    properties: impl Fn(usize) -> P,
+    properties: impl Fn(usize) -> Result<String, Error>,
 ) -> Result<(), Error> {
     let (mut lines, mut polygons, mut rings) = (RaggedArray::new(), Vec::new(), Vec::new());
     let mut closed = Vec::new();
@@ -167,8 +192,7 @@ fn write_drawing<P: Serialize>(
         .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
         .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
     if format == Format::GeoJson {
-        let count = outline.polygon_count();
-        return geojson::write_with(&model, out, |shape| (shape < count).then(|| properties(shape)));
+        return geojson::write_with_texts(&model, out, properties);
     }
     io::write(&model, out, format)
 }

@@ -7,7 +7,7 @@ mod harmonic;
 mod lar;
 mod planar_drawings;
 mod planar_files;
-
+mod planar_properties;
 mod repairs;
 mod schema;
 mod shapes;

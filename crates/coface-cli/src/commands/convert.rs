@@ -18,6 +18,8 @@ use coface::complexes::surface::FacesAtEdge;
 use coface::io;
 use coface::io::{CellData, Format, GroupKind, Model, Structure};
 use coface::pictures::{Coloring, GltfForm, Scene, colored, gltf, vertex_colors};
+use serde::de::IgnoredAny;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Convert a model to another format.
@@ -25,6 +27,7 @@ use std::path::{Path, PathBuf};
 /// The file named by -o is written in the format of its extension, unless --to says another; without -o the model goes to
 /// standard output in the format of --to. What the new format cannot hold is an error, never dropped in silence. Of a volume of voxels,
 /// meshes and pictures get the squares between voxels that are set and the others, JSON and .cfc the chain complex, .npy the voxels.
+/// GeoJSON written from GeoJSON or TopoJSON has the properties and the ids of all features as they stand.
 #[derive(Args)]
 pub(crate) struct Convert {
     /// The model; - is standard input
@@ -355,7 +358,18 @@ fn remark_of_repair(repair: &MeshRepairAnswer) -> Remark {
     Remark::new(RemarkCode::ModelRepaired, message).at(count, [])
 }
 
-/// That the format has no room for the groups or the data of the model, where that is so.
+/// The number of features with properties other than a name, which groups tell.
+fn described_count(model: &Model) -> usize {
+    let features = model.features();
+    let has_others = |feature: &usize| {
+        let properties: BTreeMap<String, IgnoredAny> =
+            serde_json::from_str(features.properties(*feature)).unwrap_or_default();
+        properties.keys().any(|key| !key.eq_ignore_ascii_case("name"))
+    };
+    (0..features.len()).filter(has_others).count()
+}
+
+/// That the format has no room for the groups, the data or the properties of the model, where that is so.
 pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
     let colors = model.vertex_colors();
     // Rings are written as rings of polygons, and polygons of one feature together, which tells these.
@@ -372,6 +386,7 @@ pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
     let losses = [
         ("groups", model.groups().len(), format.keeps_groups()),
         ("data on cells", data_count, format.keeps_data()),
+        ("properties of features", described_count(model), format == Format::GeoJson),
     ];
     let is_lost = |&(_, count, is_kept): &(&str, usize, bool)| count > 0 && !is_kept;
     let remark = |(what, count, _): (&str, usize, bool)| {

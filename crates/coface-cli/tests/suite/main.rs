@@ -16,6 +16,7 @@ mod persistence;
 mod pi1;
 mod pictures;
 mod program;
+mod properties;
 mod regions;
 mod remarks;
 mod render;

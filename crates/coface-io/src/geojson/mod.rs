@@ -1,4 +1,4 @@
-//! GeoJSON and TopoJSON: points, lines and polygons with holes, with names.
+//! GeoJSON and TopoJSON: points, lines and polygons with holes, with names and properties.
 //!
 //! A file is a `FeatureCollection`, a `Feature`, a geometry (`Point`, `MultiPoint`, `LineString`, `MultiLineString`,
 //! `Polygon`, `MultiPolygon`, `GeometryCollection`), or the bare coordinates of a polygon or of several,
@@ -13,18 +13,24 @@
 //! the features without names, and is -1 for others. Rings have vertices of their own, so polygons that touch stay apart. The
 //! direction of a ring is that of the file.
 //!
-//! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. Other properties are
-//! passed over, as are reference systems; coordinates are taken as they stand.
+//! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. All properties of each feature, and
+//! its id, are kept as they stand in a [`FeatureTable`](crate::FeatureTable); a file that is written has them again. Reference systems are
+//! passed over; coordinates are taken as they stand.
+//!
+//! What lies in several features, a face of an arrangement for instance, has the properties of all of them: a key with one value, or with
+//! equal ones, keeps it, a key with different values has the list of them, as [`MergedProperties`] says.
 
 mod coordinates;
+mod properties;
 mod reading;
 #[cfg(test)]
 mod tests;
 mod topology;
 mod writing;
 
+pub use properties::MergedProperties;
 pub(super) use reading::is_geojson;
 pub use reading::read;
 pub use writing::write;
 #[doc(hidden)]
-pub use writing::write_with;
+pub use writing::{write_with, write_with_texts};

@@ -1,6 +1,7 @@
 //! From a stream to a model.
 
 use super::coordinates::{Coordinates, Nested};
+use super::properties::Description;
 use super::topology::Topology;
 use crate::Model;
 use crate::drawing::Drawing;
@@ -8,6 +9,7 @@ use crate::json::Faults;
 use coface_algebra::Error;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::error::Category;
+use serde_json::value::RawValue;
 use std::fmt;
 use std::io::{BufReader, Read};
 
@@ -169,8 +171,7 @@ struct Object {
     geometry: Option<Box<Object>>,
     has_features: bool,
     topology: Topology,
-    name: Option<String>,
-    id: Option<String>,
+    description: Description,
 }
 
 impl Object {
@@ -186,7 +187,7 @@ impl Object {
             "FeatureCollection" => Ok(()),
             "Topology" => self.topology.draw(drawing),
             "Feature" => {
-                drawing.begin_feature(self.name.or(self.id));
+                self.description.begin(drawing);
                 let drawn = self.geometry.map_or(Ok(()), |geometry| geometry.draw_geometry(drawing));
                 drawing.begin_feature(None);
                 drawn
@@ -326,26 +327,21 @@ impl<'de> Visitor<'de> for Parsed<'_, '_> {
                     object.has_features = true;
                     map.next_value_seed(Features(&mut *self.0))?;
                 }
-                "properties" => object.name = map.next_value_seed(Properties)?,
+                "properties" => {
+                    let properties = map.next_value::<Box<RawValue>>()?;
+                    let set = object.description.set_properties(&properties);
+                    set.map_err(serde::de::Error::custom)?;
+                }
                 "objects" => object.topology.objects = Some(map.next_value()?),
                 "arcs" => object.topology.arcs = Some(map.next_value()?),
                 "transform" => object.topology.transform = Some(map.next_value()?),
-                "id" => object.id = name_of(&map.next_value()?),
+                "id" => object.description.set_id(&map.next_value::<Box<RawValue>>()?),
                 _ => {
                     map.next_value::<IgnoredAny>()?;
                 }
             }
         }
         Ok(object)
-    }
-}
-
-/// The name that a value is: a text or a number.
-pub(super) fn name_of(value: &serde_json::Value) -> Option<String> {
-    match value {
-        serde_json::Value::String(name) => Some(name.clone()),
-        serde_json::Value::Number(number) => Some(number.to_string()),
-        _ => None,
     }
 }
 
@@ -423,40 +419,5 @@ impl<'de> Visitor<'de> for Features<'_, '_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
         while list.next_element_seed(Drawn(&mut *self.0))?.is_some() {}
         Ok(())
-    }
-}
-
-/// The name in the properties, which may be null.
-struct Properties;
-
-impl<'de> DeserializeSeed<'de> for Properties {
-    type Value = Option<String>;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
-        deserializer.deserialize_any(self)
-    }
-}
-
-impl<'de> Visitor<'de> for Properties {
-    type Value = Option<String>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("properties, an object or null")
-    }
-
-    fn visit_unit<E: serde::de::Error>(self) -> Result<Self::Value, E> {
-        Ok(None)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-        let mut name = None;
-        while let Some(key) = map.next_key::<String>()? {
-            if name.is_none() && key.eq_ignore_ascii_case("name") {
-                name = name_of(&map.next_value()?);
-            } else {
-                map.next_value::<IgnoredAny>()?;
-            }
-        }
-        Ok(name)
     }
 }

@@ -100,11 +100,129 @@ fn a_topology_is_read_as_the_map_that_it_is() {
             [[[11, -1], [11, 1], [10, 1], [10, -1], [11, -1]]]}},
         {"type": "Feature", "id": 7, "properties": {}, "geometry": {"type": "Polygon", "coordinates":
             [[[11, -1], [12, -1], [12, 1], [11, 1], [11, -1]]]}},
+        {"type": "Feature", "properties": {}, "geometry": null},
         {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [10.5, 1]}}]}"#;
     let model = read(topology.as_bytes()).unwrap();
     assert_eq!(model, read(map.as_bytes()).unwrap());
     assert!(model.remarks().is_empty());
     assert!(super::reading::is_geojson(topology.as_bytes()));
+}
+
+/// The features of a file: type, id, properties and geometry of each as texts.
+fn lines_of(written: &[u8]) -> Vec<String> {
+    let text = String::from_utf8(written.to_vec()).unwrap();
+    let lines = text.lines().filter(|line| line.starts_with("{\"type\":\"Feature\","));
+    lines.map(|line| line.trim_end_matches(',').to_owned()).collect()
+}
+
+#[test]
+fn features_are_written_with_the_properties_that_they_have() {
+    let point = |x: u8| format!("\"geometry\":{{\"type\":\"Point\",\"coordinates\":[{x},0]}}}}");
+    // Digits, the order of keys, nested values, escapes, nulls; names in any case; ids that are numbers and texts.
+    let starts = [
+        r#""properties":{"z":1.10,"a":[1,{"deep":null}],"long":123456789012345678901234567890,"n":-0.0,"":true},"#,
+        r#""properties":{"NAME":"ü \u00fc \"q\" ","name":"second"},"#,
+        r#""properties":{"name":"twice"},"#,
+        r#""properties":{"name":"twice"},"#,
+        r#""id":7,"properties":{"kind":"well"},"#,
+        r#""id":"7","properties":{},"#,
+        r#""properties":{},"#,
+    ];
+    let features =
+        starts.iter().zip(0..).map(|(start, x)| format!("{{\"type\":\"Feature\",{start}{}", point(x)));
+    let mut features: Vec<String> = features.collect();
+    features.insert(2, r#"{"type":"Feature","properties":{"only":"a table"},"geometry":null}"#.to_owned());
+    features.push(r#"{"type":"Feature","id":-1.50,"properties":{},"geometry":null}"#.to_owned());
+    let text = format!("{{\"type\":\"FeatureCollection\",\"features\":[{}]}}", features.join(" ,\n\n"));
+    let model = read(text.as_bytes()).unwrap();
+    model.check().unwrap();
+    assert_eq!((model.features().len(), model.points().len()), (9, 7));
+    assert_eq!(lines_of(&written(&model)), features);
+    // The second method: the parser of another crate.
+    let [given, found] =
+        [text.as_bytes(), &written(&model)].map(|text| serde_json::from_slice::<Value>(text).unwrap());
+    assert_eq!(found, given);
+    assert_eq!(read(&written(&model)[..]).unwrap(), model);
+    // Spaces between parts go.
+    let spaced = text.replace("\":", "\" :\t").replace(",\"", " , \"");
+    assert_eq!(lines_of(&written(&read(spaced.as_bytes()).unwrap())), features);
+}
+
+#[test]
+fn the_shapes_of_a_feature_stay_together() {
+    let collection =
+        r#"{"type":"Feature","properties":{"mixed":1},"geometry":{"type":"GeometryCollection","geometries":["#
+            .to_owned()
+            + r#"{"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[0,4],[0,0]],[[1,1],[1,2],[2,1],[1,1]]],"#
+            + r#"[[[5,5],[6,5],[5,6],[5,5]]]]},{"type":"LineString","coordinates":[[8,8],[9,9]]},"#
+            + r#"{"type":"MultiPoint","coordinates":[[8,8],[7,7]]}]}}"#;
+    // Equal properties do not make one feature of two, and points at one place stay two.
+    let point = r#"{"type":"Feature","properties":{"p":2},"geometry":{"type":"Point","coordinates":[7,7]}}"#;
+    let features = [point.to_owned(), collection, point.to_owned(), point.to_owned()];
+    let text = format!("{{\"type\":\"FeatureCollection\",\"features\":[{}]}}", features.join(","));
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!(lines_of(&written(&model)), features);
+    let [lines, points] = [model.lines().len(), model.points().len()];
+    let table = model.features();
+    assert!((0..lines).all(|line| table.of_line(line) == Some(1)));
+    assert!((0..points).map(|point| table.of_point(point).unwrap()).eq([0, 1, 1, 2, 3]));
+}
+
+#[test]
+fn properties_go_where_their_lines_go() {
+    let text = r#"{"type":"Feature","properties":{"a":1},"geometry":{"type":"LineString","coordinates":[[0,0],[1,0]]}}"#;
+    let model = read(text.as_bytes()).unwrap();
+    let lines = RaggedArray::from_lists([[1, 0]]);
+    assert!(model.clone().with_lines(lines).unwrap().features().is_empty());
+    assert!(model.clone().into_parts().into_model().features().is_empty());
+    assert_ne!(read(text.replace('1', "2").as_bytes()).unwrap(), model);
+    // A group that is added later names a feature that has no name.
+    let model = model.with_group(Group::new("way", GroupKind::Lines, vec![0])).unwrap();
+    assert!(lines_of(&written(&model))[0].contains(r#""properties":{"name":"way","a":1}"#));
+    // Geometries that are no features have none, and are written last.
+    let text = format!(
+        "{{\"type\":\"FeatureCollection\",\"features\":[{{\"type\":\"Point\",\"coordinates\":[5,5]}},{text}]}}"
+    );
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!((model.features().len(), model.features().of_point(0)), (1, None));
+    let lines = lines_of(&written(&model));
+    assert!(lines[0].contains(r#"{"a":1}"#) && lines[1].contains(r#""properties":{}"#), "{lines:?}");
+}
+
+#[test]
+fn properties_of_a_topology_are_those_of_its_geometries() {
+    let topology = r#"{"type": "Topology", "arcs": [[[0, 0], [1, 0], [0, 1], [0, 0]]], "objects": {
+        "b": {"type": "Polygon", "arcs": [[0]], "properties": {"pop": 10.0, "name": "B", "list": [1, [2]]}},
+        "a": {"type": "GeometryCollection", "geometries": [
+            {"type": "LineString", "arcs": [0], "id": "x", "properties": {"w": null}},
+            {"type": "Point", "coordinates": [3, 3], "properties": []},
+            {"type": "GeometryCollection", "properties": {"inner": true}, "geometries": [
+                {"type": "Point", "coordinates": [4, 4], "properties": {"lost": 1}}]}]}}}"#;
+    let model = read(topology.as_bytes()).unwrap();
+    let table = model.features();
+    let properties: Vec<&str> = (0..table.len()).map(|feature| table.properties(feature)).collect();
+    // Objects come in the order of their names.
+    let expected = [r#"{"w":null}"#, "{}", r#"{"inner":true}"#, r#"{"pop":10.0,"name":"B","list":[1,[2]]}"#];
+    assert_eq!(properties, expected);
+    assert_eq!(
+        (0..4).map(|feature| table.id(feature)).collect::<Vec<_>>(),
+        [Some("\"x\""), None, None, None]
+    );
+    assert_eq!([table.of_line(0), table.of_line(1), table.of_point(1)], [Some(0), Some(3), Some(2)]);
+    assert_eq!(read(&written(&model)[..]).unwrap(), model);
+}
+
+#[test]
+fn properties_that_are_no_object_are_refused_and_deep_ones_kept() {
+    for properties in ["5", "[]", "\"text\"", "true"] {
+        let text = format!("\n{{\"type\":\"Feature\",\"geometry\":null,\"properties\":{properties}}}");
+        let error = read(text.as_bytes()).unwrap_err();
+        assert!(error.to_string().contains("expected properties, an object or null"), "{error}");
+        assert_eq!((error.kind(), error.line()), (ErrorKind::Parse, Some(2)), "{error}");
+    }
+    let deep = format!("{{\"a\":{}{}}}", "[".repeat(5_000), "]".repeat(5_000));
+    let text = format!("{{\"type\":\"Feature\",\"geometry\":null,\"properties\":{deep}}}");
+    assert_eq!(read(text.as_bytes()).unwrap().features().properties(0), deep);
 }
 
 #[test]

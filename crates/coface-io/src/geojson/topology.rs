@@ -1,11 +1,14 @@
 //! TopoJSON: geometries whose lines are shared arcs, with coordinates that may be whole numbers.
 //!
-//! The features are the geometries of each object, those of a collection one by one, with their names.
+//! The features are the geometries of each object, those of a collection one by one, with their properties.
 
-use super::reading::name_of;
+use super::properties::Description;
 use crate::drawing::{Drawing, Place};
 use coface_algebra::{Error, ErrorKind};
+use serde::Deserialize;
 use serde_json::Value;
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
 
 const CURE: &str = "the file must be TopoJSON as topojson writes it";
 /// Collections in collections.
@@ -14,7 +17,7 @@ const DEEPEST: usize = 64;
 /// What stands under the keys of a topology.
 #[derive(Default)]
 pub(super) struct Topology {
-    pub(super) objects: Option<Value>,
+    pub(super) objects: Option<Box<RawValue>>,
     pub(super) arcs: Option<Value>,
     pub(super) transform: Option<Value>,
 }
@@ -58,11 +61,61 @@ impl Topology {
         let arcs = self.arcs.as_ref().and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         let arcs = arcs.iter().map(|arc| arc_of(arc, transform.as_ref())).collect::<Result<_, _>>()?;
         let drawer = Drawer { arcs, transform };
-        let Some(Value::Object(objects)) = self.objects else {
+        let Some(objects) = self.objects.filter(|objects| objects.get().starts_with('{')) else {
             return Err(fault("a Topology has no \"objects\""));
         };
-        objects.values().try_for_each(|object| drawer.features(object, drawing, 0))
+        let objects: BTreeMap<String, Option<Object<'_>>> = parsed(objects.get())?;
+        objects.values().flatten().try_for_each(|object| drawer.features(object, drawing, 0))
     }
+}
+
+/// A geometry of a topology, or a collection of them. What is in it is read when it is drawn.
+#[derive(Deserialize)]
+struct Object<'a> {
+    #[serde(rename = "type", default)]
+    kind: Value,
+    #[serde(borrow, default)]
+    properties: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    id: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    geometries: Option<&'a RawValue>,
+    #[serde(default)]
+    arcs: Value,
+    #[serde(default)]
+    coordinates: Value,
+}
+
+impl<'a> Object<'a> {
+    /// What the file says of it.
+    fn description(&self) -> Result<Description, Error> {
+        let mut description = Description::default();
+        if let Some(properties) = self.properties.filter(|properties| properties.get().starts_with('{')) {
+            description.set_properties(properties).map_err(fault)?;
+        }
+        if let Some(id) = self.id {
+            description.set_id(id);
+        }
+        Ok(description)
+    }
+
+    /// The geometries of a collection.
+    fn geometries(&self) -> Result<Vec<Option<Object<'a>>>, Error> {
+        self.geometries.map_or(Ok(Vec::new()), |geometries| parsed(geometries.get()))
+    }
+
+    /// The list under a key, whose value this is.
+    fn list<'b>(&self, key: &str, value: &'b Value) -> Result<&'b [Value], Error> {
+        value.as_array().map(Vec::as_slice).ok_or_else(|| self.missing(key))
+    }
+
+    fn missing(&self, key: &str) -> Error {
+        fault(format!("a geometry of type {} has no \"{key}\"", self.kind))
+    }
+}
+
+fn parsed<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Error> {
+    serde_json::from_str(text).map_err(|error| fault(format!("an object of a Topology is none: {error}")))
 }
 
 /// The numbers of a position.
@@ -99,56 +152,56 @@ struct Drawer {
 
 impl Drawer {
     /// An object: a feature, or a collection of features.
-    fn features(&self, object: &Value, drawing: &mut Drawing, depth: usize) -> Result<(), Error> {
-        let properties = object.get("properties").and_then(Value::as_object);
-        let name = properties.and_then(|all| all.iter().find(|(key, _)| key.eq_ignore_ascii_case("name")));
-        let name = name.and_then(|(_, name)| name_of(name)).or_else(|| object.get("id").and_then(name_of));
-        if object["type"] == "GeometryCollection" && name.is_none() && depth == 0 {
-            let geometries = object.get("geometries").and_then(Value::as_array);
-            let mut geometries = geometries.into_iter().flatten();
-            return geometries.try_for_each(|geometry| self.features(geometry, drawing, 1));
+    fn features(&self, object: &Object<'_>, drawing: &mut Drawing, depth: usize) -> Result<(), Error> {
+        let description = object.description()?;
+        if object.kind == "GeometryCollection" && description.name().is_none() && depth == 0 {
+            let geometries = object.geometries()?;
+            return geometries.iter().flatten().try_for_each(|geometry| self.features(geometry, drawing, 1));
         }
-        drawing.begin_feature(name);
+        description.begin(drawing);
         self.geometry(object, drawing, depth)?;
         drawing.begin_feature(None);
         Ok(())
     }
 
-    fn geometry(&self, object: &Value, drawing: &mut Drawing, depth: usize) -> Result<(), Error> {
+    fn geometry(&self, object: &Object<'_>, drawing: &mut Drawing, depth: usize) -> Result<(), Error> {
         if depth > DEEPEST {
             let message = format!("collections are nested deeper than {DEEPEST}");
             return Err(Error::new(ErrorKind::TooLarge, message).with_cure("nest them less"));
         }
-        let list = |key: &str| {
-            let missing = || fault(format!("a geometry of type {} has no \"{key}\"", object["type"]));
-            object.get(key).and_then(Value::as_array).ok_or_else(missing)
-        };
-        let lists = |value: &Value| {
+        let lists = |value: &'_ Value| {
             value.as_array().cloned().ok_or_else(|| fault("the arcs of a geometry are nested too little"))
         };
-        match object["type"].as_str() {
-            None if object["type"].is_null() => Ok(()),
-            Some("Point") => self.point(&object["coordinates"], drawing),
+        let arcs = || object.list("arcs", &object.arcs);
+        match object.kind.as_str() {
+            None if object.kind.is_null() => Ok(()),
+            Some("Point") => self.point(&object.coordinates, drawing),
             Some("MultiPoint") => {
-                list("coordinates")?.iter().try_for_each(|point| self.point(point, drawing))
+                let points = object.list("coordinates", &object.coordinates)?;
+                points.iter().try_for_each(|point| self.point(point, drawing))
             }
             Some("LineString") => {
-                self.path(list("arcs")?, drawing)?;
+                self.path(arcs()?, drawing)?;
                 drawing.end_line(|| "a LineString".to_owned());
                 Ok(())
             }
-            Some("MultiLineString") => list("arcs")?.iter().try_for_each(|line| {
+            Some("MultiLineString") => arcs()?.iter().try_for_each(|line| {
                 self.path(&lists(line)?, drawing)?;
                 drawing.end_line(|| "a MultiLineString".to_owned());
                 Ok(())
             }),
-            Some("Polygon") => self.polygon(list("arcs")?, drawing),
+            Some("Polygon") => self.polygon(arcs()?, drawing),
             Some("MultiPolygon") => {
-                list("arcs")?.iter().try_for_each(|polygon| self.polygon(&lists(polygon)?, drawing))
+                arcs()?.iter().try_for_each(|polygon| self.polygon(&lists(polygon)?, drawing))
             }
-            Some("GeometryCollection") => list("geometries")?
-                .iter()
-                .try_for_each(|geometry| self.geometry(geometry, drawing, depth + 1)),
+            Some("GeometryCollection") => {
+                object.geometries.ok_or_else(|| object.missing("geometries"))?;
+                object
+                    .geometries()?
+                    .iter()
+                    .flatten()
+                    .try_for_each(|geometry| self.geometry(geometry, drawing, depth + 1))
+            }
             _ => Err(fault("a geometry of a Topology has a type that is none")),
         }
     }

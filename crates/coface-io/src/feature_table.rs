@@ -1,0 +1,171 @@
+//! The features of a map: what a file says of them beside their shapes.
+
+use std::sync::Arc;
+
+/// The number of the feature of what is of none.
+pub(crate) const NO_FEATURE: u32 = u32::MAX;
+
+/// The features of a map, each with its properties and its id as the file has them, and which lines and points are of which feature.
+///
+/// GeoJSON and TopoJSON have features. The table is empty for other formats, and where no feature has properties or an id. Properties
+/// are kept as text, without the white space between their parts: numbers have all their digits and keys their order.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = r#"{"type": "Feature", "id": 7, "properties": {"lanes": 2, "surface": null},
+///     "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 0], [1, 2]]}}"#;
+/// let model = coface_io::geojson::read(text.as_bytes())?;
+/// let features = model.features();
+/// let road = features.of_line(0).expect("the line is of a feature");
+/// assert_eq!(features.properties(road), r#"{"lanes":2,"surface":null}"#);
+/// assert_eq!((features.len(), features.id(road)), (1, Some("7")));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FeatureTable(Arc<Table>);
+
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Table {
+    texts: FeatureTexts,
+    of_lines: Vec<u32>,
+    of_points: Vec<u32>,
+}
+
+/// The properties and ids of features, one text after the other.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(crate) struct FeatureTexts {
+    text: String,
+    /// For each feature where its properties end and where its id ends; both texts may be empty.
+    ends: Vec<[usize; 2]>,
+}
+
+impl FeatureTexts {
+    /// Adds a feature; its number is the number of those before.
+    pub(crate) fn push(&mut self, properties: &str, id: &str) {
+        self.text.push_str(properties);
+        let end = self.text.len();
+        self.text.push_str(id);
+        self.ends.push([end, self.text.len()]);
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The properties and the id of a feature; both may be empty.
+    fn of(&self, feature: usize) -> [&str; 2] {
+        let start = feature.checked_sub(1).map_or(0, |before| self.ends[before][1]);
+        let [middle, end] = self.ends[feature];
+        [&self.text[start..middle], &self.text[middle..end]]
+    }
+}
+
+impl FeatureTable {
+    /// The table of these features and the feature of each line and of each point; empty if they say nothing.
+    pub(crate) fn new(texts: FeatureTexts, of_lines: Vec<u32>, of_points: Vec<u32>) -> Self {
+        if texts.text.is_empty() {
+            return Self::default();
+        }
+        Self(Arc::new(Table { texts, of_lines, of_points }))
+    }
+
+    /// The number of features, those without shapes included.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_io::Model::default().features().len(), 0);
+    /// ```
+    pub fn len(&self) -> usize {
+        self.0.texts.len()
+    }
+
+    /// Whether there is no feature, or none that has properties or an id.
+    ///
+    /// # Examples
+    /// ```
+    /// let bare = r#"{"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [1, 2]}}"#;
+    /// assert!(coface_io::geojson::read(bare.as_bytes())?.features().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The properties of a feature, the text of a JSON object: `{}` if it has none.
+    ///
+    /// # Panics
+    /// If there is no such feature.
+    ///
+    /// # Examples
+    /// ```
+    /// let text = r#"{"type": "Feature", "properties": {"kind" : "well"}, "geometry": null}"#;
+    /// let model = coface_io::geojson::read(text.as_bytes())?;
+    /// assert_eq!(model.features().properties(0), r#"{"kind":"well"}"#);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn properties(&self, feature: usize) -> &str {
+        match self.0.texts.of(feature)[0] {
+            "" => "{}",
+            properties => properties,
+        }
+    }
+
+    /// The id of a feature, a number or a text in quotation marks as JSON has it, if it has one.
+    ///
+    /// # Panics
+    /// If there is no such feature.
+    ///
+    /// # Examples
+    /// ```
+    /// let text = r#"{"type": "Feature", "id": "n17", "properties": null, "geometry": null}"#;
+    /// let model = coface_io::geojson::read(text.as_bytes())?;
+    /// assert_eq!(model.features().id(0), Some("\"n17\""));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn id(&self, feature: usize) -> Option<&str> {
+        Some(self.0.texts.of(feature)[1]).filter(|id| !id.is_empty())
+    }
+
+    /// The feature of a line of the model; `None` if it is of none, or if there is no such line.
+    ///
+    /// # Examples
+    /// A geometry that is no feature stands beside one.
+    /// ```
+    /// let text = r#"{"type": "FeatureCollection", "features": [
+    ///     {"type": "LineString", "coordinates": [[0, 0], [1, 1]]},
+    ///     {"type": "Feature", "id": 3, "geometry": {"type": "LineString", "coordinates": [[5, 5], [6, 7]]}}]}"#;
+    /// let model = coface_io::geojson::read(text.as_bytes())?;
+    /// assert_eq!([0, 1].map(|line| model.features().of_line(line)), [None, Some(0)]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn of_line(&self, line: usize) -> Option<usize> {
+        feature_at(&self.0.of_lines, line)
+    }
+
+    /// The feature of a point of [`Model::points`](crate::Model::points), by its place there; `None` if it is of none, or if there is no
+    /// such point.
+    ///
+    /// # Examples
+    /// ```
+    /// let text = r#"{"type": "Feature", "id": 3, "geometry": {"type": "MultiPoint", "coordinates": [[0, 0], [1, 1]]}}"#;
+    /// let model = coface_io::geojson::read(text.as_bytes())?;
+    /// assert_eq!([1, 2].map(|point| model.features().of_point(point)), [Some(0), None]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn of_point(&self, point: usize) -> Option<usize> {
+        feature_at(&self.0.of_points, point)
+    }
+
+    /// Whether the table says of each of so many lines and points what feature it is of, and names only features that are there.
+    pub(crate) fn fits(&self, line_count: usize, point_count: usize) -> bool {
+        let is_known = |&feature: &u32| feature == NO_FEATURE || (feature as usize) < self.len();
+        self.is_empty()
+            || [self.0.of_lines.len(), self.0.of_points.len()] == [line_count, point_count]
+                && self.0.of_lines.iter().chain(&self.0.of_points).all(is_known)
+    }
+}
+
+fn feature_at(features: &[u32], at: usize) -> Option<usize> {
+    features.get(at).filter(|&&feature| feature != NO_FEATURE).map(|&feature| feature as usize)
+}
