@@ -133,12 +133,12 @@ fn binary_files_of_all_versions_are_read() {
 fn a_cut_text_is_never_taken_for_a_whole_one() {
     let text = "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTetrahedra 1\n1 2 3 4 0\nHexahedra 0\nEnd\n";
     for cut in 0..text.len() {
-        let read = read(text[..cut].as_bytes());
+        let read = read(&text.as_bytes()[..cut]);
         let is_said =
             |model: &Model| model.remarks().iter().any(|remark| remark.code == RemarkCode::MissingEnd);
         match read {
             Ok(model) => {
-                assert_eq!(is_said(&model), cut + 1 < text.len(), "cut at {cut}: {:?}", model.remarks())
+                assert_eq!(is_said(&model), cut + 1 < text.len(), "cut at {cut}: {:?}", model.remarks());
             }
             Err(error) => assert!(cut + 1 < text.len(), "cut at {cut}: {error}"),
         }
