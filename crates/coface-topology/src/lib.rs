@@ -68,7 +68,7 @@ pub use groups::{
 };
 
 mod recognition;
-pub use recognition::{GroupName, manifold_verdict};
+pub use recognition::{GroupName, gluing_manifold_verdict, manifold_verdict};
 
 mod homology;
 #[doc(hidden)]

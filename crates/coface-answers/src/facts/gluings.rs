@@ -9,7 +9,7 @@ use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_complexes::gluing::{FaceClasses, GluingTable, GluingWitness};
 use coface_complexes::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
-use coface_topology::homology;
+use coface_topology::{gluing_manifold_verdict, homology};
 
 /// The report on a table with its face classes.
 ///
@@ -18,7 +18,7 @@ use coface_topology::homology;
 pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report, Error> {
     let chains = faces.chain_complex()?;
     let mut problems = Vec::new();
-    let verdict = table.manifold_verdict(faces)?;
+    let verdict = gluing_manifold_verdict(table, faces)?;
     let witness = verdict.witness().map(|found| witness(found, faces));
     if let (Some(false), Some(found), Some(witness)) = (verdict.to_bool(), verdict.witness(), &witness) {
         problems.push(problem(found, witness, faces));

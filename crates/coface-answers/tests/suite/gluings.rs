@@ -80,6 +80,43 @@ fn triangulated(faces: &FaceClasses) -> SimplicialComplex {
     faces.barycentric_subdivision().unwrap().triangulation().unwrap().0
 }
 
+/// The table of a simplicial complex has the verdict of the complex: spheres by collapses or moves, homology spheres as links by groups.
+#[test]
+fn tables_of_complexes_have_their_verdicts() {
+    use coface_complexes::known_spaces::{
+        Solid, cross_polytope_boundary, cyclic_torus, glued_solid, simplex_boundary,
+    };
+    use coface_topology::{gluing_manifold_verdict, manifold_verdict};
+    let poincare = glued_solid(Solid::Dodecahedron, 2).unwrap();
+    let cone = poincare.cone().unwrap().0;
+    for (name, complex, expected) in [
+        ("a simplex", simplex_boundary(5).unwrap(), Some(true)),
+        ("a cross polytope", cross_polytope_boundary(4).unwrap(), Some(true)),
+        ("a torus", cyclic_torus(3).unwrap(), Some(true)),
+        ("the cone of the Poincare sphere", cone, Some(false)),
+        ("its suspension", poincare.suspension().unwrap().0, Some(false)),
+    ] {
+        let facets = complex.facets();
+        let lists: Vec<&[u32]> = facets.iter().map(|facet| facet.numbers()).collect();
+        let table = GluingTable::from_simplices(&RaggedArray::from_lists(lists)).unwrap();
+        let faces = table.faces().unwrap();
+        assert_eq!(faces.class_counts(), complex.f_vector(), "{name}");
+        let verdict = gluing_manifold_verdict(&table, &faces).unwrap();
+        assert_eq!(verdict.to_bool(), expected, "{name}: {verdict:?}");
+        let frozen = complex.freeze();
+        let of_complex = manifold_verdict(&frozen, &frozen.chain_complex().unwrap(), 1 << 30).unwrap();
+        assert_eq!(of_complex.to_bool(), expected, "{name}");
+    }
+    for (lists, fault) in [
+        (vec![vec![0, 1, 2], vec![0, 1, 3], vec![0, 1, 4]], "the facet [0, 1] lies in 3 simplices"),
+        (vec![vec![0, 1, 2], vec![0, 1]], "simplex 1 has not 3"),
+        (vec![vec![0, 1, 1]], "simplex 0 has not 3"),
+    ] {
+        let error = GluingTable::from_simplices(&RaggedArray::from_lists(lists)).unwrap_err();
+        assert!(error.message().contains(fault), "{error}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 

@@ -2,9 +2,9 @@
 
 use crate::gluing::faces::FaceClasses;
 use crate::gluing::table::GluingTable;
-use crate::simplicial::collapse::is_seen_as_ball;
-use crate::simplicial::collapse::is_seen_as_sphere;
+use crate::simplicial::collapse::{is_seen_as_ball, is_seen_as_sphere};
 use crate::simplicial::links::homology_sizes;
+use crate::simplicial::{SimplicialComplex, recognize_ball, recognize_sphere};
 use crate::verdict::{Decision, LinkFindings, Verdict};
 use coface_algebra::Error;
 use std::fmt;
@@ -26,6 +26,8 @@ pub enum GluingFault {
     LinkNotAManifold,
     /// The link of the vertex class has not the homology of a sphere or ball.
     LinkHomology,
+    /// The link of the vertex class has the homology of a sphere or ball, and a fundamental group that is not trivial.
+    LinkNotSimplyConnected,
     /// The link of the vertex class was not seen to be a sphere or ball.
     LinkNotRecognized,
 }
@@ -38,6 +40,7 @@ impl GluingFault {
             Self::LinkNotASphere => "link_not_a_sphere",
             Self::LinkNotAManifold => "link_not_a_manifold",
             Self::LinkHomology => "link_homology",
+            Self::LinkNotSimplyConnected => "link_not_simply_connected",
             Self::LinkNotRecognized => "link_not_recognized",
         }
     }
@@ -53,6 +56,12 @@ pub struct GluingWitness {
 }
 
 impl GluingWitness {
+    /// What a crate above found at a vertex class.
+    #[doc(hidden)]
+    pub fn at_vertex(fault: GluingFault, vertex: usize, message: String) -> Self {
+        Self { fault, degree: 0, classes: vec![vertex], message }
+    }
+
     /// What is wrong.
     pub fn fault(&self) -> GluingFault {
         self.fault
@@ -126,8 +135,8 @@ impl GluingTable {
     /// Exact up to dimension 3: there the vertex links are points, circles, paths and connected surfaces, and the Euler
     /// characteristic tells spheres and disks. A vertex whose link is another surface is **ideal**: without it the space
     /// may be a manifold, and the witness names the link. From dimension 4 on a link must be a manifold with the homology
-    /// of a sphere or ball, and is one if its triangulation collapses, after a facet is taken out of a sphere; otherwise
-    /// the verdict is unknown.
+    /// of a sphere or ball, and is one if its triangulation collapses, after a facet is taken out of a sphere, or bistellar
+    /// moves lead from it to the boundary of a simplex; otherwise the verdict is unknown.
     ///
     /// A folded class makes it no manifold: some element of prime order p acts freely on a sphere of dimension 2 or more
     /// around a point inside, so the first homology of the link of that point has p-torsion.
@@ -279,8 +288,23 @@ fn recognize(link: &GluingTable) -> Result<Option<(GluingFault, String)>, Error>
     if verdict.to_bool() != Some(true) {
         return Ok(Some((GluingFault::LinkNotRecognized, open)));
     }
-    let triangulated = faces.barycentric_subdivision()?.triangulation()?.0.chain_complex()?;
-    let is_seen =
-        if link.is_closed() { is_seen_as_sphere(&triangulated) } else { is_seen_as_ball(&triangulated) };
+    let triangulation = faces.barycentric_subdivision()?.triangulation()?.0;
+    let chains = triangulation.chain_complex()?;
+    let collapses = if link.is_closed() { is_seen_as_sphere(&chains) } else { is_seen_as_ball(&chains) };
+    // Moves want few facets.
+    let coarse = || faces.to_delta().and_then(|delta| delta.to_simplicial_complex().ok());
+    let is_seen = collapses || is_moved_to_simplex(&coarse().unwrap_or(triangulation), link.is_closed())?;
     Ok((!is_seen).then_some((GluingFault::LinkNotRecognized, open)))
+}
+
+/// So many moves are tried on a link for each of its simplices, and more.
+const MOVES_EACH: usize = 20;
+const MOVES: usize = 10_000;
+
+/// Whether bistellar moves lead from a manifold, or from one with a cone over its boundary, to the boundary of a simplex.
+fn is_moved_to_simplex(complex: &SimplicialComplex, is_closed: bool) -> Result<bool, Error> {
+    let budget = MOVES + MOVES_EACH * complex.f_vector().last().copied().unwrap_or(0);
+    let certificate =
+        if is_closed { recognize_sphere(complex, budget)? } else { recognize_ball(complex, budget)? };
+    Ok(certificate.is_some())
 }

@@ -11,7 +11,7 @@
 
 use crate::components::Components;
 use crate::gluing::faces::FaceClasses;
-use coface_algebra::{CellId, Error, ErrorKind, Permutation, UnionFind, narrow};
+use coface_algebra::{CellId, Error, ErrorKind, Permutation, RaggedArray, UnionFind, narrow};
 use std::fmt;
 
 /// The highest dimension of a gluing table.
@@ -120,6 +120,73 @@ impl GluingTable {
             }
         }
         Self::from_flat(width, neighbors, images)
+    }
+
+    /// The simplices with these vertices, glued along the facets that two of them share; the vertices of a simplex keep their order.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming a simplex that repeats a vertex or has another dimension than the first, or a facet of three
+    /// simplices; [`ErrorKind::UnsupportedFormat`] and [`ErrorKind::TooLarge`] as [`Self::unglued`].
+    ///
+    /// # Complexity
+    /// $O(m \log m)$ for m facets.
+    ///
+    /// # Examples
+    /// The boundary of a tetrahedron.
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::gluing::GluingTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangles = RaggedArray::from_lists([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]);
+    /// let sphere = GluingTable::from_simplices(&triangles)?;
+    /// assert!(sphere.is_closed());
+    /// assert_eq!(sphere.faces()?.class_counts(), [4, 6, 4]);
+    /// # Ok(()) }
+    /// ```
+    pub fn from_simplices(simplices: &RaggedArray) -> Result<Self, Error> {
+        let size = simplices.iter().next().map_or(DIMENSION_OF_NOTHING + 1, <[u32]>::len);
+        let dimension = size.checked_sub(1).ok_or_else(|| Error::invalid("simplex 0 has no vertex"))?;
+        let mut table = Self::unglued(dimension, simplices.len())?;
+        // Each facet by its vertices, rising, with its simplex and the place of the vertex opposite to it.
+        let mut keys = Vec::with_capacity(simplices.len() * size * dimension);
+        for (i, simplex) in simplices.iter().enumerate() {
+            let mut sorted = simplex.to_vec();
+            sorted.sort_unstable();
+            if simplex.len() != size || sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+                return Err(Error::invalid(format!(
+                    "simplex {i} has not {size} different vertices as the first has"
+                ))
+                .with_cure("give simplices of one dimension"));
+            }
+            for &opposite in simplex {
+                keys.extend(sorted.iter().copied().filter(|&vertex| vertex != opposite));
+            }
+        }
+        let key = |facet: usize| &keys[facet * dimension..(facet + 1) * dimension];
+        let mut order: Vec<usize> = (0..simplices.len() * size).collect();
+        order.sort_unstable_by_key(|&facet| (key(facet), facet));
+        for group in order.chunk_by(|&a, &b| key(a) == key(b)) {
+            match group {
+                &[a, b] => {
+                    let (simplex, neighbor) = (simplices.list(a / size), simplices.list(b / size));
+                    let image = |(k, vertex): (usize, &u32)| match neighbor
+                        .iter()
+                        .position(|other| other == vertex)
+                    {
+                        Some(place) if k != a % size => place as u32,
+                        _ => (b % size) as u32,
+                    };
+                    let images: Vec<u32> = simplex.iter().enumerate().map(image).collect();
+                    table.glue(a / size, a % size, b / size, &images)?;
+                }
+                [_] => {}
+                _ => {
+                    let message = format!("the facet {:?} lies in {} simplices", key(group[0]), group.len());
+                    return Err(Error::invalid(message).with_cure("two at most can be glued there"));
+                }
+            }
+        }
+        Ok(table)
     }
 
     /// The table with these neighbors of facets, `width` to a simplex, and `width` images of vertices for each facet.

@@ -16,4 +16,4 @@ mod rewriting;
 mod surface_groups;
 
 pub use group_name::GroupName;
-pub use manifold::manifold_verdict;
+pub use manifold::{gluing_manifold_verdict, manifold_verdict};
