@@ -3,6 +3,7 @@
 use crate::{Answer, Kind, Problem, ProblemKind, Report};
 use anstyle::{AnsiColor, Style};
 use coface_complexes::simplicial::SimplexSet;
+use coface_io::GroupKind;
 use coface_topology::{AbelianGroup, Coefficients};
 use std::fmt::Write;
 
@@ -11,11 +12,11 @@ const WIDTH: usize = 80;
 const INDENT: usize = 20;
 
 const TITLE: Style = Style::new().bold();
-const GOOD: Mood = Mood::Good;
-const BAD: Mood = Mood::Bad;
-const ODD: Mood = Mood::Odd;
-const GLOSS: Mood = Mood::Gloss;
-const PLAIN: Mood = Mood::Plain;
+const GOOD: Emphasis = Emphasis::Good;
+const BAD: Emphasis = Emphasis::Bad;
+const ODD: Emphasis = Emphasis::Odd;
+const GLOSS: Emphasis = Emphasis::Gloss;
+const PLAIN: Emphasis = Emphasis::Plain;
 
 /// How many places of a problem are listed when not all are asked for.
 pub const FEW: usize = 5;
@@ -42,6 +43,10 @@ fn page_of(name: &str, format: &str, report: &Report, limit: usize) -> Page {
     homology(&mut page, "homology over Z", report.homology(), "H_");
     measures(&mut page, report);
     data(&mut page, report, limit);
+    named_parts(&mut page, report, limit);
+    for [name, cycles, gloss] in &report.permutations {
+        page.fact(name, PLAIN, cycles, gloss);
+    }
     problems(&mut page, report, limit);
     page
 }
@@ -86,7 +91,7 @@ fn group_over(group: &AbelianGroup, ring: &str) -> String {
 
 /// How something is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mood {
+pub enum Emphasis {
     /// As it is.
     Plain,
     /// As one hopes.
@@ -99,7 +104,7 @@ pub enum Mood {
     Gloss,
 }
 
-impl Mood {
+impl Emphasis {
     fn style(self) -> Style {
         match self {
             Self::Plain => Style::new(),
@@ -125,14 +130,14 @@ pub enum Item {
         /// The column where lines begin.
         indent: usize,
         /// How they are meant.
-        mood: Mood,
+        emphasis: Emphasis,
         /// The words.
         words: String,
     },
     /// Words after a mark.
     Bullet {
         /// How they are meant.
-        mood: Mood,
+        emphasis: Emphasis,
         /// The words.
         words: String,
     },
@@ -141,7 +146,7 @@ pub enum Item {
         /// What it is called.
         label: String,
         /// How the value is meant.
-        mood: Mood,
+        emphasis: Emphasis,
         /// What it is.
         value: String,
         /// What that means.
@@ -162,21 +167,21 @@ impl Item {
                 let _ = writeln!(text, "  {TITLE}{words}{TITLE:#}");
             }
             Self::Blank => text.push('\n'),
-            Self::Paragraph { indent, mood, words } => {
-                let style = mood.style();
+            Self::Paragraph { indent, emphasis, words } => {
+                let style = emphasis.style();
                 for line in wrapped(words, WIDTH - indent) {
                     let _ = writeln!(text, "{:indent$}{style}{line}{style:#}", "");
                 }
             }
-            Self::Bullet { mood, words } => {
-                let style = mood.style();
+            Self::Bullet { emphasis, words } => {
+                let style = emphasis.style();
                 for (i, line) in wrapped(words, WIDTH - 4).into_iter().enumerate() {
                     let mark = if i == 0 { "*" } else { " " };
                     let _ = writeln!(text, "  {style}{mark}{style:#} {line}");
                 }
             }
-            Self::Fact { label, mood, value, gloss } => {
-                let style = mood.style();
+            Self::Fact { label, emphasis, value, gloss } => {
+                let style = emphasis.style();
                 let _ = write!(text, "  {label:<width$}", width = INDENT - 2);
                 let mut lines = wrapped(value, WIDTH - INDENT).into_iter();
                 let mut last = lines.next().unwrap_or_default();
@@ -229,14 +234,14 @@ impl Page {
     }
 
     /// Words broken into lines that start at column `indent`.
-    fn paragraph(&mut self, indent: usize, mood: Mood, words: &str) {
-        self.items.push(Item::Paragraph { indent, mood, words: words.to_owned() });
+    fn paragraph(&mut self, indent: usize, emphasis: Emphasis, words: &str) {
+        self.items.push(Item::Paragraph { indent, emphasis, words: words.to_owned() });
     }
 
     /// One fact: what it is called, what it is, what that means.
-    fn fact(&mut self, label: &str, mood: Mood, value: &str, gloss: &str) {
+    fn fact(&mut self, label: &str, emphasis: Emphasis, value: &str, gloss: &str) {
         let [label, value, gloss] = [label, value, gloss].map(str::to_owned);
-        self.items.push(Item::Fact { label, mood, value, gloss });
+        self.items.push(Item::Fact { label, emphasis, value, gloss });
     }
 }
 
@@ -595,6 +600,34 @@ fn data(page: &mut Page, report: &Report, limit: usize) {
     }
 }
 
+/// The named parts, where there are several.
+fn named_parts(page: &mut Page, report: &Report, limit: usize) {
+    let most = limit.saturating_mul(2);
+    let parts = report.groups();
+    if parts.len() < 2 {
+        return;
+    }
+    for (i, part) in parts.iter().take(most).enumerate() {
+        let name: String = part.name().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let noun = match part.kind() {
+            GroupKind::Vertices => "vertex",
+            GroupKind::Lines => "line",
+            GroupKind::Polygons => "polygon",
+            GroupKind::Cells => "cell",
+        };
+        let hint = match (i, part.kind()) {
+            (0, GroupKind::Polygons) => format!("; FILE#{name} is read alone"),
+            _ => String::new(),
+        };
+        let label = if i == 0 { "groups" } else { "" };
+        page.fact(label, PLAIN, &name, &format!("{}{hint}", count(part.count(), noun)));
+    }
+    let rest = parts.len().saturating_sub(most);
+    if rest > 0 {
+        page.fact("", GLOSS, &format!("and {rest} more (--all lists all)"), "");
+    }
+}
+
 /// Six significant digits.
 pub fn number(value: f64) -> String {
     let size = value.abs();
@@ -620,13 +653,13 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
     }
     page.heading("problems");
     for problem in report.problems() {
-        let mood = match problem.kind() {
+        let emphasis = match problem.kind() {
             ProblemKind::NonManifoldRidge | ProblemKind::NonManifoldEdge | ProblemKind::NonManifoldVertex => {
                 BAD
             }
             _ => ODD,
         };
-        bullet(page, mood, problem.message());
+        bullet(page, emphasis, problem.message());
         places(page, problem, limit);
     }
     for remark in remarks {
@@ -634,8 +667,8 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
     }
 }
 
-fn bullet(page: &mut Page, mood: Mood, words: &str) {
-    page.items.push(Item::Bullet { mood, words: words.to_owned() });
+fn bullet(page: &mut Page, emphasis: Emphasis, words: &str) {
+    page.items.push(Item::Bullet { emphasis, words: words.to_owned() });
 }
 
 /// The first places of a problem: the cells by their vertices, and the top cells that meet there.

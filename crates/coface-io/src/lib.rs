@@ -86,6 +86,7 @@ pub use model::{Model, Structure};
 #[doc(hidden)]
 pub use model::{ModelParts, segments};
 pub use output::{abandon_files, replace_file};
+pub use parts::parts_of_path;
 pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
     read_path, read_path_with, read_unknown, read_with, write, write_path,

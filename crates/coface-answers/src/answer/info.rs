@@ -60,6 +60,9 @@ pub struct InfoAnswer {
     pub moments: Vec<MomentAnswer>,
     /// The named numbers on vertices, lines, polygons and cells.
     pub data: Vec<DataAnswer>,
+    /// The named sets of vertices, lines, polygons and cells.
+    #[serde(default)]
+    pub groups: Vec<NamedGroup>,
     /// What is wrong, and where.
     pub problems: Vec<ProblemAnswer>,
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
@@ -175,6 +178,18 @@ pub struct DataAnswer {
     pub number_type: String,
     /// The least and the largest number; `null` if there are none.
     pub range: Option<[Option<f64>; 2]>,
+}
+
+/// A named set of vertices, lines, polygons or cells of a model: an object of an OBJ, a solid of an STL, a physical group of Gmsh.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct NamedGroup {
+    /// The name, or the number, that the file gives it; one of polygons is read alone as `FILE#name`.
+    pub name: String,
+    /// What the members are.
+    pub of: String,
+    /// How many members it has.
+    pub count: usize,
 }
 
 /// One sort of fault with its places.
@@ -301,6 +316,13 @@ impl Report {
                     components: data.components(),
                     number_type: if data.is_integral() { "integer" } else { "real" }.to_owned(),
                     range: data.range().map(|range| range.map(Some)),
+                })
+                .collect(),
+            groups: (self.groups.iter())
+                .map(|group| NamedGroup {
+                    name: group.name().to_owned(),
+                    of: group.kind().to_string(),
+                    count: group.count(),
                 })
                 .collect(),
             problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),

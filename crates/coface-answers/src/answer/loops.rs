@@ -13,6 +13,9 @@ pub struct LoopsAnswer {
     pub kind: String,
     /// The components; that of the base vertex comes first.
     pub components: Vec<LoopsComponent>,
+    /// The trees that the loops of a complex of at most 40 edges come from; `null` for larger ones.
+    #[serde(default)]
+    pub trees: Option<TreesAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }
@@ -28,6 +31,18 @@ pub struct LoopsComponent {
     pub loops: Vec<ClosedPath>,
     /// The relators: i is loop i, counted from 1, -i its inverse, and the product of the letters can be contracted.
     pub relators: Vec<Vec<i32>>,
+}
+
+/// The edges of a small complex by what they are in a tree-cotree decomposition, each by its vertices.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct TreesAnswer {
+    /// The edges of the spanning trees of vertices.
+    pub tree: Vec<[u32; 2]>,
+    /// The edges that spanning trees of faces cross: what they are as loops follows from the faces.
+    pub cotree: Vec<[u32; 2]>,
+    /// The edges in neither: each makes a loop with the tree. Where a presentation was simplified, fewer loops are shown.
+    pub generators: Vec<[u32; 2]>,
 }
 
 /// Short closed paths on a surface.

@@ -62,11 +62,11 @@ pub use convert::{
 pub use generate::GenerateAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, FailedInput, InfoAnswer, InfoEntry, InfoReports,
-    ManifoldAnswer, MassAnswer, MomentAnswer, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
+    ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
 };
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,
-    SubgroupsComponent,
+    SubgroupsComponent, TreesAnswer,
 };
 pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use pi1::{

@@ -1,7 +1,7 @@
 //! From a model to its report.
 
 use super::moments::{Moment, check_exponents};
-use super::report::{DataSummary, Kind, Report};
+use super::report::{DataSummary, GroupSummary, Kind, Report};
 use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
 use crate::answer::{Place, Remark};
 use crate::producer::{Cells, Producer};
@@ -127,6 +127,7 @@ impl Report {
         let mut model = model.into_parts();
         let mut remarks = std::mem::take(&mut model.remarks);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
+        let groups = model.groups.iter().map(GroupSummary::of).collect();
         // Nothing of a volume is made whole but its voxels.
         let volume = match model.structure.take() {
             Some(Structure::Volume(volume)) => Some(volume),
@@ -155,7 +156,7 @@ impl Report {
         remarks.append(&mut report.remarks);
         report.warnings = remarks.iter().map(|remark| remark.message.clone()).collect();
         report.remarks = remarks;
-        report.data = data;
+        (report.data, report.groups) = (data, groups);
         Ok(report)
     }
 }

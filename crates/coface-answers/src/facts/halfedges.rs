@@ -1,6 +1,7 @@
 //! The report on a surface given by permutations of its halfedges.
 
 use super::report::{Answer, Kind, Report};
+use coface_algebra::HalfedgeId;
 use coface_complexes::surface::{GeneralizedMap, HalfedgeMesh, SurfaceComponent};
 use coface_topology::homology;
 
@@ -28,6 +29,37 @@ pub(crate) fn report(mesh: &HalfedgeMesh) -> Report {
         name: SurfaceComponent::names(&surfaces),
         surfaces,
         homology: homology(&complex).groups().to_vec(),
+        permutations: if mesh.halfedge_count() <= MOST_HALFEDGES { permutations(mesh) } else { Vec::new() },
         ..Report::of_nothing()
     }
+}
+
+/// The permutations of more halfedges are not shown.
+const MOST_HALFEDGES: usize = 60;
+
+/// The permutations of the halfedges in cycles.
+fn permutations(mesh: &HalfedgeMesh) -> Vec<[String; 3]> {
+    let cycles = |image: &dyn Fn(HalfedgeId) -> HalfedgeId| {
+        let mut seen = vec![false; mesh.halfedge_count()];
+        let mut text = String::new();
+        for start in 0..seen.len() {
+            let mut at = HalfedgeId::new(start);
+            let mut cycle = Vec::new();
+            while !std::mem::replace(&mut seen[at.index()], true) {
+                cycle.push(at.index().to_string());
+                at = image(at);
+            }
+            if !cycle.is_empty() {
+                text += &format!("({})", cycle.join(" "));
+            }
+        }
+        text
+    };
+    [
+        ("next", cycles(&|halfedge| mesh.next(halfedge)), "its cycles are the faces"),
+        ("twin", cycles(&|halfedge| mesh.twin(halfedge)), "its cycles are the edges"),
+        ("next of twin", cycles(&|halfedge| mesh.next(mesh.twin(halfedge))), "its cycles are the vertices"),
+    ]
+    .map(|(name, cycles, gloss)| [name.to_owned(), cycles, gloss.to_owned()])
+    .to_vec()
 }

@@ -23,6 +23,6 @@ pub use examination::ReportRequest;
 pub use moments::Moment;
 pub(crate) use polygons::witness;
 pub use problem::{Problem, ProblemKind};
-pub use report::{Answer, BoundaryPart, DataSummary, Kind, Report, Skin, Witness};
+pub use report::{Answer, BoundaryPart, DataSummary, GroupSummary, Kind, Report, Skin, Witness};
 pub(crate) use volume::VolumeCells;
 pub use volume::homology_of_volume;

@@ -4,7 +4,7 @@ use super::{Moment, Problem};
 use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
-use coface_io::{CellData, GroupKind};
+use coface_io::{CellData, Group, GroupKind};
 use coface_topology::AbelianGroup;
 use std::fmt;
 
@@ -215,6 +215,36 @@ impl DataSummary {
     }
 }
 
+/// A named set of vertices, lines, polygons or cells of a model, such as an object of an OBJ or a solid of an STL.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct GroupSummary {
+    name: String,
+    kind: GroupKind,
+    count: usize,
+}
+
+impl GroupSummary {
+    pub(crate) fn of(group: &Group) -> Self {
+        Self { name: group.name().to_owned(), kind: group.kind(), count: group.members().len() }
+    }
+
+    /// The name, or the number, that the file gives it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the members are.
+    pub fn kind(&self) -> GroupKind {
+        self.kind
+    }
+
+    /// How many members it has.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+}
+
 /// Everything that `coface info` says about one model.
 ///
 /// # Conventions
@@ -248,6 +278,9 @@ pub struct Report {
     pub(crate) mass: Option<MassProperties>,
     pub(crate) moments: Vec<Moment>,
     pub(crate) data: Vec<DataSummary>,
+    pub(crate) groups: Vec<GroupSummary>,
+    /// The permutations of the halfedges of a small surface in cycles: name, cycles, what the cycles are.
+    pub(crate) permutations: Vec<[String; 3]>,
     pub(crate) problems: Vec<Problem>,
     pub(crate) warnings: Vec<String>,
     pub(crate) remarks: Vec<Remark>,
@@ -280,6 +313,8 @@ impl Report {
             mass: None,
             moments: Vec::new(),
             data: Vec::new(),
+            groups: Vec::new(),
+            permutations: Vec::new(),
             problems: Vec::new(),
             warnings: Vec::new(),
             remarks: Vec::new(),
@@ -407,6 +442,11 @@ impl Report {
     /// The named numbers on vertices, lines, polygons and cells.
     pub fn data(&self) -> &[DataSummary] {
         &self.data
+    }
+
+    /// The named sets of vertices, lines, polygons and cells, in the order of the file.
+    pub fn groups(&self) -> &[GroupSummary] {
+        &self.groups
     }
 
     /// What is wrong, and where.

@@ -4,7 +4,8 @@ use super::{GroupsRequest, Shown, SurfaceLoops};
 use crate::Producer;
 use crate::answer::{
     ClosedPath, CyclesAnswer, GroupAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent,
-    Pi1Answer, Pi1Component, Remark, RemarkCode, SubgroupsAnswer, SubgroupsComponent, WalkAnswer, WalkPair,
+    Pi1Answer, Pi1Component, Remark, RemarkCode, SubgroupsAnswer, SubgroupsComponent, TreesAnswer,
+    WalkAnswer, WalkPair,
 };
 use coface_algebra::{Error, Word};
 use coface_geometry::Positions;
@@ -18,13 +19,14 @@ pub struct FoundGroups {
     positions: Positions,
     pub(super) compared: Option<(Vec<WalkAnswer>, Vec<WalkPair>)>,
     pub(super) short: Option<Vec<ClosedPath>>,
+    pub(super) trees: Option<TreesAnswer>,
     pub(super) remarks: Vec<Remark>,
 }
 
 impl FoundGroups {
     pub(super) fn new(request: &GroupsRequest, shown: Vec<Shown>, producer: &Producer) -> Self {
         let (request, positions) = (request.clone(), producer.positions().clone());
-        Self { request, shown, positions, compared: None, short: None, remarks: Vec::new() }
+        Self { request, shown, positions, compared: None, short: None, trees: None, remarks: Vec::new() }
     }
 
     /// The presentation of the group of each component, as it was asked for.
@@ -98,6 +100,7 @@ impl FoundGroups {
             SurfaceLoops::Canonical => "canonical",
         };
         Ok(LoopsAnswer {
+            trees: self.trees.clone(),
             file: file.to_owned(),
             kind: kind.to_owned(),
             components: self.shown.iter().map(of_component).collect::<Result<_, _>>()?,

@@ -11,7 +11,7 @@ mod walks;
 pub use found::FoundGroups;
 
 use crate::Producer;
-use crate::answer::{GroupCounts, HomomorphismAnswer, SubgroupCount};
+use crate::answer::{GroupCounts, HomomorphismAnswer, SubgroupCount, TreesAnswer};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, VertexId, Word};
@@ -181,6 +181,8 @@ impl GroupsRequest {
                 )?
             }
         };
+        let is_small = skeleton.edge_count() <= surface::MOST_EDGES;
+        let small = is_small.then(|| (skeleton.vertex_count(), skeleton.edge_ends().to_vec()));
         drop((skeleton, steps));
         let steps = stage("comparing with homology", 0);
         check(&groups.first_homology(), &producer.chain_complex()?)?;
@@ -197,7 +199,9 @@ impl GroupsRequest {
             }
             shown
         });
-        Ok(FoundGroups::new(self, shown.collect(), producer))
+        let mut found = FoundGroups::new(self, shown.collect(), producer);
+        found.trees = small.map(|(vertices, ends)| trees_of(&groups, vertices, &ends, number));
+        Ok(found)
     }
 
     fn shown(&self, presentation: &Presentation, effort: Effort) -> Shown {
@@ -214,6 +218,32 @@ impl GroupsRequest {
         };
         Shown { presentation, generators, name, counts, lengths: None, base: 0, loops: Vec::new() }
     }
+}
+
+/// The edges of a complex by what they are for its loops: in a tree, generators, or known by the faces.
+fn trees_of(
+    groups: &EdgePathGroups,
+    vertex_count: usize,
+    ends: &[u32],
+    number: impl Fn(VertexId) -> u32,
+) -> TreesAnswer {
+    let last = |vertex: usize| groups.path_to(VertexId::new(vertex)).last().map(|&(edge, _)| edge.index());
+    let tree: Vec<usize> = (0..vertex_count).filter_map(last).collect();
+    let components = 0..groups.component_count();
+    let generators: Vec<usize> =
+        components.flat_map(|component| groups.generator_edges(component)).map(|edge| edge.index()).collect();
+    let mut answer = TreesAnswer::default();
+    for (edge, ends) in ends.chunks_exact(2).enumerate() {
+        let ends = [ends[0], ends[1]].map(|end| number(VertexId::new(end as usize)));
+        if tree.contains(&edge) {
+            answer.tree.push(ends);
+        } else if generators.contains(&edge) {
+            answer.generators.push(ends);
+        } else {
+            answer.cotree.push(ends);
+        }
+    }
+    answer
 }
 
 fn no_vertex(number: u32, purpose: &str) -> Error {

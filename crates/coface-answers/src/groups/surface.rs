@@ -3,13 +3,14 @@
 use super::found::{FoundGroups, unit_lengths};
 use super::{Counts, GroupsRequest, ShortPaths, Shown, SurfaceLoops, check, no_vertex, walks};
 use crate::Producer;
-use crate::answer::ClosedPath;
+use crate::answer::{ClosedPath, TreesAnswer};
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, VertexId, Word};
 use coface_complexes::surface::GeneralizedMap;
 use coface_topology::{
-    AbelianGroup, ClosedWalk, CycleKind, Effort, Presentation, ShortestCycle, SurfaceGroup, SurfaceHomotopy,
-    TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
+    AbelianGroup, ClosedWalk, CycleKind, EdgeRole, Effort, Presentation, ShortestCycle, SurfaceGroup,
+    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
+    shortest_loops,
 };
 
 /// The group of one component of a surface, in the generators that are shown.
@@ -105,6 +106,7 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         }
     }
     let mut groups = FoundGroups::new(request, shown, producer);
+    groups.trees = (map.skeleton().edge_count() <= MOST_EDGES).then(|| trees_of(&map, &trees, &numbers));
     if has_lengths && lengths.is_none() {
         groups.remarks.push(unit_lengths());
     }
@@ -123,6 +125,22 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         groups.short = Some(found.into_iter().map(path).collect());
     }
     Ok(groups)
+}
+
+/// The edges of larger surfaces are not listed by their roles.
+pub(super) const MOST_EDGES: usize = 40;
+
+fn trees_of(map: &GeneralizedMap, trees: &TreeCotree, numbers: &[u32]) -> TreesAnswer {
+    let mut answer = TreesAnswer::default();
+    for (ends, role) in map.skeleton().edge_ends().chunks_exact(2).zip(trees.roles()) {
+        let ends = [ends[0], ends[1]].map(|end| numbers[end as usize]);
+        match role {
+            EdgeRole::Tree => answer.tree.push(ends),
+            EdgeRole::Cotree => answer.cotree.push(ends),
+            EdgeRole::Generator => answer.generators.push(ends),
+        }
+    }
+    answer
 }
 
 /// How many vertices searches from all roots may reach in all.

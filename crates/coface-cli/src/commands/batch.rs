@@ -18,7 +18,8 @@ use std::time::Duration;
 ///
 /// PATHS are files; folders, for the files of known formats in them; patterns in quotes, like 'models/**/*.ply'; @LIST, a file with one
 /// path a line; or -, the same on standard input. A file of several models, such as JSON lines or a census of isomorphism signatures, has
-/// a row for each, with the path FILE#NAME that chooses it in any verb. A row has path, bytes, seconds, error, and everything that coface info --json says. In
+/// a row for each, with the path FILE#NAME that chooses it in any verb; an OBJ of several objects or an STL of several solids has one for
+/// the whole and one for each. A row has path, bytes, seconds, error, and everything that coface info --json says. In
 /// JSON lines that is one object; in CSV cells are f_0, f_1, .., homology is betti_0, .., torsion_0, .., and lists are text.
 ///
 /// Files are read by worker processes: one that crashes, takes too long or needs too much memory costs its row alone, which says so.

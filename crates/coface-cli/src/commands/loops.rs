@@ -86,6 +86,17 @@ fn page(answer: &LoopsAnswer, limit: usize) -> String {
             facts.push(row("", format!("and {more} more relators (--all prints all)")));
         }
     }
+    if let Some(trees) = &answer.trees {
+        for (label, edges, gloss) in [
+            ("tree", &trees.tree, "edges of the spanning tree of vertices"),
+            ("cotree", &trees.cotree, "edges that the faces make known"),
+            ("left", &trees.generators, "edges in neither: each makes a loop"),
+        ] {
+            let edges: Vec<String> = edges.iter().map(|[from, to]| format!("{from}-{to}")).collect();
+            let none = if edges.is_empty() { "none".to_owned() } else { edges.join(" ") };
+            facts.push((label.to_owned(), none, gloss.to_owned()));
+        }
+    }
     if answer.components.len() > limit {
         let more = text::count(answer.components.len() - limit, "more component");
         facts.push(row("", format!("and {more} (--all prints all)")));

@@ -9,6 +9,7 @@ mod exports;
 mod generate;
 mod homology;
 mod incidence;
+mod info;
 mod manifest;
 mod manners;
 mod mass;

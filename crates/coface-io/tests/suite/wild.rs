@@ -398,6 +398,11 @@ fn one_of_several_models_is_chosen() {
     }
     let parts = path("a.obj", "o low\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no high\nv 0 0 9\nf 4 3 2\n");
     assert!(io::entries_of_path(&parts, None).unwrap().is_empty());
+    assert_eq!(io::parts_of_path(&parts, None).unwrap(), ["low", "high"]);
+    let solids = path("a.stl", "solid\nendsolid\nsolid b c\nendsolid b c\nsolid d\nendsolid d");
+    assert_eq!(io::parts_of_path(&solids, None).unwrap(), ["b c", "d"]);
+    let one = path("b.obj", "o low\nv 0 0 0\no low\n");
+    assert!(io::parts_of_path(&one, None).unwrap().is_empty());
     let model = io::read_path(format!("{parts}#high"), None).unwrap();
     assert_eq!((model.vertex_count(), lists(model.polygons())), (3, vec![vec![0, 1, 2]]));
     assert_eq!(model.positions().as_flat()[2], 9.0);

@@ -1,6 +1,6 @@
 //! The report as a page for browsers: tables of facts and pictures, in one file that needs no network.
 
-use coface_answers::text::{Item, Mood};
+use coface_answers::text::{Emphasis, Item};
 use std::fmt::Write;
 
 const HEAD: &str = r#"<!doctype html>
@@ -98,18 +98,18 @@ fn push_items(page: &mut String, items: &[Item]) {
             }
             Item::Heading(words) => writeln!(page, "<h2>{}</h2>", escaped(words)),
             Item::Blank => Ok(()),
-            Item::Paragraph { indent, mood, words } => {
-                let place = if *indent > 4 && *mood == Mood::Plain { " place" } else { "" };
-                writeln!(page, "<p class=\"{}{place}\">{}</p>", class(*mood), escaped(words))
+            Item::Paragraph { indent, emphasis, words } => {
+                let place = if *indent > 4 && *emphasis == Emphasis::Plain { " place" } else { "" };
+                writeln!(page, "<p class=\"{}{place}\">{}</p>", class(*emphasis), escaped(words))
             }
-            Item::Bullet { mood, words } => {
-                writeln!(page, "<p class=\"{}\">{}</p>", class(*mood), escaped(words))
+            Item::Bullet { emphasis, words } => {
+                writeln!(page, "<p class=\"{}\">{}</p>", class(*emphasis), escaped(words))
             }
-            Item::Fact { label, mood, value, gloss } => writeln!(
+            Item::Fact { label, emphasis, value, gloss } => writeln!(
                 page,
                 "<tr><th scope=\"row\">{}</th><td class=\"{}\">{}</td><td class=\"gloss\">{}</td></tr>",
                 escaped(label),
-                class(*mood),
+                class(*emphasis),
                 escaped(value),
                 escaped(gloss)
             ),
@@ -120,13 +120,13 @@ fn push_items(page: &mut String, items: &[Item]) {
     }
 }
 
-fn class(mood: Mood) -> &'static str {
-    match mood {
-        Mood::Plain => "plain",
-        Mood::Good => "good",
-        Mood::Bad => "bad",
-        Mood::Odd => "odd",
-        Mood::Gloss => "gloss",
+fn class(emphasis: Emphasis) -> &'static str {
+    match emphasis {
+        Emphasis::Plain => "plain",
+        Emphasis::Good => "good",
+        Emphasis::Bad => "bad",
+        Emphasis::Odd => "odd",
+        Emphasis::Gloss => "gloss",
     }
 }
 

@@ -1,7 +1,7 @@
 //! Finding the files that a batch is about.
 
 use coface_algebra::{Error, ErrorKind};
-use coface_io::{Format, entries_of_path};
+use coface_io::{Format, entries_of_path, parts_of_path};
 use std::collections::HashSet;
 use std::fs;
 use std::io::Read;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// `is_recursive` those of the folders in it too; a pattern with `*`, `?` or `[`, in which `**` is any number of folders; `@list.txt`, a
 /// file with one path a line; or `-`, the same on standard input. A path that exists is never a pattern or a list. A file need not exist: its row says so.
 /// Links to folders are not followed inside of folders. A file of several models, which are signatures or JSON, stands for each of
-/// them: `census.sig#L(3,1)`.
+/// them: `census.sig#L(3,1)`. An OBJ of several objects, or an STL of several solids, is there as a whole and then for each of them.
 ///
 /// # Errors
 /// [`ErrorKind::Io`] when a folder or list cannot be read; [`ErrorKind::InvalidInput`] when a pattern is none or nothing is named.
@@ -62,20 +62,25 @@ pub fn find_files(
     Ok(files)
 }
 
-/// The models of a file that holds several, as `file#name`; otherwise the file, whatever is wrong with it.
+/// The models of a file that holds several, as `file#name`, or a mesh and its parts; otherwise the file, whatever is wrong with it.
 fn entries_of(file: PathBuf) -> Vec<PathBuf> {
-    let may_be =
-        matches!(Format::from_input_path(&file), Some(Format::Json | Format::Isosig)) && file.is_file();
-    let entries = may_be.then(|| entries_of_path(&file, None)).and_then(Result::ok).unwrap_or_default();
-    if entries.is_empty() {
-        return vec![file];
-    }
+    let format = Format::from_input_path(&file).filter(|_| file.is_file());
+    let names = match format {
+        Some(Format::Json | Format::Isosig) => entries_of_path(&file, None),
+        Some(Format::Obj | Format::Stl) => parts_of_path(&file, None),
+        _ => Ok(Vec::new()),
+    };
     let entry = |name: String| {
         let mut path = file.clone().into_os_string();
         path.push(format!("#{name}"));
-        path.into()
+        PathBuf::from(path)
     };
-    entries.into_iter().map(entry).collect()
+    let entries: Vec<PathBuf> = names.unwrap_or_default().into_iter().map(entry).collect();
+    if entries.is_empty() {
+        return vec![file];
+    }
+    let whole = matches!(format, Some(Format::Obj | Format::Stl)).then_some(file);
+    whole.into_iter().chain(entries).collect()
 }
 
 /// The file of a list `@file`.
@@ -204,6 +209,7 @@ mod tests {
             ("nested.json", "[[[0, 1, 2]], [[0, 1, 2, 3], [1, 2, 3, 4]]]"),
             ("one.json", "[[0, 1, 2]]"),
             ("torn.json", "[[[0, 1"),
+            ("two.obj", "o low\nv 0 0 0\no high\n"),
         ] {
             fs::write(folder.path().join(name), text).unwrap();
         }
@@ -221,6 +227,9 @@ mod tests {
             "nested.json#2",
             "one.json",
             "torn.json",
+            "two.obj",
+            "two.obj#low",
+            "two.obj#high",
         ];
         assert_eq!(names, expected);
     }

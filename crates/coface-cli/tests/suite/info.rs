@@ -1,0 +1,55 @@
+//! `coface info`: what it says of parts and of small models.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::coface;
+use serde_json::json;
+
+/// The parts of a file are named where there are several, and the permutations of few halfedges are shown in cycles.
+#[test]
+fn parts_and_permutations_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let two =
+        path("two.obj", "o low\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no high\nv 0 0 9\nf 4 3 2\nf 4 2 1\n");
+    let run = coface(&["info", &two]);
+    assert!(
+        run.stdout.contains("groups            low  1 polygon; FILE#low is read alone"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.contains("                  high  2 polygons"), "{}", run.stdout);
+    let groups = coface(&["info", "--json", &two]).json()["groups"].clone();
+    let group = |name: &str, count: usize| json!({"name": name, "of": "polygons", "count": count});
+    assert_eq!(groups, json!([group("low", 1), group("high", 2)]));
+    assert_eq!(coface(&["info", "--json", &format!("{two}#high")]).json()["f_vector"], json!([4, 5, 2]));
+    let halfedges = path("h.json", r#"{"next": [2, 0, 1, 4, 5, 3]}"#);
+    let text = coface(&["info", &halfedges]).stdout;
+    for line in [
+        "next              (0 2 1)(3 4 5)  its cycles are the faces",
+        "twin              (0 1)(2 3)(4 5)  its cycles are the edges",
+        "next of twin      (0)(1 2 4 3)(5)  its cycles are the vertices",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+}
+
+/// The trees of a small surface are listed whole, and are what the counts say: n - 1 edges, f - 1 edges, and a generator for each of the rest.
+#[test]
+fn trees_of_small_surfaces_are_listed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("torus.off").display().to_string();
+    coface(&["generate", "csaszar", "-o", &path, "--json"]).json();
+    for options in [&["loops", "--json"][..], &["loops", "--json", "--shortest"]] {
+        let trees = coface(&[options, &[&path]].concat()).json()["trees"].clone();
+        let count = |key: &str| trees[key].as_array().unwrap().len();
+        assert_eq!([count("tree"), count("cotree"), count("generators")], [6, 13, 2], "{options:?}");
+    }
+    let text = coface(&["loops", &path]).stdout;
+    assert!(text.contains("  tree ") && text.contains("edges in neither: each makes a loop"), "{text}");
+    coface(&["generate", "torus", "-o", &path, "--json"]).json();
+    assert!(coface(&["loops", "--json", &path]).json()["trees"].is_null());
+}
