@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
-use crate::scanner::{Scanner, parse_f64, parse_i64, quoted};
+use crate::scanner::{Scanner, parse_coordinate, parse_i64, quoted};
 use crate::{GroupKind, Model, Remark, RemarkCode};
 use coface_algebra::Error;
 use std::collections::{BTreeMap, HashMap};
@@ -209,7 +209,7 @@ impl Mesh {
                     return Err(Error::parse("a node without coordinates").with_cure("write number, x, y, z"));
                 }
                 for (word, x) in rest.iter().zip(&mut point) {
-                    *x = parse_f64(word.as_bytes(), "a coordinate")?;
+                    *x = parse_coordinate(word.as_bytes(), "a coordinate")?;
                 }
                 let vertex = self.assembly.vertex_count() as u32;
                 self.assembly.add_vertex(&point)?;

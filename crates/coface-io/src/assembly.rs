@@ -4,14 +4,13 @@ use super::CellData;
 use super::data::without_repeated_names;
 use super::element_kind::Kind;
 use super::lists::Lists;
-use super::model::{Model, repeated_vertex};
+use super::model::{Model, placed, repeated_vertex};
 use super::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
 use super::scratch_mesh::ScratchMesh;
 use super::{Group, GroupKind};
 use crate::{Place, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
-use coface_geometry::Positions;
 use std::collections::BTreeMap;
 
 /// A mesh that grows element by element. Groups have numbers, and names at the end.
@@ -59,11 +58,17 @@ impl Assembly {
         self.vertex_count
     }
 
-    /// Adds a vertex; as many coordinates as the dimension.
+    /// Adds a vertex; as many coordinates as the dimension, and they may be NaN or infinite.
     pub(crate) fn add_vertex(&mut self, coordinates: &[f64]) -> Result<(), Error> {
+        self.add_vertex_on_line(coordinates, None)
+    }
+
+    /// Adds a vertex that stands on this line of a text.
+    pub(crate) fn add_vertex_on_line(&mut self, coordinates: &[f64], line: Option<u64>) -> Result<(), Error> {
         if self.vertex_count == u32::MAX as usize {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 vertices"));
         }
+        self.oddities.note_unplaced(coordinates, self.vertex_count as u64, line);
         self.vertex_count += 1;
         if let Some(scratch) = &mut self.scratch {
             return scratch.add_vertex(coordinates);
@@ -200,9 +205,11 @@ impl Assembly {
     pub(crate) fn finish(mut self) -> Result<Model, Error> {
         self.remarks.extend(std::mem::take(&mut self.oddities).into_remarks());
         let renumbered = if self.reduced_count > 0 { self.drop_inner_vertices() } else { None };
+        let (positions, partial_positions) = placed(self.dimension, self.coordinates)?;
         let mut model = Model {
             vertex_count: self.vertex_count,
-            positions: Positions::from_flat(self.dimension, self.coordinates)?,
+            positions,
+            partial_positions,
             polygons: self.polygons.into_ragged()?,
             shapes: self.shapes,
             cells: self.cells.into_ragged()?,

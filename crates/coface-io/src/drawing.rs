@@ -508,10 +508,13 @@ fn names_of(model: &Model, kind: GroupKind) -> Vec<Option<usize>> {
 /// The coordinates that are written for each vertex: two, or three if one is above or below the plane.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] if the model has no positions, cells, or more than three coordinates a vertex.
+/// [`ErrorKind::UnsupportedFormat`] if the model has no positions, cells, or more than three coordinates a vertex;
+/// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming a coordinate that is not finite.
 pub(super) fn written_dimension(model: &Model, format: &str) -> Result<usize, Error> {
     super::limits::require_mesh(model, format, "MEDIT, MSH or VTK")?;
     super::limits::require_dimension(model, format, 3)?;
+    // The plane needs coordinates.
+    model.require_finite()?;
     let in_plane = model.positions.dimension() < 3
         || model.positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0);
     Ok(if in_plane { 2 } else { 3 })

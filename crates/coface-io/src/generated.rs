@@ -71,6 +71,7 @@ impl Model {
     /// # Ok(()) }
     /// ```
     pub fn placed_cells(&self) -> Result<Vec<PlacedCells>, Error> {
+        self.require_finite()?;
         if self.structure.is_some() || self.positions.dimension() == 0 {
             return Err(Error::invalid("the model has no positions").with_cure("give a mesh with positions"));
         }

@@ -84,7 +84,7 @@ pub use group::{Group, GroupKind};
 pub use model::repeated_vertex;
 pub use model::{Model, Structure};
 #[doc(hidden)]
-pub use model::{ModelParts, segments};
+pub use model::{ModelParts, placed, segments};
 pub use output::{abandon_files, replace_file};
 pub use parts::parts_of_path;
 pub use readers::{

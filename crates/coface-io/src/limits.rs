@@ -18,7 +18,7 @@ pub(super) fn require_mesh(model: &Model, format: &str, others: &str) -> Result<
             format!("write {others}"),
         );
     }
-    if model.vertex_count > 0 && model.positions.dimension() == 0 {
+    if model.vertex_count > 0 && model.coordinate_count() == 0 {
         return refuse("vertices without positions", "write a JSON facet list".to_owned());
     }
     Ok(())
@@ -26,7 +26,7 @@ pub(super) fn require_mesh(model: &Model, format: &str, others: &str) -> Result<
 
 /// Refuses more than `most` coordinates a vertex.
 pub(super) fn require_dimension(model: &Model, format: &str, most: usize) -> Result<(), Error> {
-    let dimension = model.positions.dimension();
+    let dimension = model.coordinate_count();
     if dimension <= most {
         return Ok(());
     }
@@ -41,7 +41,7 @@ pub(super) fn require_dimension(model: &Model, format: &str, most: usize) -> Res
 pub(super) fn require_volume_mesh(model: &Model, format: &str) -> Result<(), Error> {
     let (what, cure) = if model.structure.is_some() {
         ("an abstract structure", "write JSON")
-    } else if model.vertex_count > 0 && model.positions.dimension() == 0 {
+    } else if model.vertex_count > 0 && model.coordinate_count() == 0 {
         ("vertices without positions", "write a JSON facet list")
     } else {
         return Ok(());

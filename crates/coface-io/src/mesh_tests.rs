@@ -1,7 +1,7 @@
 //! Write then read gives the same model, and no bytes make a reader of surfaces panic: OFF, OBJ, PLY, STL.
 
 use super::samples::with_data;
-use super::{CellData, Group, GroupKind, Model, obj, off, ply, stl};
+use super::{CellData, Format, Group, GroupKind, Model, ReadOptions, obj, off, ply, stl};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, VertexId};
 use coface_geometry::Positions;
@@ -175,6 +175,11 @@ fn a_vertical_tab_is_no_blank() {
     assert!(fault(obj::read(&b"\x0b\n"[..])).contains("not an OBJ statement"));
 }
 
+/// What strict reading refuses.
+fn strict(bytes: &[u8], format: Format) -> String {
+    fault(crate::read_with(bytes, &ReadOptions::new().format(format).strict(true)))
+}
+
 fn fault<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
     result.unwrap_err().to_string()
 }
@@ -202,7 +207,8 @@ fn off_faults_are_named() {
     assert!(read("OFF\n4000000000 4000000000 0\n0 0 0\n").contains("promises 4000000000 vertices"));
     assert!(read("OFF\n5000000000 1 0\n").contains("limit"));
     assert!(read("OFF\n1 1 0\n0 0 0\n").contains("promises 1 faces, but the file ends after 0"));
-    assert!(read("OFF\n1 1 0\n0 nan 0\n").starts_with("line 3: a coordinate is NaN"));
+    assert!(strict(b"OFF\n1 0 0\n0 nan 0\n", Format::Off).contains("on line 3"));
+    assert!(read("OFF\n1 1 0\n0 none 0\n").starts_with("line 3: \"none\" is not a number"));
     assert!(read("OFF\n1 1 0\n0 0\n").starts_with("line 3: a vertex with 2 coordinates"));
     assert!(read("OFF\n1 1 0 0 0 0\n").starts_with("line 2: \"0\" stands behind the counts"));
     assert!(read("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n").starts_with("line 6: a face names vertex 3"));
@@ -263,7 +269,7 @@ fn obj_faults_are_named() {
     assert!(read("v 0 0 0\nf\n").starts_with("line 2: a face with 0 vertices"));
     assert!(read("v 0 0 0\np\n").starts_with("line 2: a point statement without"));
     assert!(read("v 0 0\n").starts_with("line 1: a vertex with 2 coordinates"));
-    assert!(read("\nv 0 inf 0\n").starts_with("line 2: a coordinate is inf"));
+    assert!(strict(b"\nv 0 inf 0\n", Format::Obj).contains("on line 2"));
     assert!(read("v 0 x 0\n").starts_with("line 1: \"x\" is not a number"));
     assert!(read("v 0 0 0\n\nf 1 2 3x\n").starts_with("line 3: \"3x\" is not an integer"));
     assert!(read("OFF\n3 1 0\n").starts_with("line 2: \"3\" is not an OBJ statement"));
@@ -373,7 +379,9 @@ fn ply_faults_are_named() {
     let read = |body: &str| fault(ply::read(format!("{head}{body}").as_bytes()));
     let points = "0 0 0\n1 0 0\n0 1 0\n";
     assert!(read("").contains("the file ends where a coordinate should be (vertex 0 of the 3"));
-    assert!(read("0 0 0\n0 nan 0\n").starts_with("line 11: a coordinate is NaN"));
+    assert!(read("0 0 0\n0 none 0\n").starts_with("line 11: \"none\" is not a number"));
+    let text = format!("{head}0 0 0\n0 nan 0\n0 1 0\n3 0 1 2\n");
+    assert!(strict(text.as_bytes(), Format::Ply).contains("on line 11"));
     assert!(
         read(&format!("{points}3 0 1 3\n")).starts_with("line 13: vertex index 3, but there are 3 vertices")
     );
@@ -384,12 +392,13 @@ fn ply_faults_are_named() {
     assert!(error.to_string().contains("vertex 3 of the 4294967295 that the header promises"), "{error}");
     assert_eq!(error.byte(), Some(lying.len() as u64 + 40));
     let mut bytes = head.replace("ascii", "binary_big_endian").into_bytes();
-    let start = bytes.len() as u64;
     bytes.extend([0; 24]);
     bytes.extend(f32::INFINITY.to_be_bytes());
-    bytes.extend([0; 21]);
-    let error = ply::read(&bytes[..]).unwrap_err();
-    assert_eq!(error.byte(), Some(start + 24), "{error}");
+    bytes.extend([0; 8]);
+    bytes.push(3);
+    bytes.extend([0u32, 1, 2].iter().flat_map(|vertex| vertex.to_be_bytes()));
+    assert_eq!(ply::read(&bytes[..]).unwrap().remarks[0].places[0].cell, Some(vec![2]));
+    assert!(strict(&bytes, Format::Ply).contains("the first is v2"));
 }
 
 #[test]
@@ -418,7 +427,8 @@ fn stl_in_unusual_dress() {
     assert_eq!((model.vertex_count, model.polygons.len(), model.remarks.len()), (3, 1, 0));
     assert!(fault(stl::read(&bytes[..130])).starts_with("at byte 130: the header promises 1 triangles"));
     bytes[84 + 16..84 + 20].copy_from_slice(&f32::NAN.to_le_bytes());
-    assert_eq!(stl::read(&bytes[..]).unwrap_err().byte(), Some(100));
+    assert_eq!(stl::read(&bytes[..]).unwrap().vertex_count, 3);
+    assert!(strict(&bytes, Format::Stl).contains("not finite"));
 }
 
 #[test]
@@ -431,9 +441,10 @@ fn stl_faults_are_named() {
     assert!(read(&format!("{facet}vertex 0 0 0\n")).starts_with("line 7: a facet with more than three"));
     assert!(read(&format!("{facet}endloop x\n")).starts_with("line 7: \"x\" behind \"endloop\""));
     assert!(read(&format!("{facet}endfacet\n")).starts_with("line 7: \"endfacet\" where endloop should be"));
-    assert!(
-        read("solid\nfacet\nouter loop\nvertex 0 1e39 0\n").starts_with("line 4: the coordinate \"1e39\"")
-    );
+    let number = "solid\nfacet\nouter loop\nvertex 0 1e39x 0\n";
+    assert!(read(number).starts_with("line 4: \"1e39x\" is not a number"));
+    let large = "solid\nfacet\nouter loop\nvertex 0 1e39 0\nvertex 0 0 1\nvertex 0 1 1\nendloop\nendfacet\nendsolid\n";
+    assert!(strict(large.as_bytes(), Format::Stl).contains("on line 4"));
     assert!(
         read("solid\nfacet\nouter loop\nvertex 0 1\n").starts_with("line 4: a vertex with 2 coordinates")
     );

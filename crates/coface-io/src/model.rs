@@ -9,13 +9,14 @@ use coface_algebra::{Error, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::cubical::CubicalVolume;
 use coface_complexes::gluing::GluingTable;
-use coface_geometry::Positions;
+use coface_geometry::{PartialPositions, Positions};
 
 /// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, named data, or
 /// an abstract [`Structure`] instead of all these.
 ///
-/// Every index is below the vertex count, no polygon or cell repeats a vertex, and coordinates are finite: the
-/// readers, and [`Model::check`], see to it. Vertices that nothing uses are kept: they are isolated vertices.
+/// Every index is below the vertex count, and no polygon or cell repeats a vertex: the readers, and [`Model::check`], see to it.
+/// Vertices that nothing uses are kept: they are isolated vertices. [`Model::positions`] are finite: where a file has a coordinate
+/// that is NaN or infinite, they are empty, and [`Model::partial_positions`] has those of the other vertices.
 ///
 /// Two models are equal when they hold the same; the format they came from and the remarks do not matter.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +24,8 @@ pub struct Model {
     pub(crate) format: Option<Format>,
     pub(crate) vertex_count: usize,
     pub(crate) positions: Positions,
+    /// Instead of the positions, where some are not finite.
+    pub(crate) partial_positions: Option<PartialPositions>,
     pub(crate) polygons: RaggedArray,
     pub(crate) shapes: Vec<CellShape>,
     pub(crate) cells: RaggedArray,
@@ -42,6 +45,7 @@ pub struct ModelParts {
     pub format: Option<Format>,
     pub vertex_count: usize,
     pub positions: Positions,
+    pub partial_positions: Option<PartialPositions>,
     pub polygons: RaggedArray,
     pub shapes: Vec<CellShape>,
     pub cells: RaggedArray,
@@ -60,6 +64,7 @@ impl ModelParts {
             format,
             vertex_count,
             positions,
+            partial_positions,
             polygons,
             shapes,
             cells,
@@ -74,6 +79,7 @@ impl ModelParts {
             format,
             vertex_count,
             positions,
+            partial_positions,
             polygons,
             shapes,
             cells,
@@ -364,6 +370,15 @@ impl Model {
                 self.vertex_count
             )));
         }
+        if let Some(partial) = &self.partial_positions
+            && (partial.len() != self.vertex_count || self.positions.dimension() > 0)
+        {
+            return Err(Error::invalid(format!(
+                "{} positions, not all of them finite, for {} vertices",
+                partial.len(),
+                self.vertex_count
+            )));
+        }
         if self.shapes.len() != self.cells.len() {
             return Err(Error::invalid(format!(
                 "{} shapes for {} cells",
@@ -460,6 +475,7 @@ impl Model {
             format,
             vertex_count,
             positions,
+            partial_positions,
             polygons,
             shapes,
             cells,
@@ -475,6 +491,7 @@ impl Model {
             format,
             vertex_count,
             positions,
+            partial_positions,
             polygons,
             shapes,
             cells,
@@ -520,7 +537,8 @@ impl Model {
         self.vertex_count
     }
 
-    /// The positions of the vertices; empty when the file has none.
+    /// The positions of the vertices; empty when the file has none, and when a coordinate is NaN or infinite: then
+    /// [`Self::partial_positions`] has the others.
     ///
     /// # Examples
     /// ```
@@ -532,6 +550,66 @@ impl Model {
     /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
+    }
+
+    /// The positions of the vertices where some of them have a coordinate that is NaN or infinite; else `None`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = io::read(&b"v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// assert!(model.positions().is_empty());
+    /// let partial = model.partial_positions().ok_or(coface_algebra::Error::invalid("all are finite"))?;
+    /// assert_eq!(partial.unplaced()[0].index(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn partial_positions(&self) -> Option<&PartialPositions> {
+        self.partial_positions.as_ref()
+    }
+
+    /// Refuses a model with a coordinate that is NaN or infinite: for whatever needs the position of each vertex. A model without
+    /// positions is not refused.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first such coordinate.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = io::read(&b"v 0 0 0\nv 1 -inf 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let fault = model.require_finite().unwrap_err();
+    /// assert_eq!(fault.message(), "coordinate 1 of v1 is -inf, not a finite number");
+    /// # Ok(()) }
+    /// ```
+    pub fn require_finite(&self) -> Result<(), Error> {
+        self.partial_positions.as_ref().and_then(PartialPositions::fault).map_or(Ok(()), Err)
+    }
+
+    /// The model with these coordinates, so many for each vertex, which need not be finite.
+    ///
+    /// # Errors
+    /// Those of [`PartialPositions::from_flat`] and [`Self::check`].
+    #[doc(hidden)]
+    pub fn with_coordinates(mut self, dimension: usize, coordinates: Vec<f64>) -> Result<Self, Error> {
+        (self.positions, self.partial_positions) = placed(dimension, coordinates)?;
+        self.check()?;
+        Ok(self)
+    }
+
+    /// The number of coordinates that the file gives a vertex, finite or not.
+    #[doc(hidden)]
+    pub fn coordinate_count(&self) -> usize {
+        self.partial_positions.as_ref().map_or(self.positions.dimension(), PartialPositions::dimension)
+    }
+
+    /// The coordinates as the file has them, finite or not, vertex after vertex.
+    #[doc(hidden)]
+    pub fn coordinates(&self) -> &[f64] {
+        self.partial_positions.as_ref().map_or(self.positions.as_flat(), PartialPositions::as_flat)
     }
 
     /// The polygons as cycles of vertices.
@@ -711,6 +789,7 @@ impl PartialEq for Model {
     fn eq(&self, other: &Self) -> bool {
         self.vertex_count == other.vertex_count
             && self.positions == other.positions
+            && self.partial_positions == other.partial_positions
             && self.polygons == other.polygons
             && self.shapes == other.shapes
             && self.cells == other.cells
@@ -721,6 +800,20 @@ impl PartialEq for Model {
             && self.structure == other.structure
             && self.features == other.features
     }
+}
+
+/// Coordinates as positions if all of them are finite, else as those of some of the vertices.
+///
+/// # Errors
+/// Those of [`PartialPositions::from_flat`].
+pub fn placed(
+    dimension: usize,
+    coordinates: Vec<f64>,
+) -> Result<(Positions, Option<PartialPositions>), Error> {
+    if dimension == 0 || coordinates.iter().all(|x| x.is_finite()) {
+        return Ok((Positions::from_flat(dimension, coordinates)?, None));
+    }
+    Ok((Positions::default(), Some(PartialPositions::from_flat(dimension, coordinates)?)))
 }
 
 /// The first vertex that stands twice in a list; short lists are compared pairwise, long ones sorted.

@@ -17,6 +17,8 @@ pub(crate) enum Oddity {
     CellIsSimpler,
     /// A label is written as a fraction.
     Fraction,
+    /// A vertex has a coordinate that is not finite.
+    Unplaced,
 }
 
 impl Oddity {
@@ -25,6 +27,7 @@ impl Oddity {
             Self::Repeated => RemarkCode::RepeatedVertex,
             Self::Collapsed | Self::FaceIsEdge | Self::CellIsSimpler => RemarkCode::CollapsedCell,
             Self::Fraction => RemarkCode::FractionalLabel,
+            Self::Unplaced => RemarkCode::NonfiniteCoordinate,
         }
     }
 
@@ -49,6 +52,16 @@ impl Oddity {
             Self::Fraction => {
                 format!(
                     "{count} reference{s} {is} written as a fraction, such as 0.0, and {is} taken as a whole number"
+                )
+            }
+            Self::Unplaced => {
+                let (what, has, position) = match count {
+                    1 => ("1 vertex".to_owned(), "has", "its position"),
+                    _ => (format!("{count} vertices"), "have", "their positions"),
+                };
+                format!(
+                    "{what} {has} a coordinate that is not finite (NaN, infinite or beyond the range of numbers); \
+                     measures that need {position} are left out"
                 )
             }
         }
@@ -95,12 +108,27 @@ impl Oddities {
         self.found.sort_by_key(|&(oddity, ..)| oddity);
         let remark = |(oddity, count, places): (Oddity, usize, Vec<Place>)| {
             let mut message = oddity.message(count);
-            if let Some(line) = places.first().and_then(|place| place.line) {
-                message += &format!("; the first is on line {line}");
+            match places.first() {
+                Some(Place { line: Some(line), .. }) => message += &format!("; the first is on line {line}"),
+                Some(Place { cell: Some(cell), .. }) if oddity == Oddity::Unplaced => {
+                    message += &format!("; the first is v{}", cell[0]);
+                }
+                _ => {}
             }
             Remark::new(oddity.code(), message).at(count, places)
         };
         self.found.into_iter().map(remark).collect()
+    }
+}
+
+impl Oddities {
+    /// Notes the vertex with this number if one of its coordinates is not finite.
+    pub(crate) fn note_unplaced(&mut self, coordinates: &[f64], vertex: u64, line: Option<u64>) {
+        if !coordinates.iter().all(|x| x.is_finite()) {
+            // Readers refuse more vertices than have numbers.
+            let place = Place::cell(&[u32::try_from(vertex).unwrap_or(u32::MAX)]);
+            self.note(Oddity::Unplaced, || Place { line, ..place });
+        }
     }
 }
 

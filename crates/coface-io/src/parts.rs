@@ -2,7 +2,6 @@
 
 use crate::{Format, GroupKind, Model, readers};
 use coface_algebra::{Error, RaggedArray};
-use coface_geometry::Positions;
 use std::collections::HashSet;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -123,13 +122,14 @@ pub(crate) fn part(model: Model, entry: &str) -> Result<Model, Error> {
             .collect();
         polygons.push(&corners);
     }
-    let (dimension, flat) = (model.positions().dimension(), model.positions().as_flat());
+    let (dimension, flat) = (model.coordinate_count(), model.coordinates());
     let coordinates = vertices.iter().flat_map(|&vertex| {
         let start = vertex as usize * dimension;
         flat[start..start + dimension].iter().copied()
     });
-    let positions = Positions::from_flat(dimension, coordinates.collect())?;
-    let part = Model { vertex_count: vertices.len(), positions, polygons, ..Model::default() };
+    let (positions, partial_positions) = crate::model::placed(dimension, coordinates.collect())?;
+    let part =
+        Model { vertex_count: vertices.len(), positions, partial_positions, polygons, ..Model::default() };
     part.check()?;
     let format = model.format().unwrap_or(Format::Obj);
     Ok(Model { remarks: model.remarks, ..part }.with_format(format))

@@ -1,10 +1,10 @@
 //! Points as text (`.xyz`, `.csv`, `.pts`): a point a line, its coordinates first.
 
 use crate::numbers::Numbers;
-use crate::scanner::{Scanner, parse_f64};
+use crate::oddities::Oddities;
+use crate::scanner::{Scanner, parse_coordinate};
 use crate::{CellData, GroupKind, Model};
 use coface_algebra::{Error, VertexId};
-use coface_geometry::Positions;
 use std::io::Read;
 
 /// More columns than this are no points.
@@ -35,6 +35,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut count = 0usize;
     let mut has_count = false;
+    // Points with a number that is not finite, and their lines.
+    let mut suspects: Vec<(usize, u64)> = Vec::new();
     while let Some(line) = scanner.next_line()? {
         let line = line.trim_ascii();
         if line.is_empty() || line.starts_with(b"#") || line.starts_with(b"//") {
@@ -42,7 +44,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         }
         let mut words: Vec<&[u8]> =
             line.split(|byte| is_separator(*byte)).filter(|word| !word.is_empty()).collect();
-        let is_number = |word: &&[u8]| fast_float2::parse::<f64, _>(word).is_ok();
+        let is_number = |word: &&[u8]| parse_coordinate(word, "").is_ok();
         if count == 0 && names.is_none() {
             if words.len() == 1 && !has_count && words[0].iter().all(u8::is_ascii_digit) {
                 has_count = true;
@@ -74,27 +76,30 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             let message = format!("a line has {} numbers, and the first has {}", words.len(), columns.len());
             return Err(scanner.error(message).with_cure("give each point as many numbers"));
         }
-        let values: Result<Vec<f64>, Error> = words
-            .iter()
-            .map(|word| match fast_float2::parse::<f64, _>(word) {
-                Ok(value) => Ok(value),
-                Err(_) => parse_f64(word, "a coordinate"),
-            })
-            .collect();
+        let values: Result<Vec<f64>, Error> =
+            words.iter().map(|word| parse_coordinate(word, "a coordinate")).collect();
         let values = values.map_err(|error| error.at_line(scanner.line_number()))?;
+        if !values.iter().all(|value| value.is_finite()) {
+            suspects.push((count, scanner.line_number()));
+        }
         for (column, value) in columns.iter_mut().zip(values) {
             column.push(value);
         }
         count += 1;
     }
-    model(columns, names, count)
+    model(columns, names, count, &suspects)
 }
 
 fn is_separator(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b',' | b';' | b'\r')
 }
 
-fn model(columns: Vec<Vec<f64>>, names: Option<Vec<String>>, count: usize) -> Result<Model, Error> {
+fn model(
+    columns: Vec<Vec<f64>>,
+    names: Option<Vec<String>>,
+    count: usize,
+    suspects: &[(usize, u64)],
+) -> Result<Model, Error> {
     if count == 0 {
         return Err(Error::parse("the file has no point").with_cure("write 2 or 3 coordinates a line"));
     }
@@ -117,9 +122,17 @@ fn model(columns: Vec<Vec<f64>>, names: Option<Vec<String>>, count: usize) -> Re
         column.into_iter().for_each(|value| numbers.push_real(value));
         data.push(CellData::of_file(name, GroupKind::Vertices, 1, numbers));
     }
+    let mut oddities = Oddities::default();
+    for &(point, line) in suspects {
+        let start = point * axes.len();
+        oddities.note_unplaced(&coordinates[start..start + axes.len()], point as u64, Some(line));
+    }
+    let (positions, partial_positions) = crate::model::placed(axes.len(), coordinates)?;
     let mut model = Model {
         vertex_count: count,
-        positions: Positions::from_flat(axes.len(), coordinates)?,
+        positions,
+        partial_positions,
+        remarks: oddities.into_remarks(),
         points: (0..count).map(VertexId::new).collect(),
         ..Model::default()
     };
@@ -133,7 +146,7 @@ pub(super) fn is_likely(start: &[u8]) -> bool {
     lines.filter(|line| !line.is_empty() && !line.starts_with(b"#") && !line.starts_with(b"//")).take(3).any(
         |line| {
             let words = line.split(|byte| is_separator(*byte)).filter(|word| !word.is_empty());
-            words.filter(|word| fast_float2::parse::<f64, _>(word).is_ok()).count() >= 2
+            words.filter(|word| parse_coordinate(word, "").is_ok()).count() >= 2
         },
     )
 }

@@ -169,13 +169,17 @@ impl ReadOptions {
     /// Refuses the first assumption among these remarks if reading is strict.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] with the sentence of the remark.
+    /// [`ErrorKind::InvalidInput`] with the sentence of the remark and its first line.
     #[doc(hidden)]
     pub fn accept(&self, remarks: &[Remark]) -> Result<(), Error> {
         match remarks.iter().find(|remark| self.strict && remark.code.is_assumption()) {
             Some(remark) => {
-                Err(Error::invalid(format!("{}; strict reading assumes nothing", remark.message))
-                    .with_cure("leave out --strict, or correct the file"))
+                let fault = Error::invalid(format!("{}; strict reading assumes nothing", remark.message))
+                    .with_cure("leave out --strict, or correct the file");
+                Err(match remark.places.first().and_then(|place| place.line) {
+                    Some(line) => fault.at_line(line),
+                    None => fault,
+                })
             }
             None => Ok(()),
         }

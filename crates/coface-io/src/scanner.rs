@@ -178,6 +178,12 @@ impl<R: Read> Scanner<R> {
         value.map_err(|error| error.at_line(self.place.0))
     }
 
+    /// The next token as a coordinate, which need not be finite.
+    pub(crate) fn expect_coordinate(&mut self, what: &str) -> Result<f64, Error> {
+        let value = parse_coordinate(self.expect_token(what)?, what);
+        value.map_err(|error| error.at_line(self.place.0))
+    }
+
     /// The next token as an integer.
     pub(crate) fn expect_i64(&mut self, what: &str) -> Result<i64, Error> {
         let value = parse_i64(self.expect_token(what)?, what);
@@ -235,6 +241,22 @@ impl<R: Read> Scanner<R> {
     pub(crate) fn error(&self, message: impl Into<String>) -> Error {
         Error::new(ErrorKind::Parse, message).at_line(self.place.0)
     }
+}
+
+/// The token as a coordinate, which need not be finite: `nan`, `inf`, `-Infinity`, `-nan(ind)` and numbers beyond the range
+/// are read; `what` names it in the error.
+pub(crate) fn parse_coordinate(token: &[u8], what: &str) -> Result<f64, Error> {
+    match fast_float2::parse::<f64, _>(token) {
+        Ok(value) => Ok(value),
+        Err(_) if is_nan_with_payload(token) => Ok(f64::NAN),
+        Err(_) => Err(Error::parse(format!("{} is not a number, as {what} must be", quoted(token)))),
+    }
+}
+
+/// Whether a token is what C libraries write for some numbers that are none: `nan(ind)`, `-nan(0x7)`.
+fn is_nan_with_payload(token: &[u8]) -> bool {
+    let digits = token.strip_prefix(b"-").or(token.strip_prefix(b"+")).unwrap_or(token);
+    digits.len() >= 5 && digits[..4].eq_ignore_ascii_case(b"nan(") && digits.ends_with(b")")
 }
 
 /// The token as a finite floating-point number; `what` names it in the error.
@@ -326,6 +348,20 @@ mod tests {
     fn numbers_that_are_none_are_refused() {
         for bad in ["nan", "inf", "1e999", "x", "", "1.2.3"] {
             assert!(parse_f64(bad.as_bytes(), "x").is_err(), "{bad}");
+        }
+        for bad in ["nan", "-NaN", "nan(ind)", "-nan(ind)", "NaN(0x7f)"] {
+            assert!(parse_coordinate(bad.as_bytes(), "x").unwrap().is_nan(), "{bad}");
+        }
+        for (word, value) in [
+            ("inf", f64::INFINITY),
+            ("-Infinity", f64::NEG_INFINITY),
+            ("-1e999", f64::NEG_INFINITY),
+            ("2.5", 2.5),
+        ] {
+            assert_eq!(parse_coordinate(word.as_bytes(), "x").unwrap(), value);
+        }
+        for bad in ["x", "", "1.2.3", "nan(", "nan()x", "banan(1)"] {
+            assert!(parse_coordinate(bad.as_bytes(), "x").is_err(), "{bad}");
         }
         for bad in ["", "-", "1.0", "99999999999999999999"] {
             assert!(parse_i64(bad.as_bytes(), "an index").is_err(), "{bad}");

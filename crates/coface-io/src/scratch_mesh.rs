@@ -6,7 +6,7 @@ use coface_complexes::cell_mesh::CellShape;
 use std::fmt;
 use std::io::{BufWriter, Write};
 
-/// What is said where an element is no simplex, or has vertices inside its edges.
+/// What is said where an element is no simplex, or has vertices inside its edges, and where a vertex has a coordinate that is not finite.
 pub(super) const NOT_SIMPLICIAL: &str = "only simplices are read without being kept";
 
 /// A stream of bytes that are looked at later.
@@ -37,6 +37,9 @@ impl ScratchMesh {
     }
 
     pub(super) fn add_vertex(&mut self, coordinates: &[f64]) -> Result<(), Error> {
+        if !coordinates.iter().all(|x| x.is_finite()) {
+            return Err(Error::new(ErrorKind::UnsupportedFormat, NOT_SIMPLICIAL));
+        }
         for axis in 0..3 {
             let x = coordinates.get(axis).copied().unwrap_or(0.0);
             self.vertices.write_all(&x.to_le_bytes())?;

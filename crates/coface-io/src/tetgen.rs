@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
-use crate::scanner::{parse_f64, parse_i64};
+use crate::scanner::{parse_coordinate, parse_f64, parse_i64};
 use crate::{GroupKind, Model};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::HashMap;
@@ -184,10 +184,11 @@ impl Mesh {
                     ))
                     .at_line(file.line));
                 };
-                *x = parse_f64(word.as_bytes(), "a coordinate").map_err(|error| error.at_line(file.line))?;
+                let value = parse_coordinate(word.as_bytes(), "a coordinate");
+                *x = value.map_err(|error| error.at_line(file.line))?;
             }
             let vertex = self.assembly.vertex_count() as u32;
-            self.assembly.add_vertex(&point[..self.dimension])?;
+            self.assembly.add_vertex_on_line(&point[..self.dimension], Some(file.line))?;
             if self.vertices.insert(number, vertex).is_some() {
                 return Err(Error::invalid(format!("node {number} stands twice")).at_line(file.line));
             }

@@ -102,20 +102,36 @@ impl<R: Read> Values<R> {
     }
 
     /// The next number as a finite floating-point number.
+    ///
+    /// # Errors
+    /// A parse error with the place of a number that is none or not finite.
     pub(crate) fn float(&mut self, number: NumberType, what: &str) -> Result<f64, Error> {
         if self.is_ascii() {
             return self.scanner.expect_f64(what);
         }
-        let value = match number {
-            NumberType::Float32 => f64::from(f32::from_bits(self.bytes(number, what)? as u32)),
-            NumberType::Float64 => f64::from_bits(self.bytes(number, what)?),
-            _ => self.integer(number, what)? as f64,
-        };
+        let value = self.coordinate(number, what)?;
         if value.is_finite() {
             return Ok(value);
         }
         let fault = Error::invalid(format!("{what} is {value}, not a finite number"));
         Err(self.located(fault.with_cure("remove the point or give it finite coordinates")))
+    }
+
+    /// The next number as a coordinate, which need not be finite.
+    pub(crate) fn coordinate(&mut self, number: NumberType, what: &str) -> Result<f64, Error> {
+        if self.is_ascii() {
+            return self.scanner.expect_coordinate(what);
+        }
+        Ok(match number {
+            NumberType::Float32 => f64::from(f32::from_bits(self.bytes(number, what)? as u32)),
+            NumberType::Float64 => f64::from_bits(self.bytes(number, what)?),
+            _ => self.integer(number, what)? as f64,
+        })
+    }
+
+    /// The line of the text that was read last; `None` in a binary file.
+    pub(crate) fn line(&self) -> Option<u64> {
+        self.is_ascii().then(|| self.scanner.line_number())
     }
 
     /// So many numbers as they are, NaN and infinities too; memory grows with what is there.

@@ -55,8 +55,10 @@ pub fn read(mut input: impl Read) -> Result<Model, Error> {
 /// Writes the chain complex of a model, with the positions of its vertices if it has them; groups and data are not written.
 ///
 /// # Errors
-/// Those of the structure that the model becomes; [`ErrorKind::Io`] from the output.
+/// Those of the structure that the model becomes; [`coface_algebra::ErrorKind::InvalidInput`] naming a coordinate that is not
+/// finite; [`ErrorKind::Io`] from the output.
 pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
+    model.require_finite()?;
     let made;
     let complex = match model.structure() {
         Some(Structure::Chains(complex)) => complex,

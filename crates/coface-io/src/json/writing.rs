@@ -68,6 +68,8 @@ fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
     let is_simplicial = model.polygons().iter().all(|polygon| polygon.len() == 3)
         && model.shapes().iter().all(|&shape| shape == CellShape::Tetrahedron);
     if !is_simplicial {
+        // JSON has no words for NaN and infinity.
+        model.require_finite()?;
         return write_chains(out, &mesh_complex(model)?, model.positions());
     }
     let mut isolated = vec![true; model.vertex_count()];

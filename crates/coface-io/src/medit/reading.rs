@@ -273,7 +273,7 @@ impl<R: Read> Reader<R> {
                 let mut point = [0.0; 3];
                 for _ in 0..count {
                     for coordinate in &mut point[..*dimension] {
-                        *coordinate = values.float(float, "a coordinate")?;
+                        *coordinate = values.coordinate(float, "a coordinate")?;
                     }
                     let (reference, is_fraction) = values.label(integer, "the reference of a vertex")?;
                     if is_fraction {
@@ -281,7 +281,9 @@ impl<R: Read> Reader<R> {
                         assembly.oddities.note(Oddity::Fraction, || Place::line(line));
                     }
                     let vertex = assembly.vertex_count() as u32;
-                    assembly.add_vertex(&point[..*dimension]).map_err(|fault| values.located(fault))?;
+                    let line = values.line();
+                    let added = assembly.add_vertex_on_line(&point[..*dimension], line);
+                    added.map_err(|fault| values.located(fault))?;
                     if reference != 0 {
                         assembly.add_to_group(GroupKind::Vertices, reference, vertex);
                     }

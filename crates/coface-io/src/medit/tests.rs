@@ -1,6 +1,6 @@
 use super::{read, write};
 use crate::samples::{Limits, meshes};
-use crate::{GroupKind, Model, RemarkCode};
+use crate::{Format, GroupKind, Model, ReadOptions, RemarkCode};
 use proptest::prelude::*;
 
 const HEADER: &str = "MeshVersionFormatted 1\nDimension\n3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
@@ -29,9 +29,11 @@ fn faults_are_placed() {
     assert!(text.contains("Triangles stand before the vertices; put"), "{text}");
     let text = read(&b"MeshVersionFormatted 1 Dimension 4"[..]).unwrap_err().to_string();
     assert!(text.contains("the dimension is 4"), "{text}");
-    let text =
-        read(&b"MeshVersionFormatted 1 Dimension 3 Vertices 1\n0 nan 0 0"[..]).unwrap_err().to_string();
-    assert!(text.contains("line 2: a coordinate is NaN"), "{text}");
+    let vertex = b"MeshVersionFormatted 1 Dimension 3 Vertices 1\n0 nan 0 0 End";
+    assert_eq!(read(&vertex[..]).unwrap().remarks()[0].places[0].line, Some(2));
+    let strict = ReadOptions::new().format(Format::Medit).strict(true);
+    let text = crate::read_with(&vertex[..], &strict).unwrap_err().to_string();
+    assert!(text.contains("a coordinate that is not finite") && text.contains("on line 2"), "{text}");
 }
 
 #[test]

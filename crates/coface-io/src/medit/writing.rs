@@ -29,7 +29,7 @@ use std::io::Write;
 /// ```
 pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
     limits::require_volume_mesh(model, "MEDIT")?;
-    let dimension = match model.positions.dimension() {
+    let dimension = match model.coordinate_count() {
         0 => 3,
         dimension @ 2..=3 => dimension,
         dimension => {
@@ -50,7 +50,7 @@ pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
         format!("MeshVersionFormatted 2\nDimension {dimension}\nVertices\n{}\n", model.vertex_count)
             .into_bytes();
     let vertex_references = references(GroupKind::Vertices, model.vertex_count);
-    for (point, reference) in model.positions.as_flat().chunks_exact(dimension).zip(vertex_references) {
+    for (point, reference) in model.coordinates().chunks_exact(dimension).zip(vertex_references) {
         for &coordinate in point {
             push_f64(&mut text, coordinate);
             text.push(b' ');

@@ -34,8 +34,8 @@ fn faults_are_placed() {
         ),
         ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n0 0 0 0\n$EndNodes\n", "a node has the tag 0"),
         (
-            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 inf 0\n$EndNodes\n",
-            "line 6: a coordinate is inf",
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 info 0\n$EndNodes\n",
+            "line 6: \"info\" is not a number",
         ),
         ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\nhello\n", "\"hello\" stands where a section should begin"),
     ] {

@@ -13,9 +13,10 @@ pub(super) fn read_nodes<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
         reader.nodes.add(tag).map_err(|fault| reader.values.located(fault))?;
         let mut point = [0.0; 3];
         for coordinate in &mut point {
-            *coordinate = reader.values.float(NumberType::Float64, "a coordinate")?;
+            *coordinate = reader.values.coordinate(NumberType::Float64, "a coordinate")?;
         }
-        reader.assembly.add_vertex(&point).map_err(|fault| reader.values.located(fault))?;
+        let line = reader.values.line();
+        reader.assembly.add_vertex_on_line(&point, line).map_err(|fault| reader.values.located(fault))?;
     }
     Ok(())
 }

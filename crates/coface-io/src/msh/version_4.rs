@@ -86,9 +86,10 @@ pub(super) fn read_nodes<R: Read>(reader: &mut Reader<R>, version: FileVersion) 
             }
             let mut point = [0.0; 3];
             for coordinate in &mut point {
-                *coordinate = reader.values.float(DOUBLE, "a coordinate")?;
+                *coordinate = reader.values.coordinate(DOUBLE, "a coordinate")?;
             }
-            reader.assembly.add_vertex(&point).map_err(|fault| reader.values.located(fault))?;
+            let line = reader.values.line();
+            reader.assembly.add_vertex_on_line(&point, line).map_err(|fault| reader.values.located(fault))?;
             reader.values.skip(parameters, DOUBLE, "a parameter")?;
         }
     }

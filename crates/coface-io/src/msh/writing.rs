@@ -115,8 +115,8 @@ pub fn write(model: &Model, mut out: impl Write, version: Version) -> Result<(),
 
 /// Each vertex's three coordinates; those that the model does not have are zero.
 fn points(model: &Model) -> impl Iterator<Item = [f64; 3]> {
-    let dimension = model.positions.dimension();
-    model.positions.as_flat().chunks_exact(dimension.max(1)).map(move |point| {
+    let dimension = model.coordinate_count();
+    model.coordinates().chunks_exact(dimension.max(1)).map(move |point| {
         let mut full = [0.0; 3];
         full[..dimension].copy_from_slice(point);
         full
@@ -188,11 +188,15 @@ fn write_entities(text: &mut Vec<u8>, model: &Model, elements: &Elements<'_>, ru
         entities.push((0, 0));
     }
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in points(model) {
+    for point in points(model).filter(|point| point.iter().all(|x| x.is_finite())) {
         for i in 0..3 {
             low[i] = low[i].min(point[i]);
             high[i] = high[i].max(point[i]);
         }
+    }
+    if model.partial_positions.is_some() && low[0] > high[0] {
+        // No vertex has a position.
+        (low, high) = ([0.0; 3], [0.0; 3]);
     }
     text.extend_from_slice(b"$Entities\n");
     push_numbers(

@@ -6,22 +6,22 @@ use crate::Place;
 use crate::blocks::{Block, Blocks};
 use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
 use crate::lists::Elements;
-use crate::model::repeated_vertex;
+use crate::model::{placed, repeated_vertex};
 use crate::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
-use crate::scanner::{parse_f64, parse_i64, quoted};
+use crate::scanner::{parse_coordinate, parse_i64, quoted};
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_geometry::Positions;
 use std::borrow::Cow;
 use std::io::Read;
 
 /// Reads a model in OBJ.
 ///
 /// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them. A vertex that a face or
-/// line repeats is dropped; what two different vertices are left of is an edge, and what is less is left out. A remark says so.
+/// line repeats is dropped; what two different vertices are left of is an edge, and what is less is left out. Coordinates that are NaN or infinite are
+/// [partial positions](Model::partial_positions). A remark says so.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a statement that is none, a number that is none
-/// or not finite, a face without vertices, index 0 or an index of a vertex that the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
+/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a statement that is none, a number that is
+/// none, a face without vertices, index 0 or an index of a vertex that the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
 /// stream fails.
 ///
 /// # Complexity
@@ -72,10 +72,12 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         return Err(out_of_range(i64::from(vertex) + 1, vertex_count as u64).at_line(line));
     }
     let Elements { polygons, lines, points } = elements;
+    let (positions, partial_positions) = placed(3, coordinates)?;
     let groups = groups.finish(polygons.len() as u32);
     let model = Model {
         vertex_count,
-        positions: Positions::from_flat(3, coordinates)?,
+        positions,
+        partial_positions,
         polygons: polygons.into_ragged()?,
         lines: lines.into_ragged()?,
         points,
@@ -275,7 +277,7 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
     let (keyword, rest) = statement.split_at(length);
     let count = before + piece.coordinates.len() as u64 / 3;
     match keyword {
-        b"v" => read_vertex(rest, piece),
+        b"v" => read_vertex(rest, count, line, piece),
         b"f" => {
             let face = read_vertices(rest, count)?;
             if face.is_empty() {
@@ -352,7 +354,8 @@ fn words(rest: &[u8]) -> impl Iterator<Item = &[u8]> {
     rest[..end].split(|&byte| is_blank(byte)).filter(|word| !word.is_empty())
 }
 
-fn read_vertex(rest: &[u8], piece: &mut Piece) -> Result<(), Error> {
+/// Reads the vertex with this number.
+fn read_vertex(rest: &[u8], vertex: u64, line: u64, piece: &mut Piece) -> Result<(), Error> {
     let mut words = words(rest);
     let mut point = [0.0; 3];
     for (i, coordinate) in point.iter_mut().enumerate() {
@@ -360,8 +363,9 @@ fn read_vertex(rest: &[u8], piece: &mut Piece) -> Result<(), Error> {
             return Err(Error::parse(format!("a vertex with {i} coordinates; it needs 3"))
                 .with_cure("write \"v x y z\""));
         };
-        *coordinate = parse_f64(word, "a coordinate")?;
+        *coordinate = parse_coordinate(word, "a coordinate")?;
     }
+    piece.oddities.note_unplaced(&point, vertex, Some(line));
     piece.coordinates.extend_from_slice(&point);
     Ok(())
 }

@@ -35,7 +35,7 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let mut text =
         format!("# {} vertices, {} polygons\n", model.vertex_count, model.polygons.len()).into_bytes();
     let colors = model.vertex_colors();
-    let points = model.positions.as_flat().chunks_exact(model.positions.dimension().max(1));
+    let points = model.coordinates().chunks_exact(model.coordinate_count().max(1));
     for (vertex, point) in points.enumerate() {
         text.push(b'v');
         for i in 0..3 {

@@ -5,10 +5,9 @@ use crate::blocks::{Block, Blocks};
 use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
 use crate::lists::Elements;
 use crate::oddities::Oddities;
-use crate::scanner::{Scanner, parse_f64, parse_i64, quoted};
+use crate::scanner::{Scanner, parse_coordinate, parse_i64, quoted};
 use crate::{Model, Place, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
-use coface_geometry::Positions;
 use std::io::{Cursor, Read};
 
 /// What the keyword and the counts say.
@@ -76,7 +75,7 @@ impl Keyword {
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line (or the byte, in the binary form): text that is no
-/// OFF, a number that is none or not finite, an index out of range, a face that repeats a vertex, fewer vertices or
+/// OFF, a number that is none, an index out of range, a face that repeats a vertex, fewer vertices or
 /// faces than the counts promise; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
@@ -351,6 +350,7 @@ fn read_text<R: Read>(blocks: Blocks<R>, header: Header, options: &ReadOptions) 
 
 pub(super) fn model(header: Header, whole: Piece) -> Result<Model, Error> {
     let Elements { polygons, lines, points } = whole.elements;
+    let (positions, partial_positions) = crate::model::placed(header.dimension, whole.coordinates)?;
     let mut remarks = whole.oddities.into_remarks();
     if whole.surplus > 0 {
         remarks.push(Remark::new(
@@ -360,7 +360,8 @@ pub(super) fn model(header: Header, whole: Piece) -> Result<Model, Error> {
     }
     let model = Model {
         vertex_count: header.vertices as usize,
-        positions: Positions::from_flat(header.dimension, whole.coordinates)?,
+        positions,
+        partial_positions,
         polygons: polygons.into_ragged()?,
         lines: lines.into_ragged()?,
         points,
@@ -398,7 +399,7 @@ fn parse_block(block: &Block, header: Header) -> Piece {
             at = line_end(text, start);
         } else {
             let next = if record < header.vertices {
-                vertex(text, start, header, &mut piece.coordinates)
+                vertex(text, start, header, (record, line), &mut piece)
             } else {
                 face(text, start, header, line, &mut piece)
             };
@@ -430,12 +431,18 @@ fn word(text: &[u8], at: usize) -> &[u8] {
     &text[at..at + length.unwrap_or(text.len() - at)]
 }
 
-/// Reads the coordinates of a vertex; gives the position behind them.
-fn vertex(text: &[u8], mut at: usize, header: Header, coordinates: &mut Vec<f64>) -> Result<usize, Error> {
+/// Reads the coordinates of the vertex with this number, on this line; gives the position behind them.
+fn vertex(
+    text: &[u8],
+    mut at: usize,
+    header: Header,
+    (number, line): (u64, u64),
+    piece: &mut Piece,
+) -> Result<usize, Error> {
     for i in 0..header.dimension {
         at = skip_blanks(text, at);
         if let Some((value, next)) = short_decimal(text, at) {
-            coordinates.push(value);
+            piece.coordinates.push(value);
             at = next;
             continue;
         }
@@ -447,9 +454,11 @@ fn vertex(text: &[u8], mut at: usize, header: Header, coordinates: &mut Vec<f64>
             ))
             .with_cure("write each vertex on a line of its own with all its coordinates"));
         }
-        coordinates.push(parse_f64(word, "a coordinate")?);
+        piece.coordinates.push(parse_coordinate(word, "a coordinate")?);
         at += word.len();
     }
+    let first = piece.coordinates.len() - header.dimension;
+    piece.oddities.note_unplaced(&piece.coordinates[first..], number, Some(line));
     Ok(at)
 }
 
@@ -504,16 +513,10 @@ fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword, big: bool) -> R
         let promised = |error: Error| promise(&error, "vertex", i, vertices);
         for _ in 0..header.dimension {
             let bytes = four(&mut input, big, "a vertex").map_err(promised)?;
-            let value = f64::from(f32::from_be_bytes(bytes));
-            if !value.is_finite() {
-                return Err(Error::parse(format!(
-                    "a coordinate of vertex {i} is {value}, not a finite number"
-                ))
-                .at_byte(input.byte_offset() - 4)
-                .with_cure("remove the point or give it finite coordinates"));
-            }
-            whole.coordinates.push(value);
+            whole.coordinates.push(f64::from(f32::from_be_bytes(bytes)));
         }
+        let first = whole.coordinates.len() - header.dimension;
+        whole.oddities.note_unplaced(&whole.coordinates[first..], i, None);
         for _ in 0..header.attributes {
             four(&mut input, big, "a vertex").map_err(promised)?;
         }

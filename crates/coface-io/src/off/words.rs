@@ -2,7 +2,7 @@
 
 use super::read::{Header, Keyword, Piece, checked_vertex, header, model};
 use crate::decimal::is_blank;
-use crate::scanner::{parse_f64, parse_i64};
+use crate::scanner::{parse_coordinate, parse_f64, parse_i64};
 use crate::{Model, Place};
 
 /// Reads a whole text word by word, with commas as blanks; `None` if it does not come out even.
@@ -33,10 +33,12 @@ impl<'a> Words<'a> {
         self.count()?;
         let header: Header = header(keyword, dimension, vertices, faces).ok()?;
         let mut whole = Piece::default();
-        for _ in 0..vertices {
+        for vertex in 0..vertices {
+            let first = whole.coordinates.len();
             for _ in 0..header.dimension {
-                whole.coordinates.push(parse_f64(self.word()?, "a coordinate").ok()?);
+                whole.coordinates.push(parse_coordinate(self.word()?, "a coordinate").ok()?);
             }
+            whole.oddities.note_unplaced(&whole.coordinates[first..], vertex, Some(self.line));
             for _ in 0..header.attributes {
                 parse_f64(self.word()?, "a color").ok()?;
             }

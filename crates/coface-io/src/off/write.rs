@@ -28,7 +28,7 @@ use std::io::Write;
 pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     require_mesh(model, "OFF", "MEDIT, MSH or VTK")?;
     let mut text = Vec::new();
-    let dimension = model.positions.dimension();
+    let dimension = model.coordinate_count();
     match dimension {
         0 | 3 => text.extend_from_slice(b"OFF\n"),
         4 => text.extend_from_slice(b"4OFF\n"),
@@ -37,7 +37,7 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let segments = model.lines.item_count() - model.lines.len();
     let faces = model.polygons.len() + segments + model.points.len();
     text.extend_from_slice(format!("{} {faces} 0\n", model.vertex_count).as_bytes());
-    for point in model.positions.as_flat().chunks_exact(dimension.max(1)) {
+    for point in model.coordinates().chunks_exact(dimension.max(1)) {
         for (i, &value) in point.iter().enumerate() {
             if i > 0 {
                 text.push(b' ');

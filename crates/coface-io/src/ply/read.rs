@@ -6,10 +6,9 @@ use super::header::{Element, Header, Property, Scalar, read_header};
 use crate::data::without_repeated_names;
 use crate::lists::Elements;
 use crate::oddities::{Oddities, Oddity};
-use crate::scanner::{Scanner, parse_f64};
+use crate::scanner::{Scanner, parse_coordinate, parse_f64};
 use crate::{CellData, GroupKind, Model, Place, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
-use coface_geometry::Positions;
 use std::io::Read;
 
 /// Reads a model in PLY, in any of its encodings.
@@ -20,7 +19,7 @@ use std::io::Read;
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line or the byte: a header that is none, a number that is
-/// none or not finite, an index out of range, fewer data than the counts promise;
+/// none, an index out of range, fewer data than the counts promise;
 /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
@@ -73,7 +72,7 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
         model.remarks.push(Remark::new(RemarkCode::TrailingContent, message));
     }
     model.remarks.extend(found.oddities.into_remarks());
-    model.positions = Positions::from_flat(found.dimension, found.coordinates)?;
+    (model.positions, model.partial_positions) = crate::model::placed(found.dimension, found.coordinates)?;
     model.polygons = found.elements.polygons.into_ragged()?;
     model.lines = found.elements.lines.into_ragged()?;
     model.points = found.elements.points;
@@ -274,6 +273,8 @@ impl<R: Read> Reader<R> {
         for i in 0..element.count {
             self.vertex(element, &axes, &mut point, found.columns())
                 .map_err(|error| Self::in_record(&error, element, i))?;
+            let line = (self.encoding == Encoding::Ascii).then(|| self.scanner.line_number());
+            found.oddities.note_unplaced(&point, i, line);
             found.coordinates.extend_from_slice(&point);
         }
         Ok(())
@@ -289,13 +290,11 @@ impl<R: Read> Reader<R> {
     ) -> Result<(), Error> {
         for (i, property) in element.properties.iter().enumerate() {
             match axes.iter().position(|&axis| axis == i) {
-                Some(axis) => {
-                    let byte = self.scanner.byte_offset();
-                    point[axis] = self.scalar(property.value, "a coordinate")?;
-                    if !point[axis].is_finite() {
-                        return Err(self.here(not_finite(point[axis]), byte));
-                    }
+                Some(axis) if self.encoding == Encoding::Ascii => {
+                    let value = parse_coordinate(self.scanner.expect_token("a coordinate")?, "a coordinate");
+                    point[axis] = value.map_err(|error| error.at_line(self.scanner.line_number()))?;
                 }
+                Some(axis) => point[axis] = self.scalar(property.value, "a coordinate")?,
                 None => self.datum(element, i, columns)?,
             }
         }
@@ -343,12 +342,10 @@ impl<R: Read> Reader<R> {
                     }
                 }
             }
-            if let Some(bad) = coordinates[first..].iter().position(|value| !value.is_finite()) {
-                let record = bad / fields.len();
-                let byte = base + (record * stride + fields[bad % fields.len()].0) as u64;
-                let error = not_finite(coordinates[first + bad]).at_byte(byte);
-                coordinates.truncate(first + record * fields.len());
-                return Err(Self::in_record(&error, element, read + record as u64));
+            if !coordinates[first..].iter().all(|value| value.is_finite()) {
+                for (point, vertex) in coordinates[first..].chunks_exact(fields.len()).zip(read..) {
+                    found.oddities.note_unplaced(point, vertex, None);
+                }
             }
             for (i, property) in element.properties.iter().enumerate() {
                 let Some(numbers) = found.columns().of_property(i) else { continue };
@@ -525,11 +522,6 @@ impl<R: Read> Reader<R> {
         }
         Ok(())
     }
-}
-
-fn not_finite(value: f64) -> Error {
-    Error::parse(format!("a coordinate is {value}, not a finite number"))
-        .with_cure("remove the point or give it finite coordinates")
 }
 
 /// The index if there is such a vertex.

@@ -41,8 +41,7 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
     ];
     let mut body = Body { text: header(model, encoding, longest, &columns), encoding };
     let [of_vertices, of_polygons, of_lines] = &columns;
-    for (row, point) in model.positions.as_flat().chunks_exact(model.positions.dimension().max(1)).enumerate()
-    {
+    for (row, point) in model.coordinates().chunks_exact(model.coordinate_count().max(1)).enumerate() {
         for (i, &value) in point.iter().enumerate() {
             body.coordinate(value, i == 0);
         }
@@ -93,7 +92,7 @@ fn header(
     };
     let index = if model.vertex_count > i32::MAX as usize { "uint" } else { "int" };
     let mut header = format!("ply\nformat {format} 1.0\nelement vertex {}\n", model.vertex_count);
-    for axis in ["x", "y", "z"].iter().take(model.positions.dimension()) {
+    for axis in ["x", "y", "z"].iter().take(model.coordinate_count()) {
         header += &format!("property double {axis}\n");
     }
     header += &properties(&columns[0]);

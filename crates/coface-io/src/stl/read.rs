@@ -4,10 +4,10 @@ use super::weld::{Corner, bits, weld};
 use crate::blocks::{Block, Blocks};
 use crate::decimal::is_blank;
 use crate::lists::Lists;
-use crate::scanner::{Scanner, quoted};
+use crate::oddities::Oddities;
+use crate::scanner::{Scanner, parse_coordinate, quoted};
 use crate::{Group, GroupKind, Model, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
-use coface_geometry::Positions;
 use std::collections::BTreeMap;
 use std::io::Read;
 
@@ -21,8 +21,8 @@ const NAMED: usize = 5;
 /// Reads a model in STL, text or binary.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] with the line or the byte: text that is no STL, a number that is none or not finite in single
-/// precision, a facet that is no triangle, fewer triangles than the count promises; [`ErrorKind::TooLarge`] beyond
+/// [`ErrorKind::Parse`] with the line or the byte: text that is no STL, a number that is none, a
+/// facet that is no triangle, fewer triangles than the count promises; [`ErrorKind::TooLarge`] beyond
 /// 2^32 - 1 corners; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
@@ -97,6 +97,8 @@ struct Soup {
     corners: Vec<Corner>,
     /// The names that begin (or, if `None`, end) in front of a triangle.
     solids: Vec<(usize, Option<String>)>,
+    /// The lines of corners whose coordinates are not finite, of the first ones in each block of a text.
+    unplaced: BTreeMap<usize, u64>,
     remarks: Vec<Remark>,
 }
 
@@ -116,19 +118,10 @@ fn read_binary<R: Read>(mut input: Scanner<R>, soup: &mut Soup) -> Result<(), Er
             .at_byte(base + bytes.len() as u64)
             .with_cure("complete the file, or correct the count at byte 80"));
         }
-        for (i, record) in bytes[..records * RECORD].chunks_exact(RECORD).enumerate() {
+        for record in bytes[..records * RECORD].chunks_exact(RECORD) {
             let float =
                 |at: usize| f32::from_le_bytes([record[at], record[at + 1], record[at + 2], record[at + 3]]);
             let values: [f32; 9] = std::array::from_fn(|j| float(12 + 4 * j));
-            if let Some(bad) = values.iter().position(|value| !value.is_finite()) {
-                return Err(Error::parse(format!(
-                    "a coordinate of triangle {} is {}, not a finite number",
-                    read + i as u64,
-                    values[bad]
-                ))
-                .at_byte(base + (i * RECORD + 12 + 4 * bad) as u64)
-                .with_cure("remove the triangle or give it finite coordinates"));
-            }
             soup.corners.extend(values.chunks_exact(3).map(|xyz| [bits(xyz[0]), bits(xyz[1]), bits(xyz[2])]));
         }
         input.consume(records * RECORD);
@@ -167,6 +160,7 @@ fn ends_facet(line: &[u8]) -> bool {
 struct Piece {
     corners: Vec<Corner>,
     solids: Vec<(usize, Option<String>)>,
+    unplaced: Vec<(usize, u64)>,
     /// The number of lines in the file up to the end of this piece, and where its last statement leaves the reader.
     lines: u64,
     state: State,
@@ -191,7 +185,8 @@ fn read_text<R: Read>(blocks: Blocks<R>, soup: &mut Soup) -> Result<(), Error> {
         |_| 0,
         parse_block,
         |piece| {
-            let before = soup.corners.len() / 3;
+            let (corner, before) = (soup.corners.len(), soup.corners.len() / 3);
+            soup.unplaced.extend(piece.unplaced.iter().map(|&(at, line)| (corner + at, line)));
             soup.corners.extend_from_slice(&piece.corners);
             soup.solids.extend(piece.solids.into_iter().map(|(at, name)| (before + at, name)));
             (lines, state) = (piece.lines, piece.state);
@@ -235,7 +230,12 @@ fn read_line(line: &[u8], piece: &mut Piece) -> Result<(), Error> {
     match piece.state {
         _ if line.is_empty() => return Ok(()),
         State::Loop(count) if count < 3 && is(b"vertex") => {
-            piece.corners.push(read_corner(rest)?);
+            let corner = read_corner(rest)?;
+            // Most blocks have none, and the first places are enough.
+            if !is_finite(corner) && piece.unplaced.len() < 64 {
+                piece.unplaced.push((piece.corners.len(), piece.lines));
+            }
+            piece.corners.push(corner);
             piece.state = State::Loop(count + 1);
             return Ok(());
         }
@@ -286,22 +286,11 @@ fn read_corner(rest: &[u8]) -> Result<Corner, Error> {
             Error::parse(format!("a vertex with {i} coordinates; it needs 3"))
                 .with_cure("write \"vertex x y z\"")
         })?;
-        *coordinate = match fast_float2::parse::<f32, _>(word) {
-            Ok(value) if value.is_finite() => bits(value),
-            Ok(_) => {
-                return Err(Error::parse(format!(
-                    "the coordinate {} is not finite in single precision",
-                    quoted(word)
-                ))
-                .with_cure("give the vertex finite coordinates"));
-            }
-            Err(_) => {
-                return Err(Error::parse(format!(
-                    "{} is not a number, as a coordinate must be",
-                    quoted(word)
-                ))
-                .with_cure("write a decimal number"));
-            }
+        *coordinate = match (fast_float2::parse::<f32, _>(word), parse_coordinate(word, "a coordinate")) {
+            (Ok(value), _) => bits(value),
+            // NaN with more words behind it, as some libraries write it.
+            (Err(_), Ok(_)) => bits(f32::NAN),
+            (Err(_), Err(error)) => return Err(error.with_cure("write a decimal number")),
         };
     }
     match words.next() {
@@ -309,6 +298,11 @@ fn read_corner(rest: &[u8]) -> Result<Corner, Error> {
             .with_cure("remove it")),
         None => Ok(corner),
     }
+}
+
+/// Whether all coordinates of a corner are finite.
+fn is_finite(corner: Corner) -> bool {
+    corner.iter().all(|&bits| f32::from_bits(bits).is_finite())
 }
 
 /// Welds the corners and leaves out the triangles that repeat a vertex.
@@ -319,6 +313,14 @@ fn model(soup: &Soup) -> Result<Model, Error> {
         .iter()
         .flat_map(|&corner| soup.corners[corner as usize].map(|bits| f64::from(f32::from_bits(bits))))
         .collect();
+    let mut oddities = Oddities::default();
+    for (vertex, &corner) in welded.first_corners.iter().enumerate() {
+        if !is_finite(soup.corners[corner as usize]) {
+            let line = soup.unplaced.get(&(corner as usize)).copied();
+            oddities.note_unplaced(&coordinates[3 * vertex..3 * vertex + 3], vertex as u64, line);
+        }
+    }
+    let (positions, partial_positions) = crate::model::placed(3, coordinates)?;
     let mut polygons = Lists::default();
     let mut left_out = Vec::new();
     let mut left_out_count = 0u64;
@@ -341,6 +343,7 @@ fn model(soup: &Soup) -> Result<Model, Error> {
     }
     solids.for_each(|(_, name)| groups.begin(name.as_deref()));
     let mut remarks = soup.remarks.clone();
+    remarks.extend(oddities.into_remarks());
     if left_out_count > 0 {
         let dots = if left_out_count > NAMED as u64 { ", .." } else { "" };
         let (s, verb) = if left_out_count == 1 { ("", "repeats") } else { ("s", "repeat") };
@@ -352,7 +355,8 @@ fn model(soup: &Soup) -> Result<Model, Error> {
     }
     let model = Model {
         vertex_count: welded.first_corners.len(),
-        positions: Positions::from_flat(3, coordinates)?,
+        positions,
+        partial_positions,
         polygons: polygons.into_ragged()?,
         groups: groups.groups(),
         remarks,

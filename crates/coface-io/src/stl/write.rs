@@ -5,7 +5,6 @@ use crate::decimal::flush;
 use crate::limits::{require_dimension, require_mesh};
 use crate::{GroupKind, Model};
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_geometry::Positions;
 use std::io::Write;
 
 /// Writes the triangles of a model in STL, in single precision.
@@ -34,7 +33,7 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
     require_mesh(model, "STL", "MEDIT, MSH or VTK")?;
     require_dimension(model, "STL", 3)?;
     let triangles = triangles(model)?;
-    let coordinates = single(&model.positions)?;
+    let coordinates = single(model)?;
     let corner = |vertex: u32| -> [f32; 3] {
         let at = 3 * vertex as usize;
         [coordinates[at], coordinates[at + 1], coordinates[at + 2]]
@@ -67,13 +66,14 @@ fn triangles(model: &Model) -> Result<&[u32], Error> {
 }
 
 /// The positions in single precision, filled up with zeros to three coordinates.
-fn single(positions: &Positions) -> Result<Vec<f32>, Error> {
-    let dimension = positions.dimension();
-    let mut coordinates = Vec::with_capacity(3 * positions.len());
-    for (i, point) in positions.as_flat().chunks_exact(dimension.max(1)).enumerate() {
+fn single(model: &Model) -> Result<Vec<f32>, Error> {
+    let dimension = model.coordinate_count();
+    let mut coordinates = Vec::with_capacity(3 * model.vertex_count);
+    for (i, point) in model.coordinates().chunks_exact(dimension.max(1)).enumerate() {
         for axis in 0..3 {
             let value = point.get(axis).copied().unwrap_or(0.0);
-            if !(value as f32).is_finite() {
+            // What is not finite in the model is not in the file either.
+            if value.is_finite() && !(value as f32).is_finite() {
                 return Err(Error::new(
                     ErrorKind::UnsupportedFormat,
                     format!("the coordinate {value:e} of {} is too large for STL", VertexId::new(i)),

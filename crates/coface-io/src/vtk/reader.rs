@@ -105,9 +105,11 @@ impl<R: Read> Reader<R> {
         for _ in 0..count {
             let mut point = [0.0; 3];
             for coordinate in &mut point {
-                *coordinate = self.values.float(number, "a coordinate")?;
+                *coordinate = self.values.coordinate(number, "a coordinate")?;
             }
-            self.elements.assembly.add_vertex(&point).map_err(|fault| self.values.located(fault))?;
+            let line = self.values.line();
+            let added = self.elements.assembly.add_vertex_on_line(&point, line);
+            added.map_err(|fault| self.values.located(fault))?;
         }
         Ok(())
     }

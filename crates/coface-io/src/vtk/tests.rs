@@ -45,8 +45,8 @@ fn faults_are_placed() {
         ),
         ("# vtk DataFile Version 3.0\ntitle\nASCII\n", "the file ends before DATASET"),
         (
-            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 nan 0\n",
-            "line 6: a coordinate is NaN",
+            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 none 0\n",
+            "line 6: \"none\" is not a number",
         ),
         (
             "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 floaty\n",

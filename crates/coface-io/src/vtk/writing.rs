@@ -45,14 +45,14 @@ pub enum Encoding {
 pub fn write(model: &Model, mut out: impl Write, encoding: Encoding) -> Result<(), Error> {
     limits::require_volume_mesh(model, "VTK")?;
     limits::require_dimension(model, "VTK", 3)?;
-    let dimension = model.positions.dimension();
+    let dimension = model.coordinate_count();
     let mut numbers = Numbers { text: Vec::new(), encoding };
     let word = if encoding == Encoding::Ascii { "ASCII" } else { "BINARY" };
     numbers.line(&format!(
         "# vtk DataFile Version 3.0\nwritten by coface\n{word}\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double",
         model.vertex_count
     ));
-    for point in model.positions.as_flat().chunks_exact(dimension.max(1)) {
+    for point in model.coordinates().chunks_exact(dimension.max(1)) {
         for i in 0..3 {
             numbers.float(point.get(i).copied().unwrap_or(0.0), i == 2);
         }

@@ -276,11 +276,6 @@ impl Reader<'_> {
         }
         for i in 0..array.numbers.len() / 3 {
             let point = [0, 1, 2].map(|k| array.numbers.real(3 * i + k));
-            if let Some(bad) = point.iter().find(|x| !x.is_finite()) {
-                let fault =
-                    Error::invalid(format!("a coordinate of point {i} is {bad}, not a finite number"));
-                return Err(located(fault.with_cure("remove the point or give it finite coordinates"), node));
-            }
             self.elements.assembly.add_vertex(&point).map_err(|fault| located(fault, node))?;
         }
         Ok(())

@@ -127,7 +127,7 @@ fn a_file_by_hand_and_its_faults() {
         ("3 6<", "3 2<", "there are more than 2 numbers"),
         ("3 6<", "7 6<", "the offset of cell 0 is 7; offsets rise from 0 to 6"),
         ("3 6<", "3 -6<", "the last offset is negative"),
-        ("1 1 0", "nan 1 0", "a coordinate of point 2 is NaN"),
+        ("1 1 0", "none 1 0", "\"none\" is not a number"),
         ("=\"Float32\"", "=\"Float\"", "line 9: \"Float\" is no type of numbers in VTK XML"),
         ("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "the file ends where a number should be"),
         ("NumberOfPoints=\"4\"", "NumberOfPoints=\"99999999999\"", "the file ends where a number should be"),

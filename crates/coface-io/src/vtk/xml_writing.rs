@@ -83,8 +83,8 @@ pub fn write_xml(model: &Model, out: impl Write, kind: XmlKind) -> Result<(), Er
         file.data(array)?;
     }
     file.line("</CellData>\n<Points>")?;
-    let dimension = model.positions.dimension();
-    let points = model.positions.as_flat().chunks_exact(dimension.max(1));
+    let dimension = model.coordinate_count();
+    let points = model.coordinates().chunks_exact(dimension.max(1));
     let filled = points.flat_map(|point| [0, 1, 2].map(|i| point.get(i).copied().unwrap_or(0.0)));
     file.array("Float64", "Points", 3, filled.flat_map(f64::to_le_bytes).collect())?;
     file.line("</Points>")?;

@@ -163,6 +163,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     if !model.cells().is_empty() {
         return refuse("3-cells do not lie in the plane", "give curves or polygons");
     }
+    model.require_finite()?;
     let positions = model.positions();
     match positions.dimension() {
         2 => Ok(()),

@@ -4,7 +4,7 @@
 
 use coface_algebra::{Error, ErrorKind};
 use coface_io as io;
-use coface_io::{Format, Model, Structure};
+use coface_io::{Format, Model, ReadOptions, RemarkCode, Structure};
 use proptest::prelude::*;
 use std::fs;
 use std::io::Read;
@@ -137,41 +137,30 @@ fn every_sample_is_read_and_recognized() {
 }
 
 /// What to put for what in a sample, and what the message must say.
-const FAULTS: [(Format, &str, &str, &str); 60] = [
+const FAULTS: [(Format, &str, &str, &str); 49] = [
     (Format::VtkGrid, "0 1 2 3<", "0 1 2 4<", "4"),
     (Format::VtkGrid, ">10<", ">42<", "polyhedra"),
     (Format::Off, "3 0 1 2", "3 0 1 3", "3"),
     (Format::Off, "3 0 1 2", "3 0 1 -2", "-2"),
     (Format::Off, "3 1 0\n", "4000000000 4000000000 0\n", ""),
-    (Format::Off, "0 1 0", "0 nan 0", "nan"),
-    (Format::Off, "0 1 0", "0 inf 0", "inf"),
-    (Format::Off, "0 1 0", "0 1e999 0", "finite"),
     (Format::Off, "0 1 0", "0 one 0", "one"),
     (Format::Obj, "f 1 2 3", "f 1 2 4", "4"),
     (Format::Obj, "f 1 2 3", "f 1 2 -4", "-4"),
     (Format::Obj, "f 1 2 3", "f 1 2 0", "0"),
-    (Format::Obj, "v 0 1 0", "v 0 nan 0", "nan"),
-    (Format::Obj, "v 0 1 0", "v 0 -inf 0", "inf"),
     (Format::Ply, "3 0 1 2", "3 0 1 3", "3"),
     (Format::Ply, "3 0 1 2", "3 0 1 -1", "-1"),
     (Format::Ply, "vertex 3", "vertex 4000000000", ""),
-    (Format::Ply, "0 1 0", "0 nan 0", "nan"),
-    (Format::Stl, "vertex 0 1 0", "vertex 0 nan 0", "nan"),
-    (Format::Stl, "vertex 0 1 0", "vertex 0 inf 0", "inf"),
     (Format::Medit, "1 2 3 4 0", "1 2 3 5 0", "5"),
     (Format::Medit, "1 2 3 4 0", "1 2 3 0 0", "0"),
     (Format::Medit, "1 2 3 4 0", "1 2 3 -4 0", "-4"),
     (Format::Medit, "Vertices 4", "Vertices 4000000000", ""),
-    (Format::Medit, "0 1 0 0", "0 nan 0 0", "NaN"),
     (Format::Msh, "1 2 3 4\n$End", "1 2 3 5\n$End", "5"),
     (Format::Msh, "1 2 3 4\n$End", "1 2 3 -4\n$End", "-4"),
     (Format::Msh, "$Nodes\n4", "$Nodes\n4000000000000", ""),
-    (Format::Msh, "3 0 1 0", "3 0 inf 0", "inf"),
     (Format::Vtk, "4 0 1 2 3\n", "4 0 1 2 4\n", "4"),
     (Format::Vtk, "4 0 1 2 3\n", "4 0 1 2 -3\n", "-3"),
     (Format::Vtk, "POINTS 4", "POINTS 4000000000000", ""),
     (Format::Vtk, "CELLS 1 5\n4 ", "CELLS 1 5000000000\n4000000000 ", ""),
-    (Format::Vtk, "0 1 0", "0 nan 0", "NaN"),
     (Format::Ply, "0 1 0 3", "0 1 0 red", "red"),
     (Format::Vtk, "CELL_DATA 1", "CELL_DATA 2", "data on 2 cells, but there are 1"),
     (Format::Vtk, "default\n7", "default\nseven", "seven"),
@@ -199,6 +188,43 @@ const FAULTS: [(Format, &str, &str, &str); 60] = [
     (Format::Svg, "\"5\"", "\"5cm\"", "no length"),
     (Format::Svg, "</svg>", "", "root"),
 ];
+
+/// What to put for what in a sample, so that a coordinate is not finite.
+const NONFINITE: [(Format, &str, &str); 11] = [
+    (Format::Off, "0 1 0", "0 nan 0"),
+    (Format::Off, "0 1 0", "0 inf 0"),
+    (Format::Off, "0 1 0", "0 1e999 0"),
+    (Format::Obj, "v 0 1 0", "v 0 nan 0"),
+    (Format::Obj, "v 0 1 0", "v 0 -inf 0"),
+    (Format::Ply, "0 1 0", "0 nan 0"),
+    (Format::Stl, "vertex 0 1 0", "vertex 0 nan 0"),
+    (Format::Stl, "vertex 0 1 0", "vertex 0 inf 0"),
+    (Format::Medit, "0 1 0 0", "0 nan 0 0"),
+    (Format::Msh, "3 0 1 0", "3 0 inf 0"),
+    (Format::Vtk, "0 1 0", "0 nan 0"),
+];
+
+#[test]
+fn coordinates_that_are_not_finite_are_kept_and_refused_by_strict_reading() {
+    for (format, from, to) in NONFINITE {
+        let text = sample(format);
+        assert!(text.contains(from), "{format:?} has no {from:?}");
+        let context = format!("{format:?} with {to:?} for {from:?}");
+        let text = text.replacen(from, to, 1);
+        let model = io::read(text.as_bytes(), format).unwrap_or_else(|error| panic!("{context}: {error}"));
+        assert_sound(&model, &context);
+        assert!(model.require_finite().is_err(), "{context}");
+        assert!(
+            model.remarks().iter().any(|remark| remark.code == RemarkCode::NonfiniteCoordinate),
+            "{context}"
+        );
+        let strict = ReadOptions::new().format(format).strict(true);
+        let error = io::read_with(text.as_bytes(), &strict).expect_err(&context);
+        let line = text.split(to).next().unwrap_or_default().lines().count() as u64 + 1;
+        assert_eq!(error.line(), Some(line), "{context}: {error}");
+        assert_helpful(&error, &context);
+    }
+}
 
 #[test]
 fn faults_are_named_with_their_place() {

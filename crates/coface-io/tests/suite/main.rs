@@ -2,4 +2,5 @@
 
 mod formats;
 mod mesh_formats;
+mod nonfinite;
 mod wild;
