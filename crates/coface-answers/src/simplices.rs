@@ -4,8 +4,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
-use coface_geometry::Positions;
-use coface_io::{Model, ModelParts, Structure};
+use coface_io::{Model, ModelParts, Structure, placed};
 
 /// The simplicial complex of a model: its facets, triangles, tetrahedra, segments and vertices with all their faces.
 ///
@@ -102,16 +101,16 @@ pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> 
     }
     let maximal = set.maximal_simplices();
     let dimension = maximal.dimension();
-    if as_facets || source.positions().dimension() == 0 || dimension > Some(3) {
+    let width = source.coordinate_count();
+    if as_facets || width == 0 || dimension > Some(3) {
         let facets = RaggedArray::from_lists(maximal.iter().map(Simplex::numbers));
         return Ok(Model::from_structure(Structure::Facets(facets)));
     }
     let used: Vec<u32> = set.simplices(0).iter().map(|vertex| vertex.numbers()[0]).collect();
     let renumbered = |vertex: &u32| used.binary_search(vertex).expect("a complex holds its vertices") as u32;
     let lists = |degree: usize| maximal.simplices(degree).iter().map(Simplex::numbers);
-    let width = source.positions().dimension();
-    let coordinates =
-        used.iter().flat_map(|&v| source.positions().point(VertexId::from_u32(v)).to_vec()).collect();
+    let coordinates = used.iter().flat_map(|&v| &source.coordinates()[v as usize * width..][..width]);
+    let (positions, partial_positions) = placed(width, coordinates.copied().collect())?;
     let orientations = Orientations::of(source, dimension);
     let oriented = |simplex: &[u32]| {
         let mut vertices: Vec<u32> = simplex.iter().map(renumbered).collect();
@@ -127,7 +126,8 @@ pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> 
     let cells = all(3);
     Ok(ModelParts {
         vertex_count: used.len(),
-        positions: Positions::from_flat(width, coordinates)?,
+        positions,
+        partial_positions,
         points: all(0).iter().map(|vertex| VertexId::from_u32(vertex[0])).collect(),
         lines: RaggedArray::from_lists(all(1)),
         polygons: RaggedArray::from_lists(all(2)),
@@ -192,6 +192,7 @@ fn sorted<const N: usize>(vertices: &[u32]) -> Option<([u32; N], bool)> {
 mod tests {
     use super::*;
     use crate::Report;
+    use coface_geometry::Positions;
 
     fn two_tetrahedra() -> Model {
         let flat = vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1., 1., 1., 1., 9., 9., 9.];

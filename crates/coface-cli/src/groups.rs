@@ -28,6 +28,8 @@ pub(crate) struct Asked {
     pub(crate) name: String,
     pub(crate) found: FoundGroups,
     positions: Positions,
+    /// What is wrong with the positions, where some are not finite.
+    fault: Option<Error>,
 }
 
 impl Asked {
@@ -46,7 +48,8 @@ impl Asked {
         })?;
         accept(found.remarks(), common)?;
         say_remarks(found.remarks(), common);
-        Ok(Self { name, found, positions: producer.positions().clone() })
+        let (positions, fault) = (producer.positions().clone(), producer.require_finite().err());
+        Ok(Self { name, found, positions, fault })
     }
 
     /// Writes closed paths as JSON, or as polylines in a format that has positions.
@@ -54,6 +57,9 @@ impl Asked {
         progress.stage(format!("writing {}", place.display()));
         if is_json(place) {
             return write_json(place, &Loops { loops: paths });
+        }
+        if let Some(fault) = &self.fault {
+            return Err(fault.clone().in_file(self.name.clone()).into());
         }
         if self.positions.dimension() == 0 {
             return Err(Failure::new(format!(

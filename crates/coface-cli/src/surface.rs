@@ -85,6 +85,7 @@ impl<'a, A> WithMesh<'a, A> {
             facets,
             polygons,
             source: sources.map(|row| row.map(|row| row[0])).collect(),
+            // JSON has no words for NaN and infinity.
             positions: (!model.positions().is_empty())
                 .then(|| (0..model.vertex_count()).map(point).collect()),
             copy,
@@ -103,7 +104,7 @@ pub(crate) fn save(
     if is_json(path) {
         return write_json(path, &WithMesh::new(answer, model));
     }
-    if model.positions().is_empty() && model.vertex_count() > 0 {
+    if model.coordinate_count() == 0 && model.vertex_count() > 0 {
         return Err(Failure::new(format!("{}: the model has no positions; write .json", path.display())));
     }
     write_path(model, path, None)?;

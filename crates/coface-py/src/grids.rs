@@ -276,6 +276,7 @@ pub(crate) fn extruded(
             (true, true) => (0, RaggedArray::uniform(1, (0..model.vertex_count() as u32).collect())?),
         };
         let sweep = extrude(model.vertex_count(), &simplices, &heights)?;
+        model.require_finite()?;
         let positions = sweep.positions(model.positions())?;
         let cells = sweep.simplices().to_oriented();
         io::Model::from_placed_cells(PlacedCells::new(positions, CellKind::Simplex, dimension + 1, cells)?)

@@ -310,15 +310,16 @@ impl Model {
         reading::from_bytes(py, data, read_options(py, format, flatten, (strict, partial))?, progress)
     }
 
-    /// The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none.
+    /// The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none. A file may hold
+    /// coordinates that are NaN or infinite; they stand here as they are.
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let positions = self.model().positions();
-        if positions.dimension() == 0 {
+        let (model, dimension) = (self.model(), self.model().coordinate_count());
+        if dimension == 0 {
             return Ok(None);
         }
-        let flat = shared(py, self.owner(), positions.as_flat())?;
-        Ok(Some(flat.reshape([positions.len(), positions.dimension()])?.into_any()))
+        let flat = shared(py, self.owner(), model.coordinates())?;
+        Ok(Some(flat.reshape([model.vertex_count(), dimension])?.into_any()))
     }
 
     /// The number of vertices of the file; those that nothing uses count.

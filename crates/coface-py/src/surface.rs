@@ -446,6 +446,9 @@ impl Surface {
         };
         let (found, forms) = run(py, progress, || {
             let (map, lengths) = (self.map(), self.lengths());
+            if harmonic && weights != Some(EdgeWeights::Uniform) {
+                self.surface.require_finite()?;
+            }
             let found = SurfaceCocycles::new(map, lengths.as_deref(), method == "slicing")?;
             let cocycles = found.basis().cocycles();
             let forms = match harmonic {
@@ -512,6 +515,9 @@ impl Surface {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<FundamentalGroup>> {
         run(py, progress, || {
+            if shortest {
+                self.surface.require_finite()?;
+            }
             let map = self.map();
             let lengths = self.lengths().filter(|_| shortest);
             let base = base.map(|base| self.surface.vertex_numbered(base)).transpose()?;
@@ -585,6 +591,7 @@ impl Surface {
             }
         };
         let found: Vec<ShortestCycle> = run(py, progress, || {
+            self.surface.require_finite()?;
             let (map, lengths) = (self.map(), self.lengths());
             Ok(match (one, through) {
                 (None, _) => shortest_homology_basis(map, lengths.as_deref(), MOST_REACHED)?,

@@ -23,6 +23,9 @@ use coface_complexes::surface::GeneralizedMap;
 use coface_io::{CellData, GroupKind, Model};
 use coface_topology::{HarmonicForm, HomologyBasis};
 
+/// What to do where lengths cannot be measured.
+const FINITE: &str = "take uniform weights, or give the point finite coordinates";
+
 /// Asks for a basis of the first cohomology.
 ///
 /// # Examples
@@ -123,6 +126,9 @@ impl CocyclesRequest {
                     "ask for harmonic cochains of the complex: coface homology --cohomology --harmonic",
                 ));
             };
+            if self.weights != Some(EdgeWeights::Uniform) {
+                producer.require_finite().map_err(|error| error.with_cure(FINITE))?;
+            }
             let (weights, forms, remark) =
                 surface_harmonic_forms(map, &found.cocycles, lengths.as_deref(), self.weights)?;
             let names = CellNames::of(producer);
@@ -284,6 +290,7 @@ impl<'a> FoundCocycles<'a> {
     /// ```
     pub fn model(&self) -> Result<Model, Error> {
         let producer = self.producer;
+        producer.require_finite()?;
         if producer.positions().is_empty() || !producer.names_cells_by_vertices() {
             return Err(Error::invalid("the edges of the model have no positions to draw them at")
                 .with_cure("write the cocycles as .json"));

@@ -190,6 +190,7 @@ fn all_positions(
     let mut coordinates = Vec::new();
     let mut first: Option<(usize, &String)> = None;
     for ((producer, complex), name) in producers.iter().zip(complexes).zip(names) {
+        producer.require_finite().map_err(|error| error.in_file(name.clone()))?;
         let (positions, count) = (producer.positions(), complex.cell_count(0));
         if positions.len() != count {
             return Err(Error::invalid(format!("the model has {count} vertices, but no positions"))

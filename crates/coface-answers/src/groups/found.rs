@@ -17,6 +17,8 @@ pub struct FoundGroups {
     request: GroupsRequest,
     shown: Vec<Shown>,
     positions: Positions,
+    /// What is wrong with the positions, where some are not finite.
+    fault: Option<Error>,
     pub(super) compared: Option<(Vec<WalkAnswer>, Vec<WalkPair>)>,
     pub(super) short: Option<Vec<ClosedPath>>,
     pub(super) trees: Option<TreesAnswer>,
@@ -26,7 +28,17 @@ pub struct FoundGroups {
 impl FoundGroups {
     pub(super) fn new(request: &GroupsRequest, shown: Vec<Shown>, producer: &Producer) -> Self {
         let (request, positions) = (request.clone(), producer.positions().clone());
-        Self { request, shown, positions, compared: None, short: None, trees: None, remarks: Vec::new() }
+        let fault = producer.require_finite().err();
+        Self {
+            request,
+            shown,
+            positions,
+            fault,
+            compared: None,
+            short: None,
+            trees: None,
+            remarks: Vec::new(),
+        }
     }
 
     /// The presentation of the group of each component, as it was asked for.
@@ -153,6 +165,9 @@ impl FoundGroups {
 
     /// The length of a closed path, or the number of its edges without positions.
     fn length(&self, vertices: &[u32]) -> Result<f64, Error> {
+        if let Some(fault) = &self.fault {
+            return Err(fault.clone());
+        }
         if self.positions.dimension() == 0 {
             return Ok(vertices.len().saturating_sub(1) as f64);
         }

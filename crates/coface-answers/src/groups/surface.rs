@@ -66,6 +66,9 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
     let steps = stage("cutting the surface open", 0);
     let map = GeneralizedMap::new(skeleton)?;
     let has_lengths = request.surface_loops == SurfaceLoops::Shortest || request.short.is_some();
+    if has_lengths {
+        producer.require_finite()?;
+    }
     let lengths = if has_lengths { lengths(producer, &map, &numbers)? } else { None };
     let trees = TreeCotree::greedy(&map, base, lengths.as_deref())?;
     let homotopy = SurfaceHomotopy::new(&map, &trees)?;

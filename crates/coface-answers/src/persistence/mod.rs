@@ -79,6 +79,9 @@ impl VertexFunction {
     pub fn values(&self, producer: &Producer, count: usize) -> Result<Vec<f64>, Error> {
         let numbers = (0..count).map(|vertex| producer.cell_vertices(0, vertex)[0] as usize);
         let positions = producer.positions();
+        if matches!(self, Self::Coordinate(_)) {
+            producer.require_finite()?;
+        }
         Ok(match self {
             Self::Coordinate(_) if positions.dimension() == 0 => {
                 return Err(Error::invalid(format!("there are no positions to take {} from", self.name()))
@@ -209,6 +212,10 @@ impl PersistenceRequest {
             Growth::Cells { place, values } => (place, Filtration::new(complex, values.clone())),
             Growth::Listed { place, values } => (place, of_listed(values, producer, complex)),
             Growth::Lower(function) | Growth::Upper(function) => {
+                if function.is_none() {
+                    // The height is meant where there are coordinates.
+                    producer.require_finite().map_err(|error| error.in_file(name))?;
+                }
                 let function =
                     function.clone().unwrap_or_else(|| VertexFunction::of_positions(producer.positions()));
                 let values = function.values(producer, complex.cell_count(0))?;

@@ -469,6 +469,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
         return Err(Error::invalid(format!("{} 3-cells do not lie in the plane", model.cells().len()))
             .with_cure("arrange them in space: leave --dimension 2 out"));
     }
+    model.require_finite()?;
     let positions = model.positions();
     match positions.dimension() {
         2 => Ok(()),

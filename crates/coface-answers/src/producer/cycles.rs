@@ -131,6 +131,7 @@ impl Producer {
     /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if the cells have no vertices or the vertices no positions, or a cell has no picture:
     /// simplices of dimension 4 and up.
     pub fn picture(&self, chains: &[(String, Chain<Integer>)]) -> Result<Model, Error> {
+        self.require_finite()?;
         if self.positions.dimension() == 0 || !self.names_cells_by_vertices() {
             return Err(Error::invalid("the cells of the model have no positions to draw them at")
                 .with_cure("write the generators as .json"));

@@ -30,7 +30,7 @@ use coface_complexes::gluing::{FaceClasses, GluingTable};
 use coface_complexes::lar::LarModel;
 use coface_complexes::simplicial::FrozenComplex;
 use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
-use coface_geometry::Positions;
+use coface_geometry::{PartialPositions, Positions};
 use coface_io::{Model, ModelParts, Remark, Structure, segments};
 
 /// The cells of a model with their faces identified: what its chain complex is made from.
@@ -54,6 +54,7 @@ pub struct Producer {
     pub(crate) cells: Cells,
     pub(crate) labels: Labels,
     pub(crate) positions: Positions,
+    pub(crate) partial_positions: Option<PartialPositions>,
     pub(crate) remarks: Vec<Remark>,
 }
 
@@ -86,6 +87,7 @@ impl Producer {
         let ModelParts {
             vertex_count,
             mut positions,
+            partial_positions,
             polygons,
             shapes,
             cells,
@@ -118,12 +120,32 @@ impl Producer {
                 (Cells::Polygons(mesh), Labels::default())
             }
         };
-        Ok(Self { cells, labels, positions, remarks })
+        Ok(Self { cells, labels, positions, partial_positions, remarks })
     }
 
     /// The positions of the vertices by their numbers in the file; empty when it has none.
     pub fn positions(&self) -> &Positions {
         &self.positions
+    }
+
+    /// Refuses a model with a coordinate that is NaN or infinite: for whatever needs the position of each vertex. A model without
+    /// positions is not refused.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first such coordinate.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::Producer;
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edge = Producer::of(coface_io::read(&b"v 0 0 0\nv 0 nan 0\nl 1 2\n"[..], Format::Obj)?)?;
+    /// assert_eq!(edge.chain_complex()?.f_vector(), [2, 1]);
+    /// assert!(edge.require_finite().is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn require_finite(&self) -> Result<(), Error> {
+        self.partial_positions.as_ref().and_then(PartialPositions::fault).map_or(Ok(()), Err)
     }
 
     /// What the reader of the model assumed, changed or left out.

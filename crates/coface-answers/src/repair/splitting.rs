@@ -4,8 +4,7 @@ use super::polygons_of::PolygonsOf;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, FaceId, VertexId};
 use coface_complexes::surface::{FacesAtEdge, MeshRepair, PolygonMesh};
-use coface_geometry::Positions;
-use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
+use coface_io::{CellData, Group, GroupKind, Model, ModelParts, placed};
 
 /// What to repair in a model, and nothing else.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,9 +76,12 @@ pub(super) fn repaired_polygons_model(
         repair.orient_parts();
     }
     let (lines, line_starts) = repaired_lines(model.lines(), &repair);
+    let (positions, partial_positions) =
+        placed(model.coordinate_count(), repaired_coordinates(&model, &repair))?;
     let repaired = ModelParts {
         vertex_count: repair.mesh().vertex_count(),
-        positions: repaired_positions(model.positions(), &repair)?,
+        positions,
+        partial_positions,
         polygons: repaired_polygons(model.polygons(), &repair),
         lines,
         groups: model.groups().iter().map(|group| repaired_group(group, &repair, &line_starts)).collect(),
@@ -90,15 +92,15 @@ pub(super) fn repaired_polygons_model(
     Ok((repaired, repair))
 }
 
-fn repaired_positions(positions: &Positions, repair: &MeshRepair) -> Result<Positions, Error> {
-    if positions.is_empty() {
-        return Ok(positions.clone());
+/// The coordinates of the vertices, as the model has them, with those of the vertices that were split.
+fn repaired_coordinates(model: &Model, repair: &MeshRepair) -> Vec<f64> {
+    let dimension = model.coordinate_count();
+    let mut coordinates = model.coordinates().to_vec();
+    for source in repair.vertex_sources().iter().skip(model.vertex_count()) {
+        let start = source.index() * dimension;
+        coordinates.extend_from_slice(&model.coordinates()[start..start + dimension]);
     }
-    let mut coordinates = positions.as_flat().to_vec();
-    for &source in repair.vertex_sources().iter().skip(positions.len()) {
-        coordinates.extend_from_slice(positions.point(source));
-    }
-    Positions::from_flat(positions.dimension(), coordinates)
+    coordinates
 }
 
 /// The polygons of the model, also those that repeat an earlier one, at the vertices of the repaired faces.
@@ -200,6 +202,7 @@ fn repaired_group(group: &Group, repair: &MeshRepair, line_starts: &[u32]) -> Gr
 #[cfg(test)]
 mod tests {
     use super::*;
+    use coface_geometry::Positions;
 
     /// Two triangles at vertex 0, a repeated one, a line through vertex 0, and groups of all sorts.
     fn bow_tie() -> Model {

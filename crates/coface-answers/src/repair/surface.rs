@@ -6,7 +6,7 @@ use coface_algebra::{Error, ErrorKind, RaggedArray, Sign, VertexId};
 use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
 use coface_complexes::surface::{BoundaryLoop, FacesAtEdge, MeshRepair, PolygonMesh};
 use coface_geometry::Positions;
-use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
+use coface_io::{CellData, Group, GroupKind, Model, ModelParts, placed};
 use std::collections::BTreeSet;
 
 /// Holes with more corners than this are filled by a fan around a new vertex; smaller ones by the triangles of least area.
@@ -189,20 +189,9 @@ struct Cleaned {
 
 impl Cleaned {
     fn new(model: Model, tolerance: f64) -> Result<Self, Error> {
+        let class_of = classes_of(&model, tolerance)?;
+        let (dimension, given) = (model.coordinate_count(), model.coordinates().to_vec());
         let parts = model.into_parts();
-        let class_of: Vec<u32> = match parts.positions.is_empty() {
-            true => (0..parts.vertex_count as u32).collect(),
-            false => {
-                let classes = vertex_congruence(
-                    &parts.positions,
-                    tolerance,
-                    ClassRule::Transitive,
-                    Representative::Lowest,
-                )?;
-                // Each class by its lowest vertex.
-                classes.class_of().iter().map(|&class| classes.members().list(class as usize)[0]).collect()
-            }
-        };
         let merged = class_of.iter().zip(0u32..).filter(|&(class, vertex)| *class != vertex).count();
         let mut polygons = Vec::with_capacity(parts.polygons.len());
         let mut collapsed = 0;
@@ -262,17 +251,12 @@ impl Cleaned {
             members.dedup();
             Group::new(group.name(), group.kind(), members)
         };
-        let mut coordinates = Vec::with_capacity(kept.len() * parts.positions.dimension());
-        if !parts.positions.is_empty() {
-            kept.iter()
-                .for_each(|&v| coordinates.extend_from_slice(parts.positions.point(VertexId::from_u32(v))));
-        }
+        let coordinates = kept.iter().flat_map(|&v| &given[v as usize * dimension..][..dimension]);
+        let (positions, partial_positions) = placed(dimension, coordinates.copied().collect())?;
         let model = ModelParts {
             vertex_count: kept.len(),
-            positions: match parts.positions.is_empty() {
-                true => Positions::default(),
-                false => Positions::from_flat(parts.positions.dimension(), coordinates)?,
-            },
+            positions,
+            partial_positions,
             polygons: RaggedArray::from_lists(polygons.iter().map(|(_, corners)| renumber(corners))),
             lines: RaggedArray::from_lists(lines.iter().map(|(_, corners)| renumber(corners))),
             points: Vec::new(),
@@ -283,6 +267,31 @@ impl Cleaned {
         .into_model();
         Ok(Self { model, kept, counts: [merged, unused, collapsed, duplicate, loose] })
     }
+}
+
+/// For each vertex the lowest one that it is merged with: one with a position within the tolerance, and a chain of such. A vertex with a
+/// coordinate that is not finite is merged with none.
+fn classes_of(model: &Model, tolerance: f64) -> Result<Vec<u32>, Error> {
+    let count = model.vertex_count() as u32;
+    let (vertices, positions): (Vec<u32>, _) = match model.partial_positions() {
+        None => ((0..count).collect(), model.positions().clone()),
+        Some(partial) => {
+            let vertices = (0..count).filter(|&v| partial.point(VertexId::from_u32(v)).is_some()).collect();
+            let points = (0..count).filter_map(|v| partial.point(VertexId::from_u32(v)));
+            let flat = points.flatten().copied().collect();
+            (vertices, Positions::from_flat(partial.dimension(), flat)?)
+        }
+    };
+    let mut class_of: Vec<u32> = (0..count).collect();
+    if !positions.is_empty() {
+        let classes =
+            vertex_congruence(&positions, tolerance, ClassRule::Transitive, Representative::Lowest)?;
+        // Each class by its lowest vertex.
+        for (&vertex, &class) in vertices.iter().zip(classes.class_of()) {
+            class_of[vertex as usize] = vertices[classes.members().list(class as usize)[0] as usize];
+        }
+    }
+    Ok(class_of)
 }
 
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
@@ -389,18 +398,18 @@ impl Holes {
     }
 
     fn fill(self, model: Model) -> Result<Model, Error> {
-        let parts = model.into_parts();
-        let dimension = parts.positions.dimension();
-        let mut coordinates = parts.positions.as_flat().to_vec();
-        if !parts.positions.is_empty() {
-            for corners in &self.middles {
-                for axis in 0..dimension {
-                    let sum: f64 =
-                        corners.iter().map(|&v| parts.positions.point(VertexId::from_u32(v))[axis]).sum();
-                    coordinates.push(sum / corners.len() as f64);
-                }
+        let dimension = model.coordinate_count();
+        let mut coordinates = model.coordinates().to_vec();
+        for corners in &self.middles {
+            // Among corners one of which has no place, the middle has none either.
+            for axis in 0..dimension {
+                let sum: f64 =
+                    corners.iter().map(|&v| model.coordinates()[v as usize * dimension + axis]).sum();
+                coordinates.push(sum / corners.len() as f64);
             }
         }
+        let (positions, partial_positions) = placed(dimension, coordinates)?;
+        let parts = model.into_parts();
         let mut polygons = parts.polygons;
         let polygon_count = polygons.len();
         self.triangles.iter().for_each(|triangle| polygons.push(triangle));
@@ -415,10 +424,8 @@ impl Holes {
         });
         Ok(ModelParts {
             vertex_count: parts.vertex_count + self.middles.len(),
-            positions: match parts.positions.is_empty() {
-                true => Positions::default(),
-                false => Positions::from_flat(dimension, coordinates)?,
-            },
+            positions,
+            partial_positions,
             data: data.collect(),
             polygons,
             ..parts

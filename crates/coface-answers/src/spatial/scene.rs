@@ -83,6 +83,7 @@ impl SpatialScene {
     }
 
     fn add(&mut self, name: &str, model: &Model, walls: bool) -> Result<(), Error> {
+        model.require_finite()?;
         let dimension = model.positions().dimension();
         if dimension != 3 {
             let fault = match dimension {

@@ -12,8 +12,8 @@ use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::surface::{GeneralizedMap, PolygonMesh};
-use coface_geometry::Positions;
-use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
+use coface_geometry::{PartialPositions, Positions};
+use coface_io::{CellData, Group, GroupKind, Model, ModelParts, placed};
 
 /// A model that is a surface: its cells as a [`GeneralizedMap`], with their numbers in the file and everything that the file
 /// says of them.
@@ -35,6 +35,8 @@ use coface_io::{CellData, Group, GroupKind, Model, ModelParts};
 pub struct SurfaceModel {
     map: GeneralizedMap,
     positions: Positions,
+    /// Instead of the positions, where some are not finite.
+    partial_positions: Option<PartialPositions>,
     /// The number in the file of each vertex, if it is not its own.
     numbers: Option<Vec<u32>>,
     /// The polygon of the file that each face is, if it is one.
@@ -61,8 +63,8 @@ impl SurfaceModel {
         let (groups, data) = (std::mem::take(&mut model.groups), std::mem::take(&mut model.data));
         let producer = Producer::of(model.into_model())?;
         let skeleton = producer.two_skeleton()?;
-        let (labels, positions) = (&producer.labels, producer.positions);
-        let (numbers, polygons) = match &producer.cells {
+        let Producer { cells, labels, positions, partial_positions, .. } = producer;
+        let (numbers, polygons) = match &cells {
             Cells::Polygons(mesh) => {
                 let count = mesh.vertex_count() as u32;
                 let numbers: Vec<u32> = (0..count).map(|vertex| labels.of(vertex)).collect();
@@ -76,7 +78,7 @@ impl SurfaceModel {
             _ => (None, None),
         };
         let map = GeneralizedMap::new(skeleton).map_err(|error| renumbered(error, numbers.as_deref()))?;
-        Ok(Self { map, positions, numbers, polygons, groups, data })
+        Ok(Self { map, positions, partial_positions, numbers, polygons, groups, data })
     }
 
     /// The boundary surface of a model with 3-cells. Faces have no numbers in the file.
@@ -99,7 +101,8 @@ impl SurfaceModel {
     /// # Ok(()) }
     /// ```
     pub fn boundary_of(model: Model) -> Result<Self, Error> {
-        let ModelParts { vertex_count, positions, polygons, shapes, cells, mut groups, mut data, .. } =
+        let (dimension, given) = (model.coordinate_count(), model.coordinates().to_vec());
+        let ModelParts { vertex_count, polygons, shapes, cells, mut groups, mut data, .. } =
             model.into_parts();
         if cells.is_empty() {
             return Err(Error::new(ErrorKind::UnsupportedFormat, "the model has no 3-cells")
@@ -107,8 +110,8 @@ impl SurfaceModel {
         }
         let boundary = CellMesh::new(vertex_count, shapes, cells, &polygons, &[])?.boundary_surface();
         let vertices: Vec<u32> = boundary.vertices().iter().map(|vertex| vertex.to_u32()).collect();
-        let points = boundary.vertices().iter().filter(|_| !positions.is_empty());
-        let coordinates = points.flat_map(|&vertex| positions.point(vertex)).copied().collect();
+        let coordinates = vertices.iter().flat_map(|&v| &given[v as usize * dimension..][..dimension]);
+        let (positions, partial_positions) = placed(dimension, coordinates.copied().collect())?;
         groups.retain(|group| group.kind() == GroupKind::Vertices);
         data.retain(|data| data.kind() == GroupKind::Vertices);
         Ok(Self {
@@ -117,7 +120,8 @@ impl SurfaceModel {
                 .two_skeleton()
                 .and_then(GeneralizedMap::new)
                 .map_err(|error| renumbered(error, Some(&vertices)))?,
-            positions: Positions::from_flat(positions.dimension(), coordinates)?,
+            positions,
+            partial_positions,
             numbers: Some(vertices),
             polygons: None,
             groups,
@@ -180,7 +184,27 @@ impl SurfaceModel {
         })
     }
 
-    /// The lengths of the edges; `None` without positions.
+    /// Refuses a surface with a coordinate that is NaN or infinite: for whatever measures lengths. A surface without positions is
+    /// not refused.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming the first such coordinate.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::SurfaceModel;
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n";
+    /// let surface = SurfaceModel::of(coface_io::read(text.as_bytes(), Format::Obj)?)?;
+    /// assert!(surface.require_finite().is_err() && surface.edge_lengths().is_none());
+    /// # Ok(()) }
+    /// ```
+    pub fn require_finite(&self) -> Result<(), Error> {
+        self.partial_positions.as_ref().and_then(PartialPositions::fault).map_or(Ok(()), Err)
+    }
+
+    /// The lengths of the edges; `None` without positions, or where some are not finite.
     pub fn edge_lengths(&self) -> Option<Vec<f64>> {
         edge_lengths(self.map.skeleton(), &self.positions)
     }
@@ -254,17 +278,27 @@ impl SurfaceModel {
         face_sources: &[FaceId],
         positions: Option<Positions>,
     ) -> Result<Model, Error> {
-        let positions = match positions {
-            Some(positions) => positions,
-            None if self.positions.is_empty() => Positions::default(),
+        let (positions, partial_positions) = match positions {
+            Some(positions) => (positions, None),
             None => {
-                let points = vertex_sources.iter().flat_map(|&source| self.positions.point(source));
-                Positions::from_flat(self.positions.dimension(), points.copied().collect())?
+                let (dimension, given) = match &self.partial_positions {
+                    Some(partial) => (partial.dimension(), partial.as_flat()),
+                    None => (self.positions.dimension(), self.positions.as_flat()),
+                };
+                let points = vertex_sources
+                    .iter()
+                    .flat_map(|source| &given[source.index() * dimension..][..dimension]);
+                placed(dimension, points.copied().collect())?
             }
         };
-        let mut model =
-            ModelParts { vertex_count: vertex_sources.len(), positions, polygons, ..ModelParts::default() }
-                .into_model();
+        let mut model = ModelParts {
+            vertex_count: vertex_sources.len(),
+            positions,
+            partial_positions,
+            polygons,
+            ..ModelParts::default()
+        }
+        .into_model();
         let row = |kind: GroupKind| -> Option<Box<dyn Fn(usize) -> usize + '_>> {
             match kind {
                 GroupKind::Vertices => Some(Box::new(|i| self.number(vertex_sources[i]) as usize)),

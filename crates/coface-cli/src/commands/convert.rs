@@ -170,7 +170,7 @@ impl Convert {
         };
         let losses = match format {
             Target::Model(format) => losses_of(&model, format),
-            Target::Scene(_) => Vec::new(),
+            Target::Scene(_) => scene.as_ref().map_or_else(Vec::new, |(scene, _)| scene.remarks()),
         };
         let Some(path) = target else {
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
@@ -210,6 +210,10 @@ impl Convert {
             return Ok((model, None));
         }
         let title = Path::new(name).file_name().map_or(name.into(), |name| name.to_string_lossy());
+        if self.color_by.is_some() {
+            // Components and boundaries are those of what is drawn, which would not be all.
+            model.require_finite().map_err(|error| error.in_file(name.to_owned()))?;
+        }
         let mut scene = Scene::of(&title, &model).map_err(|error| error.in_file(name.to_owned()))?;
         let Some(how) = &self.color_by else { return Ok((model, Some((scene, None)))) };
         let coloring = match how.to_str() {

@@ -213,6 +213,10 @@ fn figures_of(name: &str, model: Model, report: &Report) -> Result<Vec<(Figure, 
         } else {
             Figure::Png(STANDARD.encode(picture.png()?))
         };
+        for remark in scene.remarks() {
+            caption += "; ";
+            caption += &remark.message;
+        }
         figures.push((figure, caption + "."));
     }
     let cells: usize = report.f_vector().iter().sum();

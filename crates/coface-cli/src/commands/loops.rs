@@ -48,7 +48,8 @@ impl Loops {
         let request = GroupsRequest::new().simplified(true).base(self.base).loops(true).surface_loops(kind);
         let cure = "leave --shortest and --canonical out, or split it first: coface convert --split-edges pairs --split-vertices";
         let asked = Asked::of(&self.input, &request, cure, common, &progress)?;
-        let answer = asked.found.loops_answer(&asked.name)?;
+        let answer =
+            asked.found.loops_answer(&asked.name).map_err(|error| error.in_file(asked.name.clone()))?;
         crate::remarks::say_remarks(&answer.remarks[asked.found.remarks().len()..], common);
         if let Some(path) = &common.output {
             asked.write_paths(path, &progress)?;

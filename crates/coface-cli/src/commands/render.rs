@@ -238,6 +238,9 @@ impl Render {
         progress.stage("drawing");
         let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
         let mut scene = Scene::of(&self.title(), &loaded.model).map_err(in_file)?;
+        let left_out = scene.remarks();
+        say_remarks(&left_out, common);
+        remarks.extend(left_out);
         for path in &self.with {
             scene.add_result(&input::name(path), &read_result(path)?)?;
         }
@@ -251,8 +254,9 @@ impl Render {
         }
         if !scene.panes().is_empty() {
             let message = format!("not drawn: {}; --pane draws it instead", pane_names(&scene));
-            remarks.push(Remark::new(RemarkCode::NotDrawn, message).at(scene.panes().len(), []));
-            say_remarks(remarks, common);
+            let panes = Remark::new(RemarkCode::NotDrawn, message).at(scene.panes().len(), []);
+            say_remarks(std::slice::from_ref(&panes), common);
+            remarks.push(panes);
         }
         if self.witness {
             progress.stage(format!("examining {}", loaded.name));

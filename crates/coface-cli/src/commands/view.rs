@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
+use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::{LayerAnswer, ViewAnswer};
 use coface::answers::{PlanarSet, Report, SetRequest};
@@ -39,6 +40,7 @@ impl View {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
         let (name, mut scene, model) = self.read(common, &progress)?;
+        say_remarks(&scene.remarks(), common);
         for path in &self.with {
             let result = read_result(path)?;
             scene.add_result(&input::name(path), &result)?;
@@ -69,7 +71,7 @@ impl View {
                 triangles: scene.triangles().len(),
                 layers: layers.collect(),
                 panes: scene.panes().iter().map(|pane| pane.name.clone()).collect(),
-                remarks: Vec::new(),
+                remarks: scene.remarks(),
             })?;
         }
         Ok(())

@@ -24,7 +24,7 @@ fn folder() -> tempfile::TempDir {
     for (name, shape) in [("a torus.off", "torus"), ("klein.obj", "klein"), ("more/sphere.ply", "sphere")] {
         coface(&["generate", shape, "-o", argument(&models.join(name)), "--json"]).json();
     }
-    fs::write(models.join("bad.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n").unwrap();
+    fs::write(models.join("bad.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 one 0\n3 0 1 2\n").unwrap();
     fs::write(models.join("c,\"d\".json"), "[[0,1,2],[0,1,3],[0,1,4]]").unwrap();
     fs::write(models.join("empty.stl"), "").unwrap();
     fs::write(models.join("notes.txt"), "no model").unwrap();

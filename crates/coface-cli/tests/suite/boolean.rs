@@ -300,7 +300,8 @@ fn what_cannot_be_combined_is_named() {
     assert_eq!((&object["files"][1]["closed"], &object["files"][1]["rim_edges"]), (&json!(false), &json!(4)));
 
     let nan = folder.text("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 1\nf 1 2 3\n");
-    assert!(union(&nan, &[]).fails_with(1).contains("nan.obj:1"));
+    assert!(union(&nan, &[]).fails_with(1).contains("nan.obj: coordinate 2 of v0 is NaN"));
+    assert!(union(&nan, &["--strict"]).fails_with(1).contains("nan.obj:1"));
     assert!(union(&folder.path("none.obj"), &[]).fails_with(1).contains("no such file"));
     let flat = folder.text("flat.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))\n");
     assert!(union(&flat, &[]).fails_with(1).contains("flat.wkt: the positions have 2 coordinates"));

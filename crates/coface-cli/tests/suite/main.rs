@@ -13,6 +13,7 @@ mod info;
 mod manifest;
 mod manners;
 mod mass;
+mod nonfinite;
 mod persistence;
 mod pi1;
 mod pictures;

@@ -264,7 +264,7 @@ impl<'a> Picture<'a> {
 /// The edges of polygons, the other edges, and the vertices on none. $O(n \log n)$.
 pub(super) fn lines_of(scene: &Scene) -> (Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>) {
     let all = scene.edges();
-    let mut is_used = vec![false; scene.positions().len()];
+    let mut is_used: Vec<bool> = (0..).map(|v| scene.is_hidden(v)).take(scene.positions().len()).collect();
     all.as_flattened().iter().for_each(|&vertex| is_used[vertex as usize] = true);
     let dots = (0..).zip(is_used).filter(|(_, is_used)| !is_used).map(|(vertex, _)| vertex).collect();
     let mut sides: Vec<[u32; 2]> = Vec::with_capacity(all.len());

@@ -14,7 +14,8 @@ impl Scene {
     pub fn with_boundary(mut self) -> Self {
         let is_surface =
             self.parts.cells.is_empty() && self.parts.simplices.iter().all(|simplex| simplex.len() < 4);
-        if !is_surface || self.parts.polygons.is_empty() {
+        let has_polygons = !self.parts.polygons.is_empty() || !self.hidden.polygons.is_empty();
+        if !is_surface || !has_polygons || self.hidden.has_cells {
             return self;
         }
         let (loose, branched) = self.sides_by_use();
@@ -47,7 +48,8 @@ impl Scene {
     /// The sides of exactly one polygon, as it runs through them, and those of three or more.
     fn sides_by_use(&self) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
         let mut sides: Vec<([u32; 2], bool)> = Vec::with_capacity(self.parts.polygons.item_count());
-        for walk in self.parts.polygons.iter().chain(self.parts.rims.iter()) {
+        let hidden = self.hidden.polygons.iter();
+        for walk in self.parts.polygons.iter().chain(self.parts.rims.iter()).chain(hidden) {
             sides.extend((0..walk.len()).map(|i| {
                 let [a, b] = [walk[i], walk[(i + 1) % walk.len()]];
                 ([a.min(b), a.max(b)], a > b)

@@ -98,6 +98,9 @@ impl Scene {
             if share.abs() < 0.01 || !share.is_finite() {
                 break;
             }
+            if ends.iter().any(|&end| self.is_hidden(end)) {
+                continue;
+            }
             let [a, b] = ends.map(|end| self.positions[end as usize]);
             let at = |t: f64| [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis]);
             let first = positions.len() as u32;

@@ -17,6 +17,7 @@ mod document;
 mod domain;
 mod forest;
 mod geodesics;
+mod hidden;
 mod layers;
 mod layout;
 mod model;

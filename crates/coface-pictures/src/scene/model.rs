@@ -1,12 +1,13 @@
 //! The scene of a model.
 
+use super::hidden::{Hidden, drawable};
 use super::parts::{Parts, common_width};
 use super::regions::region_layers;
 use super::shading::shaded;
 use super::{Layer, Pane, SceneReport, layout};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_answers::answer::InfoAnswer;
+use coface_answers::answer::{InfoAnswer, Remark};
 use coface_answers::triangulated;
 use coface_io::{Model, Structure};
 
@@ -31,6 +32,7 @@ pub struct Scene {
     pub(super) origin: [f64; 3],
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) parts: Parts,
+    pub(super) hidden: Hidden,
     /// What is known of each 3-cell, or of each polygon where there are none; else empty.
     pub(super) notes: Vec<String>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -42,10 +44,12 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene of a model. Coordinates beyond the third are left out; complexes without positions are laid out.
+    /// The scene of a model. Coordinates beyond the third are left out; complexes without positions are laid out. Vertices with a
+    /// coordinate that is not finite are left out with the cells at them, as [`Self::remarks`] say.
     ///
     /// # Errors
-    /// [`ErrorKind::UnsupportedFormat`] for models without cells that could be seen; those of [`triangulated`].
+    /// [`ErrorKind::UnsupportedFormat`] for models without cells that could be seen; [`ErrorKind::InvalidInput`] if no vertex has
+    /// finite coordinates; those of [`triangulated`].
     pub fn of(title: &str, model: &Model) -> Result<Self, Error> {
         let subdivided;
         let model = match model.structure() {
@@ -69,6 +73,15 @@ impl Scene {
             }
             _ => model,
         };
+        let placed;
+        let (model, hidden) = match model.partial_positions() {
+            Some(partial) => {
+                let (drawn, hidden) = drawable(model, partial)?;
+                placed = drawn;
+                (&placed, hidden)
+            }
+            None => (model, Hidden::default()),
+        };
         let mut parts = Parts::default();
         parts.add(model);
         let positions = match model.positions() {
@@ -84,7 +97,7 @@ impl Scene {
                 layout::laid_out(count, &parts.edges())
             }
         };
-        let mut scene = Self::flat(title, positions, parts);
+        let mut scene = Self { hidden, ..Self::flat(title, positions, parts) };
         scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
         scene.shade();
         for layer in region_layers(model, &scene.positions) {
@@ -102,6 +115,7 @@ impl Scene {
             origin: middle(&positions),
             positions,
             parts,
+            hidden: Hidden::default(),
             notes: Vec::new(),
             triangles: Vec::new(),
             polygon_of_triangle: Vec::new(),
@@ -141,8 +155,9 @@ impl Scene {
         self
     }
 
-    /// Adds a layer, if there is something to be seen of it and its points are there.
+    /// Adds a layer, if there is something to be seen of it and its points are there; without what is at vertices that are left out.
     pub fn push_layer(&mut self, layer: Layer) {
+        let layer = self.hidden.seen_of(layer);
         let count = layer.positions.as_ref().unwrap_or(&self.positions).len();
         if !layer.is_empty() && layer.last_point().is_none_or(|last| (last as usize) < count) {
             self.layers.push(layer);
@@ -152,6 +167,27 @@ impl Scene {
     /// Whether there are 3-cells.
     pub fn has_cells(&self) -> bool {
         !self.parts.cells.is_empty()
+    }
+
+    /// What the scene leaves out of the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Format;
+    /// use coface_pictures::Scene;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 1\nf 1 2 3\nf 1 2 4\n";
+    /// let scene = Scene::of("two", &coface_io::read(text.as_bytes(), Format::Obj)?)?;
+    /// assert_eq!((scene.polygons().len(), scene.remarks()[0].count), (1, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn remarks(&self) -> Vec<Remark> {
+        self.hidden.remark().into_iter().collect()
+    }
+
+    /// Whether this vertex of the model is left out.
+    pub(crate) fn is_hidden(&self, vertex: u32) -> bool {
+        self.hidden.has(vertex)
     }
 
     /// What it is called.

@@ -118,18 +118,35 @@ def steps(model: Model) -> Ids:
     return np.column_stack([flat[begins], flat[begins + 1]]) if len(begins) else np.zeros((0, 2), np.int64)
 
 
+def refuse_unplaced(points: Points, purpose: str) -> None:
+    """Nothing, unless a coordinate is NaN or infinite, as those of files may be.
+
+    Raises
+    ------
+    coface.InvalidInputError
+        Naming the first such vertex.
+    """
+    unplaced = np.flatnonzero(~np.isfinite(points).all(axis=1))
+    if len(unplaced):
+        raise_invalid(
+            f"{purpose} needs finite coordinates, and v{unplaced[0]} is at {points[unplaced[0]].tolist()}",
+            "give it finite coordinates; coface.render and coface.view leave such vertices out",
+        )
+
+
 def positions(model: Model, purpose: str) -> Points:
     """Where the vertices are, in space.
 
     Raises
     ------
     coface.InvalidInputError
-        If the model has no coordinates, or its space more than three dimensions.
+        If the model has no coordinates, one that is not finite, or its space more than three dimensions.
     """
     found = model.vertices
     if found is None:
         raise_invalid(f"{purpose} needs coordinates, and this model has none", "give vertices to Model.from_arrays")
     points = np.asarray(found, np.float64)
+    refuse_unplaced(points, purpose)
     if points.shape[1] > 3:
         raise_invalid(
             f"{purpose} needs points of space, and these have {points.shape[1]} coordinates",

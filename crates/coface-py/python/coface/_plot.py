@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coface._arrays import blocks, polygons, raise_invalid, steps
+from coface._arrays import blocks, polygons, raise_invalid, refuse_unplaced, steps
 from coface.interop import needed
 
 if TYPE_CHECKING:
@@ -94,6 +94,7 @@ def plot(
     if places is None:
         raise_invalid("plot needs coordinates, and this model has none", "give vertices to Model.from_arrays, or plot its chain complex")
     points = np.asarray(places, np.float64)
+    refuse_unplaced(points, "plot")
     if points.shape[1] > 3:
         raise_invalid(
             f"plot shows the plane and space, and these points have {points.shape[1]} coordinates",

@@ -26,8 +26,13 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
             .ok_or_else(|| invalid(py, format!("there is no {name}"), "pickle the model again"))
     };
     let vertices = field("vertices")?;
-    let positions =
-        if vertices.is_none() { Positions::default() } else { arrays::positions(&vertices, "vertices")? };
+    let given = if vertices.is_none() { None } else { Some(arrays::reals(&vertices, "vertices")?) };
+    // Coordinates of a file need not be finite.
+    let partial = given.filter(|(_, values)| !values.iter().all(|x| x.is_finite()));
+    let positions = match (&partial, vertices.is_none()) {
+        (None, false) => arrays::positions(&vertices, "vertices")?,
+        _ => Positions::default(),
+    };
     let mut model = if let Some(facets) = parts.get_item("facets")? {
         io::Model::from_structure(Structure::Facets(arrays::lists(&facets, "facets")?))
     } else if let Some(pair) = parts.get_item("halfedges")? {
@@ -63,6 +68,9 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
         )
         .or_raise(py)?
     };
+    if let Some((shape, values)) = partial {
+        model = model.with_coordinates(shape.last().copied().unwrap_or(0), values).or_raise(py)?;
+    }
     for group in field("groups")?.try_iter()? {
         let (name, kind, members): (String, String, Bound<'_, PyAny>) = group?.extract()?;
         let group = Group::new(name, kind_of(py, &kind)?, arrays::ids(&members, "members")?);

@@ -117,6 +117,9 @@ pub fn shard_model(model: Model, folder: &Path, request: &ShardRequest) -> Resul
     let size = complex.f_vector().iter().copied().chain(entries).sum::<usize>() as u64;
     let part_count = request.part_count_for(size);
     let place = ShardPlace::new(0, part_count, request.fan_in, 0)?;
+    if request.owners == Owners::Positions {
+        producer.require_finite()?;
+    }
     let partition = {
         let _steps = progress::stage("cutting into parts", 0);
         request.owners.partition(&complex, producer.positions(), part_count)?

@@ -169,6 +169,7 @@ fn prism(model: &Model, layers: &[f64], direction: Option<&[f64]>) -> Result<Mad
             .with_cure("give finite numbers that are not all zero"));
     }
     let sweep = extrude(model.vertex_count(), &simplices, layers)?;
+    model.require_finite()?;
     let base = model.positions();
     let positions = match (direction, base.dimension()) {
         (None, 0..=2) => sweep.positions(base)?,
