@@ -1,7 +1,7 @@
 //! All places where a complex is no manifold, as far as counting and gluing show them.
 
 use super::FrozenComplex;
-use super::manifold::{Cells, LinkFault, subsets};
+use super::manifold::{Cells, LinkFault, split_cells, subsets};
 use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
 
@@ -139,17 +139,7 @@ fn split_stars(cells: &Cells<'_>, codimension: usize) -> Vec<u32> {
             }
         }
     }
-    let count = cells.chains.cell_count(n - codimension);
-    let mut root_of = vec![None; count];
-    let mut is_split = vec![false; count];
-    for facet in 0..cells.facet_count() {
-        for (place, left_out) in corners.iter().enumerate() {
-            let root = parts.find((facet * width + place) as u32);
-            let cell = cells.face_without(n, facet, left_out);
-            is_split[cell] |= *root_of[cell].get_or_insert(root) != root;
-        }
-    }
-    numbers_of(is_split.into_iter())
+    numbers_of(split_cells(cells, &corners, n - codimension, &mut parts).into_iter())
 }
 
 #[cfg(test)]

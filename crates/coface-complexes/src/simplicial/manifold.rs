@@ -508,21 +508,8 @@ fn test_connected_links(cells: &Cells<'_>, ridges: &Ridges, codimension: usize) 
     if parts.class_count() == count {
         return Ok(());
     }
-    // Each simplex has a part at least, so some have more: the roots count them.
-    let mut first_root = vec![NONE; count];
-    let mut split = vec![false; count];
-    for facet in 0..cells.facet_count() {
-        for (i, positions) in corners.iter().enumerate() {
-            let corner = (facet * corners.len() + i) as u32;
-            let root = parts.find(corner);
-            let cell = cells.face_without(n, facet, positions);
-            let first = &mut first_root[cell];
-            if *first == NONE {
-                *first = root;
-            }
-            split[cell] |= *first != root;
-        }
-    }
+    // Each simplex has a part at least, so some have more.
+    let split = split_cells(cells, &corners, degree, &mut parts);
     let cell = split.iter().position(|&s| s).expect("more parts than simplices split one");
     let mut seen: Vec<(u32, u32)> = Vec::new();
     for facet in 0..cells.facet_count() {
@@ -545,6 +532,28 @@ fn test_connected_links(cells: &Cells<'_>, ridges: &Ridges, codimension: usize) 
         cells: std::iter::once(simplex).chain(cells.top(seen.iter().map(|&(facet, _)| facet))).collect(),
         count: split.iter().filter(|&&s| s).count(),
     }))
+}
+
+/// Which simplices of a degree have corners, one for each choice of positions left out of a facet, in several parts.
+pub(super) fn split_cells(
+    cells: &Cells<'_>,
+    corners: &[Vec<usize>],
+    degree: usize,
+    parts: &mut UnionFind,
+) -> Vec<bool> {
+    let count = cells.chains.cell_count(degree);
+    let (mut first_root, mut split) = (vec![NONE; count], vec![false; count]);
+    for facet in 0..cells.facet_count() {
+        for (i, positions) in corners.iter().enumerate() {
+            let root = parts.find((facet * corners.len() + i) as u32);
+            let cell = cells.face_without(cells.dimension, facet, positions);
+            if first_root[cell] == NONE {
+                first_root[cell] = root;
+            }
+            split[cell] |= first_root[cell] != root;
+        }
+    }
+    split
 }
 
 /// More corners than a union-find holds cannot be told apart.
