@@ -2,6 +2,7 @@
 
 use coface_algebra::Error;
 use coface_complexes::cubical::CubicalVolume;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Which numbers set their voxels; those that are no number (NaN) never do.
@@ -16,7 +17,8 @@ use std::fmt;
 /// assert!(VoxelRule::Between(1.0, 2.0).holds(2.0));
 /// assert!(VoxelRule::Nonzero.holds(-1.0));
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum VoxelRule {
     /// All but zero.
     #[default]
@@ -91,7 +93,7 @@ impl fmt::Display for VoxelRule {
 }
 
 /// How the numbers of a volume file become voxels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct VolumeReading {
     /// Which voxels are set.
     pub rule: VoxelRule,

@@ -3,9 +3,8 @@
 use super::journal::Stamp;
 use coface_algebra::Error;
 use coface_answers::Report;
-use coface_complexes::cubical::CubicalVolume;
 use coface_io as io;
-use coface_io::{FileEntries, Format, Model, ReadOptions, VolumeReading, VoxelRule};
+use coface_io::{FileEntries, Format, Model, ReadOptions, VolumeReading};
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -118,7 +117,7 @@ pub(crate) struct ReadingText {
     format: Option<String>,
     flatten: Option<f64>,
     #[serde(default)]
-    volume: VolumeText,
+    volume: VolumeReading,
     #[serde(default)]
     strict: bool,
     #[serde(default)]
@@ -132,7 +131,7 @@ impl ReadingText {
         Self {
             format: reading.format.map(|format| format.name().to_owned()),
             flatten: reading.flatten,
-            volume: VolumeText::of(reading.volume),
+            volume: reading.volume,
             strict: reading.strict,
             partial: reading.partial,
             all_places: reading.all_places,
@@ -143,52 +142,11 @@ impl ReadingText {
         Ok(Reading {
             format: self.format.as_deref().map(Format::from_name).transpose()?,
             flatten: self.flatten,
-            volume: self.volume.into_reading(),
+            volume: self.volume,
             strict: self.strict,
             partial: self.partial,
             all_places: self.all_places,
         })
-    }
-}
-
-#[derive(Default, Serialize, Deserialize)]
-struct VolumeText {
-    rule: RuleText,
-    periodic: [bool; CubicalVolume::MOST_AXES],
-}
-
-#[derive(Default, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum RuleText {
-    #[default]
-    Nonzero,
-    AtLeast(f64),
-    Below(f64),
-    Between(f64, f64),
-    Equal(f64),
-}
-
-impl VolumeText {
-    fn of(volume: VolumeReading) -> Self {
-        let rule = match volume.rule {
-            VoxelRule::Nonzero => RuleText::Nonzero,
-            VoxelRule::AtLeast(bound) => RuleText::AtLeast(bound),
-            VoxelRule::Below(bound) => RuleText::Below(bound),
-            VoxelRule::Between(low, high) => RuleText::Between(low, high),
-            VoxelRule::Equal(value) => RuleText::Equal(value),
-        };
-        Self { rule, periodic: volume.periodic }
-    }
-
-    fn into_reading(self) -> VolumeReading {
-        let rule = match self.rule {
-            RuleText::Nonzero => VoxelRule::Nonzero,
-            RuleText::AtLeast(bound) => VoxelRule::AtLeast(bound),
-            RuleText::Below(bound) => VoxelRule::Below(bound),
-            RuleText::Between(low, high) => VoxelRule::Between(low, high),
-            RuleText::Equal(value) => VoxelRule::Equal(value),
-        };
-        VolumeReading { rule, periodic: self.periodic }
     }
 }
 
@@ -333,6 +291,7 @@ pub(crate) fn error_to_json(error: &Error) -> Value {
 mod tests {
     use super::*;
     use coface_algebra::ErrorKind;
+    use coface_io::VoxelRule;
 
     #[test]
     fn requests_are_lines() {
