@@ -107,7 +107,8 @@ impl Drawing {
         });
     }
 
-    /// What comes next is another feature, with this name or none, of which the file says this; both texts may be empty.
+    /// What comes next is another feature, with this name or none, of which the file says this; both texts may be
+    /// empty.
     pub(super) fn begin_described(&mut self, name: Option<&str>, properties: &str, id: &str) {
         self.begin_feature(name.map(str::to_owned));
         self.descriptions.push(properties, id);

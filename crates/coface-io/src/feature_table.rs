@@ -5,10 +5,12 @@ use std::sync::Arc;
 /// The number of the feature of what is of none.
 pub(crate) const NO_FEATURE: u32 = u32::MAX;
 
-/// The features of a map, each with its properties and its id as the file has them, and which lines and points are of which feature.
+/// The features of a map, each with its properties and its id as the file has them, and which lines and points are of
+/// which feature.
 ///
-/// GeoJSON and TopoJSON have features. The table is empty for other formats, and where no feature has properties or an id. Properties
-/// are kept as text, without the white space between their parts: numbers have all their digits and keys their order.
+/// GeoJSON and TopoJSON have features. The table is empty for other formats, and where no feature has properties or
+/// an id. Properties are kept as text, without the white space between their parts: numbers have all their digits and
+/// keys their order.
 ///
 /// # Examples
 /// ```
@@ -143,21 +145,22 @@ impl FeatureTable {
         feature_at(&self.0.of_lines, line)
     }
 
-    /// The feature of a point of [`Model::points`](crate::Model::points), by its place there; `None` if it is of none, or if there is no
-    /// such point.
+    /// The feature of a point of [`Model::points`](crate::Model::points), by its place there; `None` if it is of
+    /// none, or if there is no such point.
     ///
     /// # Examples
     /// ```
-    /// let text = r#"{"type": "Feature", "id": 3, "geometry": {"type": "MultiPoint", "coordinates": [[0, 0], [1, 1]]}}"#;
+    /// let text = r#"{"type": "Feature", "id": 3, "geometry": {"type": "Point", "coordinates": [0, 1]}}"#;
     /// let model = coface_io::geojson::read(text.as_bytes())?;
-    /// assert_eq!([1, 2].map(|point| model.features().of_point(point)), [Some(0), None]);
+    /// assert_eq!([0, 1].map(|point| model.features().of_point(point)), [Some(0), None]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn of_point(&self, point: usize) -> Option<usize> {
         feature_at(&self.0.of_points, point)
     }
 
-    /// Whether the table says of each of so many lines and points what feature it is of, and names only features that are there.
+    /// Whether the table says of each of so many lines and points what feature it is of, and names only features that
+    /// are there.
     pub(crate) fn fits(&self, line_count: usize, point_count: usize) -> bool {
         let is_known = |&feature: &u32| feature == NO_FEATURE || (feature as usize) < self.len();
         self.is_empty()

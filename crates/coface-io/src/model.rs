@@ -348,8 +348,8 @@ impl Model {
 
     /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
     /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), that there are as
-    /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice; and that features, where
-    /// there are any, are those of all lines and points.
+    /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice; and that
+    /// features, where there are any, are those of all lines and points.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] naming the first culprit.
@@ -760,7 +760,8 @@ impl Model {
     ///
     /// # Examples
     /// ```
-    /// let text = r#"{"type": "Feature", "properties": {"depth": 12.50}, "geometry": {"type": "Point", "coordinates": [1, 2]}}"#;
+    /// let text = r#"{"type": "Feature", "properties": {"depth": 12.50},
+    ///     "geometry": {"type": "Point", "coordinates": [1, 2]}}"#;
     /// let model = coface_io::geojson::read(text.as_bytes())?;
     /// let well = model.features().of_point(0).expect("the point is of a feature");
     /// assert_eq!(model.features().properties(well), r#"{"depth":12.50}"#);

@@ -378,7 +378,8 @@ answer! { PlanarArrangement {
     /// Returns
     /// -------
     /// dict of str
-    ///     A key with equal values has that value, a key with different values the list of them in the order of the inputs.
+    ///     A key with equal values has that value, a key with different values the list of them in the order of the
+    ///     inputs.
     ///
     /// Examples
     /// --------
@@ -524,7 +525,8 @@ answer! { PlanarBoolean {
     /// Returns
     /// -------
     /// dict of str
-    ///     A key with equal values has that value, a key with different values the list of them in the order of the inputs.
+    ///     A key with equal values has that value, a key with different values the list of them in the order of the
+    ///     inputs.
     fn properties<'py>(&self, py: Python<'py>, polygon: usize) -> PyResult<Bound<'py, PyAny>> {
         let [_, _, count] = self.result.f_vector();
         if polygon >= count {

@@ -6,8 +6,9 @@
 //! * A [`DrawingArrangement`] is the complex that all segments cut the plane into, with the models whose regions contain each face.
 //! * A [`RegionBoolean`] is the set of faces that a formula of regions selects, as polygons with holes.
 //!
-//! Features of maps have properties. A face of an arrangement has those of all features that contain it, a polygon of a combination those
-//! of all features that contain some of it: [`MergedProperties`](coface_io::geojson::MergedProperties) says what becomes of different values.
+//! Features of maps have properties. A face of an arrangement has those of all features that contain it, a polygon of
+//! a combination those of all features that contain some of it:
+//! [`MergedProperties`](coface_io::geojson::MergedProperties) says what becomes of different values.
 //!
 //! A model without polygons whose lines end nowhere (an even number of them at every point) is a region as well: what its lines
 //! enclose an odd number of times.

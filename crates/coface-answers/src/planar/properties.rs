@@ -217,7 +217,8 @@ impl RegionBoolean {
         self.features_of_polygon.list(polygon)
     }
 
-    /// The properties of all features that contain some of a polygon, the text of a JSON object: see [`MergedProperties`].
+    /// The properties of all features that contain some of a polygon, the text of a JSON object: see
+    /// [`MergedProperties`].
     ///
     /// # Errors
     /// [`ErrorKind::Parse`] if the properties of a feature are no JSON object, which no reader lets through.

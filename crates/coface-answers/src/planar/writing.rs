@@ -20,10 +20,10 @@ impl DrawingArrangement {
     /// * JSON: the chain complex with the positions of the vertices.
     /// * Segments as text: all edges.
     /// * GeoJSON, WKT, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
-    ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it), and those of all features that contain
-    ///   it, but for these three; an edge those of the features along it or around it, a vertex those of the features that it is a point of or
-    ///   lies in. A key with equal values keeps its value, one with different values has the list of them
-    ///   ([`MergedProperties`](coface_io::geojson::MergedProperties)).
+    ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it), and those of
+    ///   all features that contain it, but for these three; an edge those of the features along it or around it, a
+    ///   vertex those of the features that it is a point of or lies in. A key with equal values keeps its value, one
+    ///   with different values has the list of them ([`MergedProperties`](coface_io::geojson::MergedProperties)).
     /// * Others: faces as polygons; a face with holes or corners that touch is cut into triangles.
     ///
     /// # Errors
@@ -105,8 +105,9 @@ impl RegionBoolean {
     /// Writes the result in a format.
     ///
     /// * GeoJSON, WKT, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
-    ///   those that contain some of it), and those of all features that contain some of it, but for these three. A key with equal values
-    ///   keeps its value, one with different values has the list of them ([`MergedProperties`](coface_io::geojson::MergedProperties)).
+    ///   those that contain some of it), and those of all features that contain some of it, but for these three. A
+    ///   key with equal values keeps its value, one with different values has the list of them
+    ///   ([`MergedProperties`](coface_io::geojson::MergedProperties)).
     /// * Segments as text: the edges.
     /// * Others: polygons; one with holes is cut into triangles.
     ///

@@ -1,5 +1,5 @@
-//! Properties of the features of maps, through arrangements and Boolean combinations. The second method is to ask of one point of each face
-//! which polygons of the features contain it.
+//! Properties of the features of maps, through arrangements and Boolean combinations. The second method is to ask of
+//! one point of each face which polygons of the features contain it.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_algebra::FaceId;
@@ -247,7 +247,8 @@ fn a_chain_of_arrange_boolean_and_convert_keeps_properties() {
     let (_, faces) = of_arrangement(&arranged(&models));
     // All faces together: face and inside of the first step are properties of the second.
     let (united, model) = of_boolean(&combined("a", &[faces], false));
-    let expected = json!({"polygon": 0, "area": 7.0, "regions": ["a"], "face": [0, 1, 2], "inside": [["a"], ["a", "b"], ["b"]],
+    let expected = json!({"polygon": 0, "area": 7.0, "regions": ["a"], "face": [0, 1, 2],
+        "inside": [["a"], ["a", "b"], ["b"]],
         "year": 2020, "deep": {"x": [1, null]}, "zone": ["A", ["A", "B"], "B"], "owner": null});
     assert_eq!(united[0]["properties"], expected);
     // What is written is read and written as it is, ten times.
@@ -280,7 +281,8 @@ fn contains(rings: &[Ring], [x, y]: [f64; 2]) -> bool {
     is_inside
 }
 
-/// A point inside of rings, with its distance to their sides along its row; from the row in the middle of the widest gap between corners.
+/// A point inside of rings, with its distance to their sides along its row; from the row in the middle of the widest
+/// gap between corners.
 fn point_in(rings: &[Ring]) -> ([f64; 2], f64) {
     let mut rows: Vec<f64> = rings.iter().flatten().map(|&[_, y]| y).collect();
     rows.sort_by(f64::total_cmp);

@@ -13,12 +13,13 @@
 //! the features without names, and is -1 for others. Rings have vertices of their own, so polygons that touch stay apart. The
 //! direction of a ring is that of the file.
 //!
-//! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. All properties of each feature, and
-//! its id, are kept as they stand in a [`FeatureTable`](crate::FeatureTable); a file that is written has them again. Reference systems are
-//! passed over; coordinates are taken as they stand.
+//! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. All
+//! properties of each feature, and its id, are kept as they stand in a [`FeatureTable`](crate::FeatureTable); a file
+//! that is written has them again. Reference systems are passed over; coordinates are taken as they stand.
 //!
-//! What lies in several features, a face of an arrangement for instance, has the properties of all of them: a key with one value, or with
-//! equal ones, keeps it, a key with different values has the list of them, as [`MergedProperties`] says.
+//! What lies in several features, a face of an arrangement for instance, has the properties of all of them: a key
+//! with one value, or with equal ones, keeps it, a key with different values has the list of them, as
+//! [`MergedProperties`] says.
 
 mod coordinates;
 mod properties;

@@ -149,9 +149,10 @@ impl<'de: 'a, 'a> Deserialize<'de> for Pairs<'a> {
 
 /// The properties of something that several features contain.
 ///
-/// A key that one feature has keeps its value, and so does a key of which all values are equal. A key with different values has the list
-/// of them, each once, in the order in which the features were added; a value that is a list counts as one value. Keys stand in
-/// the order in which they came. Numbers are equal by value, objects whatever the order of their keys is.
+/// A key that one feature has keeps its value, and so does a key of which all values are equal. A key with different
+/// values has the list of them, each once, in the order in which the features were added; a value that is a list
+/// counts as one value. Keys stand in the order in which they came. Numbers are equal by value, objects whatever the
+/// order of their keys is.
 ///
 /// # Examples
 /// ```

@@ -29,13 +29,13 @@ struct Drawn {
 /// Writes a `FeatureCollection`, one feature a line.
 ///
 /// Lines become `LineString`, the rings of each polygon and the polygons of a mesh `Polygon`, points and vertices that nothing uses
-/// `Point`. Three coordinates are written if a vertex lies outside the plane z = 0. Data are not kept, but `polygon`, `ring` and `feature`
-/// follow from the rings.
+/// `Point`. Three coordinates are written if a vertex lies outside the plane z = 0. Data are not kept, but `polygon`,
+/// `ring` and `feature` follow from the rings.
 ///
-/// Features of the model's [`FeatureTable`](crate::FeatureTable) are written in their order with the properties and the id that they have in the
-/// file: one without shapes with the geometry null. What follows each other in a named group and is in no such feature is one feature with
-/// the name as its property `name`, and of several geometries, and so is what has one number in `feature`; what is in several groups has
-/// the name of the first.
+/// Features of the model's [`FeatureTable`](crate::FeatureTable) are written in their order with the properties and
+/// the id that they have in the file: one without shapes with the geometry null. What follows each other in a named
+/// group and is in no such feature is one feature with the name as its property `name`, and of several geometries,
+/// and so is what has one number in `feature`; what is in several groups has the name of the first.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the model has 3-cells, no positions or more than three
@@ -89,7 +89,8 @@ pub fn write_with<P: Serialize>(
     })
 }
 
-/// The same with properties that are the text of a JSON object, by the place of the first shape of each feature among all.
+/// The same with properties that are the text of a JSON object, by the place of the first shape of each feature among
+/// all.
 ///
 /// # Errors
 /// Those of [`write()`] and of `properties`.

@@ -24,9 +24,10 @@ use std::path::{Path, PathBuf};
 /// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
 /// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.
 ///
-/// A face in GeoJSON has the properties "face", "area" and "inside", and the properties of all features of GeoJSON or TopoJSON that contain it:
-/// a key with equal values keeps its value, a key with different values has the list of them in the order of the inputs. A property
-/// of a feature that is called "face", "area" or "inside" is left out where the face has its own.
+/// A face in GeoJSON has the properties "face", "area" and "inside", and the properties of all features of GeoJSON or
+/// TopoJSON that contain it: a key with equal values keeps its value, a key with different values has the list of
+/// them in the order of the inputs. A property of a feature that is called "face", "area" or "inside" is left out
+/// where the face has its own.
 ///
 /// With --json: "dimension", "f_vector", "measures" (areas of the bounded faces, volumes of the bounded cells), "inside" (for each
 /// the inputs that contain it, numbered from 0), "products_zero" (the boundary of every boundary, found by multiplying),

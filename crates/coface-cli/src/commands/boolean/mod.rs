@@ -23,9 +23,10 @@ use std::path::PathBuf;
 /// rings run counterclockwise, all rings are simple and touch in points only. What a ring winds around is inside of it, also where
 /// it crosses itself; holes are subtracted, and an SVG says its own rule. --rule says otherwise, and --strict refuses such rings.
 ///
-/// A polygon in GeoJSON has the properties "polygon", "area" and "regions", and the properties of all features of GeoJSON or TopoJSON that
-/// contain some of it: a key with equal values keeps its value, a key with different values has the list of them in the order of the
-/// inputs. A property of a feature that is called "polygon", "area" or "regions" is left out.
+/// A polygon in GeoJSON has the properties "polygon", "area" and "regions", and the properties of all features of
+/// GeoJSON or TopoJSON that contain some of it: a key with equal values keeps its value, a key with different values
+/// has the list of them in the order of the inputs. A property of a feature that is called "polygon", "area" or
+/// "regions" is left out.
 ///
 /// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
 /// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json
