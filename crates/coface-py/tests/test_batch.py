@@ -22,7 +22,7 @@ def models(tmp_path: Path) -> Path:
     folder.mkdir()
     coface.generate("torus").write(folder / "torus.off")
     coface.generate("klein").write(folder / "klein.obj")
-    (folder / "bad.off").write_text("OFF\n1 0 0\n0 0 one\n")
+    (folder / "bad.off").write_text("OFF\n1 0 0\n0 0\n")
     return folder
 
 

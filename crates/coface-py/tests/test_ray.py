@@ -31,7 +31,7 @@ def models(tmp_path: Path) -> Path:
     folder.mkdir()
     for name in ["torus", "klein", "csaszar", "sphere"]:
         coface.generate(name).write(folder / f"{name}.off")
-    (folder / "bad.off").write_text("OFF\n1 0 0\n0 0 one\n")
+    (folder / "bad.off").write_text("OFF\n1 0 0\n0 0\n")
     os.mkfifo(folder / "endless.off")
     return folder
 
