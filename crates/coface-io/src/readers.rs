@@ -737,7 +737,7 @@ fn read_format(
     let input: &mut dyn Read = &mut input;
     let model = match format {
         Format::Off => off::read_with(input, options)?,
-        Format::Obj => obj::read(input)?,
+        Format::Obj => obj::read_with(input, options)?,
         Format::Ply => ply::read_with(input, options)?,
         Format::Stl => stl::read_with(input, options)?,
         Format::Medit => medit::read_with(input, options)?,

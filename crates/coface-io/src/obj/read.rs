@@ -3,13 +3,14 @@
 use super::groups::{Change, Groups, Statement};
 use crate::Model;
 use crate::Place;
+use crate::ReadOptions;
 use crate::blocks::{Block, Blocks};
 use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
 use crate::lists::Elements;
 use crate::model::{placed, repeated_vertex};
 use crate::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
 use crate::scanner::{parse_coordinate, parse_i64, quoted};
-use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -40,13 +41,18 @@ use std::io::Read;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
+    read_with(input, &ReadOptions::default())
+}
+
+/// The same, up to the first fault if reading is partial.
+pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let mut coordinates: Vec<f64> = Vec::new();
     let mut elements = Elements::default();
     let mut groups = Groups::default();
     let mut ahead: Vec<(u32, u64)> = Vec::new();
     let mut seen = false;
     let mut oddities = Oddities::default();
-    Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
+    let parsed = Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
         count_vertices,
         parse_block,
         |piece| {
@@ -61,7 +67,11 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             }
             piece.fault.map_or(Ok(()), Err)
         },
-    )?;
+    );
+    let mut fault = match parsed {
+        Err(fault) if !options.partial || fault.kind() == ErrorKind::Io => return Err(fault),
+        parsed => parsed.err(),
+    };
     if !seen {
         return Err(Error::parse("the file is empty")
             .at_line(1)
@@ -69,20 +79,35 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     }
     let vertex_count = coordinates.len() / 3;
     if let Some(&(vertex, line)) = ahead.iter().find(|&&(vertex, _)| vertex as usize >= vertex_count) {
-        return Err(out_of_range(i64::from(vertex) + 1, vertex_count as u64).at_line(line));
+        let missing = out_of_range(i64::from(vertex) + 1, vertex_count as u64).at_line(line);
+        if !options.partial {
+            return Err(missing);
+        }
+        fault.get_or_insert(missing);
     }
     let Elements { polygons, lines, points } = elements;
     let (positions, partial_positions) = placed(3, coordinates)?;
-    let groups = groups.finish(polygons.len() as u32);
+    let mut groups = groups.finish(polygons.len() as u32);
+    let (mut polygons, mut lines, mut points) = (polygons.into_ragged()?, lines.into_ragged()?, points);
+    let mut remarks = oddities.into_remarks();
+    if let Some(fault) = fault {
+        // What names vertices that are not there any more goes with them.
+        let is_there = |cell: &&[u32]| cell.iter().all(|&vertex| (vertex as usize) < vertex_count);
+        let whole = |cells: &RaggedArray| RaggedArray::from_lists(cells.iter().take_while(is_there));
+        (polygons, lines) = (whole(&polygons), whole(&lines));
+        points.retain(|point| point.index() < vertex_count);
+        groups.iter_mut().for_each(|group| group.members.retain(|&m| (m as usize) < polygons.len()));
+        remarks.insert(0, crate::remark::partial(&fault));
+    }
     let model = Model {
         vertex_count,
         positions,
         partial_positions,
-        polygons: polygons.into_ragged()?,
-        lines: lines.into_ragged()?,
+        polygons,
+        lines,
         points,
         groups,
-        remarks: oddities.into_remarks(),
+        remarks,
         ..Model::default()
     };
     debug_assert!(model.check().is_ok(), "the reader has checked what it read");

@@ -410,3 +410,23 @@ fn one_of_several_models_is_chosen() {
     let error = io::read_path(format!("{parts}#middle"), None).unwrap_err();
     assert!(error.to_string().contains("low, high"), "{error}");
 }
+
+/// An OBJ is read up to its first fault; faces whose vertices would have come behind it go too, and their groups lose them.
+#[test]
+fn a_cut_obj_is_read_partly() {
+    let whole = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\ng b\nf 1 2 4\nf 3 2 1\nl 1 2\nv 0 0 1\nv 0 x 0\n";
+    let partial = ReadOptions::new().format(Format::Obj).partial(true);
+    let model = io::read_with(whole.as_bytes(), &partial).unwrap();
+    assert_eq!((model.vertex_count(), model.polygons().len(), model.lines().len()), (4, 3, 1));
+    assert_eq!(
+        (model.remarks()[0].code, model.remarks()[0].places[0].line),
+        (RemarkCode::PartialFile, Some(11))
+    );
+    let cut = &whole[..whole.find("v 0 0 1").unwrap()];
+    assert!(io::read(cut.as_bytes(), Format::Obj).unwrap_err().to_string().contains("line 7"));
+    let model = io::read_with(cut.as_bytes(), &partial).unwrap();
+    assert_eq!((model.vertex_count(), model.polygons().len(), model.lines().len()), (3, 1, 1));
+    let members: Vec<usize> = model.groups().iter().map(|group| group.members().len()).collect();
+    assert_eq!(members, [1, 0]);
+    assert!(io::read_with(&b""[..], &partial).is_err());
+}
