@@ -4,6 +4,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
+use coface_geometry::Positions;
 use coface_io::{Model, ModelParts, Structure, placed};
 
 /// The simplicial complex of a model: its facets, triangles, tetrahedra, segments and vertices with all their faces.
@@ -39,13 +40,12 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
                 .with_cure("give a facet list, or a mesh of triangles or tetrahedra"));
         }
         Some(Structure::Volume(_)) => {
-            return Err(Error::invalid("voxels are cubes, not simplices").with_cure(
-                "ask for homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj",
-            ));
+            return Err(Error::invalid("voxels are cubes, not simplices")
+                .with_cure("ask for homology, or take triangles of its boundary"));
         }
         None => {}
     }
-    require_triangles(model.polygons().iter().map(<[u32]>::len))?;
+    require_triangles(model.polygons().iter().map(<[u32]>::len), model.positions())?;
     require_tetrahedra(model.shapes())?;
     let mut facets = Vec::new();
     facets.extend(model.cells().iter());
@@ -57,11 +57,18 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
 }
 
 /// That the polygons with these numbers of sides are simplices.
-pub(super) fn require_triangles(side_counts: impl Iterator<Item = usize>) -> Result<(), Error> {
+pub(super) fn require_triangles(
+    side_counts: impl Iterator<Item = usize>,
+    positions: &Positions,
+) -> Result<(), Error> {
+    let cure = match positions.dimension() {
+        3 => "triangulate the model first",
+        _ => "give a mesh of triangles, or triangulate the model in space",
+    };
     match side_counts.enumerate().find(|&(_, sides)| sides != 3) {
         None => Ok(()),
         Some((i, sides)) => {
-            Err(Error::invalid(format!("face f{i} has {sides} sides, so it is no simplex")).with_cure(CURE))
+            Err(Error::invalid(format!("face f{i} has {sides} sides, so it is no simplex")).with_cure(cure))
         }
     }
 }
@@ -72,12 +79,11 @@ pub(super) fn require_tetrahedra(shapes: &[CellShape]) -> Result<(), Error> {
         None => Ok(()),
         Some((i, shape)) => {
             let name = shape.name();
-            Err(Error::invalid(format!("cell c{i} is a {name}, not a tetrahedron")).with_cure(CURE))
+            Err(Error::invalid(format!("cell c{i} is a {name}, not a tetrahedron"))
+                .with_cure("give a mesh of tetrahedra"))
         }
     }
 }
-
-const CURE: &str = "triangulate the model first";
 
 /// A set of simplices of `source` as a model of its own: with the positions of the vertices it uses, renumbered without
 /// gaps, where `source` has positions and no simplex is beyond dimension 3; else, and if `as_facets`, as a facet list with

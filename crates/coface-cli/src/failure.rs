@@ -41,6 +41,21 @@ impl Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::Message(error.to_string())
+        Self::Message(in_words(error).to_string())
     }
+}
+
+/// The same error; a cure of the library that the program has commands for names them.
+fn in_words(error: Error) -> Error {
+    let cure = match error.cure() {
+        Some("triangulate the model first") => {
+            "triangulate the model first: coface arrange INPUT --dimension 3 --triangles -o OUT"
+        }
+        Some("ask for homology, or take triangles of its boundary") => {
+            "ask for homology: coface homology INPUT; or take triangles of its boundary: \
+             coface convert INPUT -o boundary.obj and coface arrange boundary.obj --triangles -o OUT"
+        }
+        _ => return error,
+    };
+    error.with_cure(cure)
 }

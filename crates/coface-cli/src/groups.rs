@@ -6,6 +6,7 @@ use crate::input;
 use crate::output::{is_json, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
+use crate::surface::{self, Solid};
 use coface::algebra::{RaggedArray, Word};
 use coface::answers::answer::{ClosedPath, WalkAnswer, WalkPair};
 use coface::answers::{FoundGroups, GivenWalks, GroupsRequest, Producer};
@@ -33,17 +34,21 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// Reads a model and asks about its groups.
+    /// Reads a model and asks about its groups. Of a model that is no surface the message begins its cure with `other`.
     pub(crate) fn of(
         input: &Path,
         request: &GroupsRequest,
-        cure: &str,
+        other: Option<&str>,
         common: &Common,
         progress: &Progress,
     ) -> Result<Self, Failure> {
         let (name, producer): (String, Producer) = input::produce(input, common.reading(), progress)?;
         let found = request.found(&producer).map_err(|error: Error| match error.kind() {
-            ErrorKind::NonManifold => error.with_cure(cure).in_file(name.clone()),
+            ErrorKind::NonManifold => {
+                let cure = surface::cure(&error, Solid::of(&producer));
+                let cure = other.map_or_else(|| cure.to_owned(), |other| format!("{other}, or {cure}"));
+                error.with_cure(cure).in_file(name.clone())
+            }
             _ => error.in_file(name.clone()),
         })?;
         accept(found.remarks(), common)?;

@@ -6,11 +6,60 @@ use crate::input;
 use crate::output::{is_json, write_json};
 use crate::progress::Progress;
 use coface::VertexId;
-use coface::answers::SurfaceModel;
-use coface::io::{Format, GroupKind, Model, write_path};
-use coface::{Error, ErrorKind};
+use coface::answers::{Producer, SurfaceModel};
+use coface::io::{Format, GroupKind, Model, Structure, write_path};
+use coface::{Error, ErrorKind, Fault};
 use serde::Serialize;
 use std::path::Path;
+
+/// What a model has beside faces, and with it how its boundary is taken.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Solid {
+    /// No 3-cells.
+    None,
+    /// 3-cells with positions in space.
+    Placed,
+    /// Simplices without positions.
+    Abstract,
+    /// Cells that have no boundary complex in a file, such as those of a gluing table.
+    Glued,
+}
+
+impl Solid {
+    /// What these cells are.
+    pub(crate) fn of(producer: &Producer) -> Self {
+        let dimension = producer.chain_complex().ok().and_then(|complex| complex.dimension());
+        match (dimension, producer.positions().dimension()) {
+            (None | Some(0..=2), _) => Self::None,
+            (_, 3) => Self::Placed,
+            _ if producer.names_cells_by_vertices() => Self::Abstract,
+            _ => Self::Glued,
+        }
+    }
+
+    fn of_model(model: &Model) -> Self {
+        match model.structure() {
+            Some(Structure::Facets(facets)) if facets.iter().any(|facet| facet.len() > 3) => Self::Abstract,
+            Some(Structure::Gluings(table)) if table.dimension() > 2 => Self::Glued,
+            _ if model.cells().is_empty() => Self::None,
+            _ => Self::Placed,
+        }
+    }
+}
+
+/// What makes a surface of a model that is none, in the words of the command line.
+pub(crate) fn cure(error: &Error, solid: Solid) -> &'static str {
+    let is_loose = matches!(error.fault(), Some(Fault::EdgeInFaces { faces, .. }) if faces.is_empty());
+    match solid {
+        Solid::Placed => "take its boundary first: coface boolean union INPUT --pinches split -o OUT.off",
+        Solid::Abstract => "take its boundary first: coface boundary INPUT -o OUT.json",
+        Solid::Glued => "give a surface",
+        Solid::None if is_loose => {
+            "leave out what lies in no face first: coface convert INPUT --repair -o OUT"
+        }
+        Solid::None => "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT",
+    }
+}
 
 /// Reads a model as a surface: its name for people, and the surface. With `boundary` it is the boundary of a volume mesh.
 pub(crate) fn read(
@@ -22,21 +71,18 @@ pub(crate) fn read(
     let loaded = input::read(path, common.reading(), progress)?;
     progress.stage("identifying cells");
     let is_volume = !loaded.model.cells().is_empty();
+    let solid = Solid::of_model(&loaded.model);
     let surface = if boundary && is_volume {
         SurfaceModel::boundary_of(loaded.model)
     } else {
         SurfaceModel::of(loaded.model)
     };
     let explained = |error: Error| match error.kind() {
-        // A volume mesh cannot be repaired by splitting.
-        ErrorKind::NonManifold if is_volume => {
-            Error::new(error.kind(), format!("the boundary is no surface: {}", error.message()))
-                .with_cure("see coface info; cells must not touch along single edges or vertices")
+        ErrorKind::NonManifold => {
+            let what = if boundary && is_volume { "the boundary is no surface" } else { "no surface" };
+            let cure = cure(&error, solid);
+            Error::new(error.kind(), format!("{what}: {}", error.message())).with_cure(cure)
         }
-        ErrorKind::NonManifold => Error::new(error.kind(), format!("no surface: {}", error.message()))
-            .with_cure(
-                "see coface info; coface convert --split-edges pairs --split-vertices can make it one",
-            ),
         ErrorKind::UnsupportedFormat if is_volume && !boundary => {
             error.with_cure("add --boundary to take its boundary")
         }

@@ -515,7 +515,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Container => container::write(model, out),
         Format::Dat => {
             Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
-                .with_cure("write it by coface yin, which makes a set of polygons"))
+                .with_cure("write another format; of a drawing coface yin info INPUT -o OUT.dat makes a set"))
         }
         Format::Npy => match model.structure() {
             Some(Structure::Volume(voxels)) => volume::write_npy(voxels, out),
@@ -568,7 +568,7 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
                 ErrorKind::UnsupportedFormat,
                 "the name belongs to no format that is written",
             )
-            .with_cure(format!("end it in one of {}, or give --format", format::names()))
+            .with_cure(format!("end it in one of {}", format::names()))
             .in_file(path.display().to_string()));
         }
     };

@@ -24,7 +24,7 @@ use coface::topology::{
     ClosedWalk, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology, SurfaceHomotopy,
     TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
 };
-use coface::{Error, ErrorKind, FaceId, HalfedgeId, VertexId};
+use coface::{Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -65,11 +65,14 @@ pub(crate) struct Surface {
 /// Why the model is no surface, with the cure in Python.
 fn explained(error: Error, is_volume: bool) -> Error {
     let cells = error.cells().to_vec();
+    let is_loose = matches!(error.fault(), Some(Fault::EdgeInFaces { faces, .. }) if faces.is_empty());
     match error.kind() {
         ErrorKind::NonManifold => Error::new(error.kind(), format!("no surface: {}", error.message()))
             .with_cells(cells)
             .with_cure(if is_volume {
                 "cells must not touch along single edges or vertices"
+            } else if is_loose {
+                "model.repaired_surface() leaves out what lies in no face"
             } else {
                 "model.repaired(split_edges=\"pairs\", split_vertices=True) can make it one"
             }),

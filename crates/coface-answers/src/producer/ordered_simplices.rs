@@ -63,7 +63,8 @@ impl Producer {
                 return Ok(OrderedSimplices { complex, names: None });
             }
             Cells::Polygons(mesh) => {
-                require_triangles((0..mesh.face_count()).map(|face| mesh.face(FaceId::new(face)).len()))?;
+                let sides = (0..mesh.face_count()).map(|face| mesh.face(FaceId::new(face)).len());
+                require_triangles(sides, self.positions())?;
                 self.named_simplices(&[mesh.vertex_count(), mesh.edge_count(), mesh.face_count()])?
             }
             Cells::Solids(mesh) => {

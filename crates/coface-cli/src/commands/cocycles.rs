@@ -166,6 +166,7 @@ fn in_words(error: Error) -> Error {
         Some(cure) if cure.contains("the method general") => {
             "take --method general, which serves for every model"
         }
+        Some(cure) if cure.starts_with("take the cocycles by crossing") => "take --method crossing",
         Some("take uniform weights") => "take --weights uniform",
         _ => return error,
     };

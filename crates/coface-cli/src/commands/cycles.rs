@@ -34,8 +34,7 @@ impl Cycles {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
         let request = GroupsRequest::new().short_paths(self.kind.kind(), self.through);
-        let cure = "split it first: coface convert --split-edges pairs --split-vertices";
-        let asked = Asked::of(&self.input, &request, cure, common, &progress)?;
+        let asked = Asked::of(&self.input, &request, None, common, &progress)?;
         if let Some(path) = &common.output {
             asked.write_paths(path, &progress)?;
         }

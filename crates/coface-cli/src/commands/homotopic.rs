@@ -45,8 +45,7 @@ impl Homotopic {
         };
         let request =
             GroupsRequest::new().base(self.base).surface_loops(SurfaceLoops::Canonical).walks(Some(walks));
-        let cure = "split it first: coface convert --split-edges pairs --split-vertices";
-        let asked = Asked::of(&self.input, &request, cure, common, &progress)?;
+        let asked = Asked::of(&self.input, &request, None, common, &progress)?;
         drop(progress);
         let Some(answer) = asked.found.homotopic_answer(&asked.name) else { return Ok(()) };
         let limit = if self.all { usize::MAX } else { PAIRS };

@@ -46,8 +46,8 @@ impl Loops {
             _ => SurfaceLoops::Any,
         };
         let request = GroupsRequest::new().simplified(true).base(self.base).loops(true).surface_loops(kind);
-        let cure = "leave --shortest and --canonical out, or split it first: coface convert --split-edges pairs --split-vertices";
-        let asked = Asked::of(&self.input, &request, cure, common, &progress)?;
+        let other = Some("leave --shortest and --canonical out");
+        let asked = Asked::of(&self.input, &request, other, common, &progress)?;
         let answer =
             asked.found.loops_answer(&asked.name).map_err(|error| error.in_file(asked.name.clone()))?;
         crate::remarks::say_remarks(&answer.remarks[asked.found.remarks().len()..], common);

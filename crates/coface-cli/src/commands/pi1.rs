@@ -85,7 +85,7 @@ impl CycleRequest {
 }
 
 /// What helps when the options of surfaces are given for a model that is no surface.
-const NO_SURFACE: &str = "leave the options of surfaces out, or split it first: coface convert --split-edges pairs --split-vertices";
+const NO_SURFACE: &str = "leave --shortest, --canonical, --walks and --cycles out";
 
 impl Pi1 {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
@@ -106,7 +106,7 @@ impl Pi1 {
         if let Some(cycles) = self.cycles {
             request = request.short_paths(cycles.kind(), self.through);
         }
-        let asked = Asked::of(&self.input, &request, NO_SURFACE, common, &progress)?;
+        let asked = Asked::of(&self.input, &request, Some(NO_SURFACE), common, &progress)?;
         if let Some(path) = &self.loops {
             asked.write_paths(path, &progress)?;
         }

@@ -42,7 +42,7 @@ impl Subgroups {
             .base(self.base)
             .subgroups(Some(usize::from(self.index)))
             .time_limit(self.time_limit);
-        let asked = Asked::of(&self.input, &request, "see coface info", common, &progress)?;
+        let asked = Asked::of(&self.input, &request, None, common, &progress)?;
         drop(progress);
         let Some(answer) = asked.found.subgroups_answer(&asked.name) else { return Ok(()) };
         let mut facts = Vec::new();

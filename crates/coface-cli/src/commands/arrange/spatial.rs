@@ -103,12 +103,12 @@ pub(super) fn run(
 ) -> Result<(), Failure> {
     if verb.source == super::Inputs::Features {
         return Err(Failure::new(
-            "--inputs features is for regions in the plane; in space each file is an input",
+            "--inputs features is for regions in the plane; in space each file is an input: leave it out",
         ));
     }
     if verb.prune {
         return Err(Failure::new(
-            "--prune is for drawings in the plane; faces in space with one cell on both sides are kept",
+            "--prune is for drawings in the plane; faces in space with one cell on both sides are kept: leave it out",
         ));
     }
     let output = output.map(in_space).transpose()?;
@@ -148,11 +148,11 @@ pub(super) fn run(
 
 /// The fact about rounding that results in space have in common.
 pub(crate) fn rounding(rounding: &SpatialRounding) -> (String, String, String) {
-    let value = match rounding.rounded_vertices {
-        0 => "none".to_owned(),
-        count => text::count(count, "vertex"),
+    let (value, gloss) = match rounding.rounded_vertices {
+        0 => ("none".to_owned(), "of coordinates"),
+        count => (text::count(count, "vertex"), "of coordinates; --snap makes them exact"),
     };
-    ("rounding".to_owned(), value, "of coordinates; --snap makes them exact".to_owned())
+    ("rounding".to_owned(), value, gloss.to_owned())
 }
 
 fn page(answer: &SpatialArrangementAnswer) -> String {

@@ -53,7 +53,7 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     if verb.has_features() {
         return Err(Failure::new(
-            "--inputs features is for regions in the plane; in space each file is an input",
+            "--inputs features is for regions in the plane; in space each file is an input: leave it out",
         ));
     }
     progress.stage("arranging");

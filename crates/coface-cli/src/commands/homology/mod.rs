@@ -163,7 +163,8 @@ impl Homology {
         ];
         if let Some((option, _)) = others.iter().find(|(_, is_given)| *is_given) {
             return Err(Failure::new(format!(
-                "{option} needs the whole complex in memory; leave --parts, --memory and --work away"
+                "{option} needs the whole complex in memory; leave {option} out, or --parts, --memory, --work, --grid \
+                 and --simplicial"
             )));
         }
         let Self { coefficients, cohomology, generators, .. } = self;

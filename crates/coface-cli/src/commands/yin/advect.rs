@@ -222,6 +222,8 @@ fn named_rules(error: coface::Error) -> coface::Error {
     match error.cure().and_then(|cure| cure.strip_suffix("by a fill rule")) {
         None => error,
         Some(cure) => {
+            let cure =
+                cure.replace("shorter steps or a smaller spacing", "a shorter --step or a smaller --spacing");
             let cure = format!("{cure}by a fill rule: --repair nonzero, evenodd or positive");
             coface::Error::new(error.kind(), error.message()).with_cure(cure)
         }

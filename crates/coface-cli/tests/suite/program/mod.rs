@@ -18,9 +18,18 @@ pub(crate) fn coface(arguments: &[&str]) -> Run {
     coface_reading(arguments, b"")
 }
 
+/// Runs `coface` in this folder with these arguments, without standard input.
+pub(crate) fn coface_in(folder: &Path, arguments: &[&str]) -> Run {
+    run(Command::new(env!("CARGO_BIN_EXE_coface")).current_dir(folder), arguments, b"")
+}
+
 /// Runs `coface` with these arguments and these bytes on standard input.
 pub(crate) fn coface_reading(arguments: &[&str], input: &[u8]) -> Run {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_coface"))
+    run(&mut Command::new(env!("CARGO_BIN_EXE_coface")), arguments, input)
+}
+
+fn run(program: &mut Command, arguments: &[&str], input: &[u8]) -> Run {
+    let mut child = program
         .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -578,6 +578,7 @@ fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<(Vec<u32>, Vec<u32>)
     let steps = skeleton.faces().items();
     let mut first = vec![NONE; skeleton.edge_count()];
     let mut mates: Vec<u32> = (0..steps.len() as u32).collect();
+    let mut branching = None;
     for (side, &step) in steps.iter().enumerate() {
         let earlier = &mut first[(step >> 1) as usize];
         if *earlier == NONE {
@@ -586,12 +587,14 @@ fn mates(skeleton: &TwoSkeleton, face_of: &[u32]) -> Result<(Vec<u32>, Vec<u32>)
             mates[side] = *earlier;
             mates[*earlier as usize] = side as u32;
         } else {
-            return Err(many_faces(skeleton, face_of, step >> 1));
+            branching = branching.or(Some(step >> 1));
         }
     }
-    match first.iter().position(|&side| side == NONE) {
-        None => Ok((mates, first)),
-        Some(edge) => {
+    // Loose edges are named first: what removes them also splits the others.
+    match (first.iter().position(|&side| side == NONE), branching) {
+        (None, None) => Ok((mates, first)),
+        (None, Some(edge)) => Err(many_faces(skeleton, face_of, edge)),
+        (Some(edge), _) => {
             let [a, b] = skeleton.edge(EdgeId::new(edge));
             Err(Error::new(
                 ErrorKind::NonManifold,

@@ -87,6 +87,12 @@ fn faults_name_the_cells() {
         "edge e0 = {v0, v1} is on 3 sides of faces: f0, f1, f2"
     );
     assert_eq!(fault(&[&[0, 2, 5]], &[0, 1, 1, 2, 0, 2, 0, 3], 4), "edge e3 = {v0, v3} lies in no face");
+    // Of both the loose edge is named: what removes it mends the other too.
+    let flag = [&book[..], &[4, 5]].concat();
+    assert_eq!(
+        fault(&[&[0, 2, 5], &[0, 6, 9], &[0, 10, 13]], &flag, 6),
+        "edge e7 = {v4, v5} lies in no face"
+    );
     let bow = [0, 1, 1, 2, 0, 2, 0, 3, 3, 4, 0, 4];
     assert_eq!(fault(&[&[0, 2, 5], &[6, 8, 11]], &bow, 5), "2 fans of faces meet at vertex v0 only: f0 | f1");
     assert_eq!(fault(&[&[]], &[], 1), "face f0 has no sides");

@@ -1,0 +1,115 @@
+//! Messages of arrangements and Boolean combinations.
+
+use super::surfaces::PINCHED;
+use super::{Case, Files};
+
+const BOW: Files = &[("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")];
+/// Three lines that nearly meet in (1, 1).
+const NEAR: Files = &[("near.lines", "0,0,2,2\n0,2,2,0\n0,1,4,1.0000000000000002\n")];
+/// The same as sides of triangles.
+const THIN: Files = &[(
+    "near.wkt",
+    "MULTIPOLYGON (((0 0, 2 2, 2 -5, 0 0)), ((0 2, -5 -5, 2 0, 0 2)), \
+     ((0 1, 4 1.0000000000000002, 4 -2, 0 -2, 0 1)))",
+)];
+const CURVED: Files =
+    &[("disk.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3\"/></svg>")];
+const WARPED: Files = &[("warped.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n")];
+/// A cube without its top.
+const OPEN: Files = &[(
+    "open.off",
+    "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+     4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
+)];
+/// A cube one face of which is turned inside out.
+const TURNED: Files = &[(
+    "turned.off",
+    "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+     4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n\
+     4 7 6 5 4\n",
+)];
+const CROSSINGS: &str = "planar/crossings.rs";
+
+pub(super) const CASES: &[Case] = &[
+    Case::new("planar/arrangement.rs", "drawn with them this is another complex; --snap makes one")
+        .files(NEAR)
+        .answered("coface arrange near.lines --json")
+        .cured(&[&["coface arrange near.lines --snap --json"]]),
+    Case::new("planar/boolean.rs", "the polygons are not sound; --snap makes them so")
+        .files(THIN)
+        .answered("coface boolean xor near.wkt --inputs features --json")
+        .cured(&[&["coface boolean xor near.wkt --inputs features --snap --json"]]),
+    Case::new(CROSSINGS, "unless --rule says otherwise")
+        .files(BOW)
+        .answered("coface boolean union bow.wkt")
+        .cured(&[
+            &["coface boolean union bow.wkt --rule evenodd"],
+            &["coface arrange bow.wkt --rule positive"],
+        ]),
+    Case::new(CROSSINGS, "say what is inside of it: --rule evenodd or --rule nonzero")
+        .files(BOW)
+        .refused("coface boolean union bow.wkt --strict")
+        .cured(&[
+            &["coface boolean union bow.wkt --strict --rule evenodd"],
+            &["coface boolean union bow.wkt --strict --rule nonzero"],
+        ]),
+    Case::new("planar/drawing.rs", "arrange them in space: leave --dimension 2 out")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface arrange box.mesh --dimension 2")
+        .cured(&[&["coface arrange box.mesh"]]),
+    Case::new("spatial/inputs.rs", "coface convert --orient), or count by parity (--rule evenodd)")
+        .files(TURNED)
+        .refused("coface boolean union turned.off")
+        .cured(&[
+            &["coface convert turned.off --orient -o solid.off", "coface boolean union solid.off"],
+            &["coface boolean union turned.off --rule evenodd"],
+        ]),
+    Case::new("spatial/inputs.rs", "let generalized winding numbers decide what is inside (--open winding)")
+        .files(OPEN)
+        .refused("coface boolean union open.off")
+        .cured(&[&["coface boolean union open.off --open winding"]]),
+    Case::new("spatial/flat_polygons.rs", "let such polygons be split (--non-planar split)")
+        .files(WARPED)
+        .refused("coface arrange warped.off --non-planar refuse")
+        .cured(&[&["coface arrange warped.off --non-planar split"]]),
+    Case::new("spatial/flat_polygons.rs", "let such polygons be split (--non-planar split)")
+        .files(WARPED)
+        .refused("coface arrange warped.off --strict")
+        .cured(&[&["coface arrange warped.off --strict --non-planar split"]]),
+    Case::new("arrange/spatial.rs", "--inputs features is for regions in the plane")
+        .files(OPEN)
+        .refused("coface arrange open.off --inputs features")
+        .cured(&[&["coface arrange open.off"]]),
+    Case::new("arrange/spatial.rs", "--prune is for drawings in the plane")
+        .files(OPEN)
+        .refused("coface arrange open.off --prune")
+        .cured(&[&["coface arrange open.off"]]),
+    Case::new("arrange/spatial.rs", "of coordinates; --snap makes them exact")
+        .files(&[(
+            "crossing.off",
+            "OFF\n6 2 0\n0 0 -1\n0.1 1 1.3\n0.7 -0.3 1\n-1 -1 0.1\n1 -1 0.2\n0 1.1 0.37\n3 0 1 2\n3 3 4 5\n",
+        )])
+        .answered("coface arrange crossing.off")
+        .cured(&[&["coface arrange crossing.off --snap --json"]])
+        .shows("\"exact\":true"),
+    Case::new("boolean/spatial.rs", "--inputs features is for regions in the plane")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface boolean union box.mesh --inputs features")
+        .cured(&[&["coface boolean union box.mesh"]]),
+    Case::new("boolean/spatial.rs", "--pinches split makes copies")
+        .files(PINCHED)
+        .answered("coface boolean union pinched.mesh")
+        .cured(&[&["coface boolean union pinched.mesh --pinches split"]]),
+    Case::new("boolean/mod.rs", "or give --formula")
+        .files(BOW)
+        .misused("coface boolean bow.wkt")
+        .cured(&[&["coface boolean union bow.wkt"], &["coface boolean --formula a bow.wkt"]]),
+    Case::new("boolean/mod.rs", "--formula: {error}")
+        .files(BOW)
+        .refused("coface boolean --formula 'a |' bow.wkt")
+        .cured(&[&["coface boolean --formula 'a | a' bow.wkt"]]),
+    Case::new("yin/flattening.rs", "--flatten LENGTH says another length, and coface yin keeps curves")
+        .files(CURVED)
+        .answered("coface arrange disk.svg")
+        .cured(&[&["coface arrange disk.svg --flatten 0.01"], &["coface yin info disk.svg"]]),
+];

@@ -1,0 +1,183 @@
+//! Messages about models that are no surfaces, simplices or cochains.
+
+use super::{Case, Files};
+
+/// Three triangles on one edge.
+const BOOK: Files = &[("book.json", "[[0,1,2],[0,1,3],[0,1,4]]")];
+/// A triangle with an edge, and three triangles on one edge.
+const FLAG: Files = &[("flag.json", "[[0,1,2],[0,1,3],[0,1,4],[4,5]]")];
+/// A sphere as the boundary of a tetrahedron, beside a tetrahedron of the same facet list.
+const SOLID: Files = &[("solid.json", "[[0,1,2,3],[1,2,3,4]]")];
+const VOXELS: Files = &[(
+    "voxels.nrrd",
+    "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n1 1 1 1 1 1 1 0\n",
+)];
+const SQUARE: Files = &[("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")];
+/// Two tetrahedra that share an edge.
+pub(super) const PINCHED: Files = &[(
+    "pinched.mesh",
+    "MeshVersionFormatted 1\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 -1 0 0\n0 0 -1 0\n\
+     Tetrahedra\n2\n1 2 3 4 0\n1 2 5 6 0\nEnd\n",
+)];
+
+const SPLIT: &str = "coface convert book.json --split-edges pairs --split-vertices -o split.json";
+const REPAIR: &str = "coface convert flag.json --repair -o repaired.json";
+const UNION: &str = "coface boolean union pinched.mesh --pinches split -o boundary.off";
+const BOUNDARY: &str = "coface boundary solid.json -o boundary.json";
+const SURFACE: &str = "cli/src/surface.rs";
+
+pub(super) const CASES: &[Case] = &[
+    Case::new(SURFACE, "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT")
+        .files(BOOK)
+        .refused("coface cycles book.json")
+        .cured(&[&[SPLIT, "coface cycles split.json"]]),
+    Case::new(SURFACE, "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT")
+        .files(BOOK)
+        .refused("coface homotopic book.json '0 1 2 0'")
+        .cured(&[&[SPLIT, "coface homotopic split.json '0 1 2 0'"]]),
+    Case::new(SURFACE, "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT")
+        .files(BOOK)
+        .refused("coface cut book.json")
+        .cured(&[&[SPLIT, "coface cut split.json"]]),
+    Case::new(SURFACE, "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT")
+        .files(BOOK)
+        .refused("coface cover book.json --copies 1")
+        .cured(&[&[SPLIT, "coface cover split.json --copies 1"]]),
+    Case::new(SURFACE, "coface convert INPUT --repair -o OUT")
+        .files(FLAG)
+        .refused("coface cycles flag.json")
+        .cured(&[&[REPAIR, "coface cycles repaired.json"]]),
+    Case::new(SURFACE, "coface convert INPUT --repair -o OUT")
+        .files(FLAG)
+        .refused("coface cut flag.json")
+        .cured(&[&[REPAIR, "coface cut repaired.json"]]),
+    Case::new(SURFACE, "coface boundary INPUT -o OUT.json")
+        .files(SOLID)
+        .refused("coface cycles solid.json")
+        .cured(&[&[BOUNDARY, "coface cycles boundary.json"]]),
+    Case::new(SURFACE, "coface boundary INPUT -o OUT.json")
+        .files(SOLID)
+        .refused("coface cut solid.json")
+        .cured(&[&[BOUNDARY, "coface cut boundary.json"]]),
+    Case::new(SURFACE, "coface boolean union INPUT --pinches split -o OUT.off")
+        .files(PINCHED)
+        .refused("coface cycles pinched.mesh")
+        .cured(&[&[UNION, "coface cycles boundary.off"]]),
+    Case::new(SURFACE, "coface boolean union INPUT --pinches split -o OUT.off")
+        .before(&["coface generate box --cuboids --shape 2,1,1 -o hexahedra.vtu"])
+        .refused("coface cycles hexahedra.vtu")
+        .cured(&[&["coface boolean union hexahedra.vtu --pinches split -o b.off", "coface cycles b.off"]]),
+    Case::new(SURFACE, "coface boolean union INPUT --pinches split -o OUT.off")
+        .files(PINCHED)
+        .refused("coface cut pinched.mesh --boundary")
+        .cured(&[&[UNION, "coface cut boundary.off"]]),
+    Case::new(SURFACE, "add --boundary to take its boundary")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface cut box.mesh")
+        .cured(&[&["coface cut box.mesh --boundary"]]),
+    Case::new("commands/loops.rs", "leave --shortest and --canonical out")
+        .files(BOOK)
+        .refused("coface loops book.json --shortest")
+        .cured(&[&["coface loops book.json"], &[SPLIT, "coface loops split.json --shortest"]]),
+    Case::new("commands/loops.rs", "leave --shortest and --canonical out")
+        .files(BOOK)
+        .refused("coface loops book.json --canonical")
+        .cured(&[&["coface loops book.json"], &[SPLIT, "coface loops split.json --canonical"]]),
+    Case::new("commands/pi1.rs", "leave --shortest, --canonical, --walks and --cycles out")
+        .files(BOOK)
+        .refused("coface pi1 book.json --shortest")
+        .cured(&[&["coface pi1 book.json"], &[SPLIT, "coface pi1 split.json --shortest"]]),
+    Case::new("commands/pi1.rs", "leave --shortest, --canonical, --walks and --cycles out")
+        .files(FLAG)
+        .refused("coface pi1 flag.json --canonical")
+        .cured(&[&["coface pi1 flag.json"], &[REPAIR, "coface pi1 repaired.json --canonical"]]),
+    Case::new("commands/pi1.rs", "leave --shortest, --canonical, --walks and --cycles out")
+        .files(BOOK)
+        .with(&[("walks.json", "[[0,1,2,0]]")])
+        .refused("coface pi1 book.json --walks walks.json")
+        .cured(&[&["coface pi1 book.json"], &[SPLIT, "coface pi1 split.json --walks walks.json"]]),
+    Case::new("commands/pi1.rs", "leave --shortest, --canonical, --walks and --cycles out")
+        .files(BOOK)
+        .refused("coface pi1 book.json --cycles non-contractible")
+        .cured(&[&["coface pi1 book.json"], &[SPLIT, "coface pi1 split.json --cycles non-contractible"]]),
+    Case::new("cocycles/mod.rs", "coface homology --cohomology --harmonic")
+        .files(BOOK)
+        .refused("coface cocycles book.json --harmonic")
+        .cured(&[&["coface homology --cohomology --harmonic book.json"]]),
+    Case::new("commands/cocycles.rs", "take --method general, which serves for every model")
+        .files(BOOK)
+        .refused("coface cocycles book.json --method crossing")
+        .cured(&[&["coface cocycles book.json --method general"]]),
+    Case::new("commands/cocycles.rs", "take --method crossing")
+        .before(&["coface generate moebius -o band.off"])
+        .refused("coface cocycles band.off --method slicing")
+        .cured(&[&["coface cocycles band.off --method crossing"]]),
+    Case::new("commands/cocycles.rs", "take --weights uniform")
+        .before(&["coface generate cyclic-torus --dimension 2 -o torus.json"])
+        .refused("coface cocycles torus.json --harmonic --weights cotangent")
+        .cured(&[&["coface cocycles torus.json --harmonic --weights uniform"]]),
+    Case::new("commands/cocycles.rs", "say with --tolerance which sums count as zero")
+        .files(BOOK)
+        .with(&[("cochain.json", "[[0.5,[0,1]]]")])
+        .refused("coface cocycles book.json --test cochain.json")
+        .cured(&[&["coface cocycles book.json --test cochain.json --tolerance 1e-9"]]),
+    Case::new("producer/mod.rs", "make a mesh of its boundary: coface convert VOLUME -o boundary.obj")
+        .files(VOXELS)
+        .refused("coface loops voxels.nrrd")
+        .cured(&[&["coface convert voxels.nrrd -o boundary.obj", "coface loops boundary.obj"]]),
+    Case::new("producer/mod.rs", "make a mesh of its boundary: coface convert VOLUME -o boundary.obj")
+        .files(VOXELS)
+        .refused("coface cocycles voxels.nrrd")
+        .cured(&[
+            &["coface homology voxels.nrrd"],
+            &["coface convert voxels.nrrd -o boundary.obj", "coface cocycles boundary.obj"],
+        ]),
+    Case::new("cli/src/failure.rs", "coface convert INPUT -o boundary.obj")
+        .files(VOXELS)
+        .refused("coface star voxels.nrrd --simplices 0")
+        .cured(&[
+            &["coface homology voxels.nrrd"],
+            &[
+                "coface convert voxels.nrrd -o boundary.obj",
+                "coface arrange boundary.obj --triangles -o triangles.off",
+                "coface star triangles.off --simplices 0",
+            ],
+        ]),
+    Case::new("cli/src/failure.rs", "coface arrange INPUT --dimension 3 --triangles -o OUT")
+        .files(SQUARE)
+        .refused("coface link square.off --simplices 0")
+        .cured(&[&[
+            "coface arrange square.off --dimension 3 --triangles -o triangles.off",
+            "coface link triangles.off --simplices 0",
+        ]]),
+    Case::new("cli/src/failure.rs", "coface arrange INPUT --dimension 3 --triangles -o OUT")
+        .files(SQUARE)
+        .refused("coface homology square.off --cup 1 1")
+        .cured(&[&[
+            "coface arrange square.off --dimension 3 --triangles -o triangles.off",
+            "coface homology triangles.off --cup 1 1",
+        ]]),
+    Case::new("answers/src/simplices.rs", "take its closure, or print the set with --json")
+        .files(BOOK)
+        .refused("coface star book.json --simplices 0 -o star.json")
+        .cured(&[
+            &["coface star book.json --simplices 0 --json"],
+            &["coface closure book.json --simplices '0 1 2; 0 1 3' -o closure.json"],
+        ]),
+    Case::new("pictures/src/scene/model.rs", "make a mesh of it: coface convert VOLUME -o boundary.obj")
+        .files(VOXELS)
+        .refused("coface render voxels.nrrd -o picture.svg")
+        .cured(&[&[
+            "coface convert voxels.nrrd -o boundary.obj",
+            "coface render boundary.obj -o picture.svg",
+        ]]),
+    Case::new("cubical/surface.rs", "leave out --periodic")
+        .files(VOXELS)
+        .refused("coface convert voxels.nrrd --periodic x -o boundary.obj")
+        .cured(&[&["coface convert voxels.nrrd -o boundary.obj"]]),
+    Case::new("persistence/mod.rs", "give a file of values: --function FILE")
+        .files(BOOK)
+        .with(&[("values.txt", "0\n1\n2\n3\n4\n")])
+        .refused("coface persistence book.json --function x")
+        .cured(&[&["coface persistence book.json --function values.txt"]]),
+];

@@ -1,0 +1,90 @@
+//! Messages of convert, generate, cut, render, view and the like.
+
+use super::{Case, Files};
+
+const BOOK: Files = &[("book.json", "[[0,1,2],[0,1,3],[0,1,4]]")];
+const TRIANGLE: Files = &[("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")];
+/// The boundary of a tetrahedron.
+const SPHERE: Files = &[("sphere.json", "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]")];
+
+pub(super) const CASES: &[Case] = &[
+    Case::new("repair/triangulation.rs", "convert the model without --triangulate")
+        .files(TRIANGLE)
+        .refused("coface convert triangle.off --triangulate -o a.obj")
+        .cured(&[&["coface convert triangle.off -o a.obj"]]),
+    Case::new("commands/convert.rs", "or say it with --to")
+        .files(TRIANGLE)
+        .refused("coface convert triangle.off -o a.model")
+        .cured(&[&["coface convert triangle.off -o a.model --to obj"]]),
+    Case::new("commands/convert.rs", "give -o OUT, or --to FORMAT for standard output")
+        .files(TRIANGLE)
+        .refused("coface convert triangle.off")
+        .cured(&[&["coface convert triangle.off -o a.obj"], &["coface convert triangle.off --to obj"]]),
+    Case::new("commands/convert.rs", "both the model and --json; give -o OUT")
+        .files(TRIANGLE)
+        .refused("coface convert triangle.off --to obj --json")
+        .cured(&[&["coface convert triangle.off --to obj --json -o a.obj"]]),
+    Case::new("commands/cut.rs", "is no vertex; write a path as \"0 1 2\"")
+        .files(SPHERE)
+        .refused("coface cut sphere.json --along '0-1-2'")
+        .cured(&[&["coface cut sphere.json --along '0 1 2'"]]),
+    Case::new("commands/cut.rs", "a path has two vertices at least; write it as \"0 1 2\"")
+        .files(SPHERE)
+        .refused("coface cut sphere.json --along 0")
+        .cured(&[&["coface cut sphere.json --along '0 1 2'"]]),
+    Case::new("commands/cut.rs", "{name}: --along \"{path}\": {error}")
+        .files(SPHERE)
+        .refused("coface cut sphere.json --along '0 1 5'")
+        .cured(&[&["coface cut sphere.json --along '0 1 2'"]]),
+    Case::new("generate/mod.rs", "every facet lies in two cells; leave --boundary out")
+        .refused("coface generate torus --boundary --to off")
+        .cured(&[&["coface generate torus --to off"]]),
+    Case::new("generate/mod.rs", "or say it with --to")
+        .refused("coface generate torus -o a.model")
+        .cured(&[&["coface generate torus -o a.model --to off"]]),
+    Case::new("generate/mod.rs", "both the model and --json; give -o OUT")
+        .refused("coface generate torus --to off --json")
+        .cured(&[&["coface generate torus --to off --json -o a.off"]]),
+    Case::new("generate/mod.rs", "written with -o OUT or --to FORMAT")
+        .answered("coface generate torus")
+        .cured(&[&["coface generate torus -o a.off --json"], &["coface generate torus --to off"]]),
+    Case::new("generate/scene.rs", "parameters that `coface generate {name} --help` lists")
+        .files(&[("scene.json", "[{\"shape\":\"torus\",\"holes\":3}]")])
+        .refused("coface generate assembly scene.json --to off")
+        .cured(&[&["coface generate torus --help"]]),
+    Case::new("homology/mod.rs", "--cycle \"{argument}\"")
+        .files(BOOK)
+        .refused("coface homology book.json --cycle '0 1'")
+        .cured(&[&["coface homology book.json --cycle '0 1; 1 2; -1*0 2'"]]),
+    Case::new("commands/render.rs", "--pane draws it instead")
+        .before(&["coface generate torus -o a.off", "coface cut a.off -o cut.json"])
+        .answered("coface render a.off --with cut.json -o a.svg")
+        .cured(&[&["coface render a.off --with cut.json --pane -o a.svg"]]),
+    Case::new("commands/render.rs", "coface cut -o and coface cover -o write some that have, as .json")
+        .before(&["coface generate torus -o a.off", "coface homology a.off --generators g.json"])
+        .refused("coface render a.off --with g.json --pane -o a.svg")
+        .cured(&[
+            &["coface cut a.off -o cut.json", "coface render a.off --with cut.json --pane -o a.svg"],
+            &[
+                "coface cover a.off --copies 2 -o cover.json",
+                "coface render a.off --with cover.json --pane -o a.svg",
+            ],
+        ]),
+    Case::new("commands/render.rs", "there is no such picture; there is")
+        .before(&["coface generate torus -o a.off", "coface cut a.off -o cut.json"])
+        .refused("coface render a.off --with cut.json --pane=nothing -o a.svg")
+        .cured(&[&["coface render a.off --with cut.json --pane=domain -o a.svg"]]),
+    Case::new("commands/render.rs", "give what coface persistence wrote")
+        .files(TRIANGLE)
+        .with(&[("diagram.json", "{\"diagram\":[{}]}")])
+        .refused("coface render diagram.json --diagram -o a.svg")
+        .cured(&[&["coface persistence triangle.off -o p.json", "coface render p.json --diagram -o a.svg"]]),
+    Case::new("scene/results.rs", "homology --generators, cut, cover")
+        .files(TRIANGLE)
+        .with(&[("no.json", "{}")])
+        .refused("coface view triangle.off --with no.json -o a.html")
+        .cured(&[&[
+            "coface homology triangle.off --generators g.json",
+            "coface view triangle.off --with g.json -o a.html",
+        ]]),
+];

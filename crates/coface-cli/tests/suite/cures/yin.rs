@@ -1,0 +1,111 @@
+//! Messages about regions with curved boundaries.
+
+use super::{Case, Files};
+
+const DISK: Files =
+    &[("disk.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3\"/></svg>")];
+const BOW: Files = &[("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")];
+/// Two disks nearer to each other than can be told.
+const DISKS: Files = &[
+    ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3\"/></svg>"),
+    (
+        "b.svg",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3.0000000000001\"/></svg>",
+    ),
+];
+/// Two curves that leave one point side by side.
+const ARCS: Files = &[
+    ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0 C3 4 4 1 4 0 L2 -3 Z\"/></svg>"),
+    (
+        "b.svg",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 1e-14 C3 4 4 1 4 -1e-14 L2 -3 Z\"/></svg>",
+    ),
+];
+/// A drop that becomes a long thin thread in a vortex.
+const DROP: Files = &[(
+    "drop.json",
+    "{\"order\":4,\"curves\":[{\"points\":[[0.65,0.75],[0.6299,0.825],[0.575,0.8799],[0.5,0.9],[0.425,0.8799],\
+     [0.3701,0.825],[0.35,0.75],[0.3701,0.675],[0.425,0.6201],[0.5,0.6],[0.575,0.6201],[0.6299,0.675]]}]}",
+)];
+
+pub(super) const CASES: &[Case] = &[
+    Case::new("yin/making.rs", "say how far chords may be from it: --flatten LENGTH")
+        .files(DISK)
+        .before(&["coface yin info disk.svg -o disk.json"])
+        .refused("coface yin info disk.json --order 2")
+        .cured(&[&["coface yin info disk.json --order 2 --flatten 0.01"]]),
+    Case::new("yin/making.rs", "repair the curves with a fill rule: --rule nonzero, evenodd or positive")
+        .files(BOW)
+        .refused("coface yin info bow.wkt")
+        .cured(&[
+            &["coface yin info bow.wkt --rule nonzero"],
+            &["coface yin info bow.wkt --rule evenodd"],
+            &["coface yin info bow.wkt --rule positive"],
+        ]),
+    Case::new("yin/svg.rs", "say how far chords may be from them: --flatten LENGTH")
+        .files(DISK)
+        .refused("coface yin info disk.svg --order 6 -o out.svg")
+        .cured(&[&["coface yin info disk.svg --order 6 -o out.svg --flatten 0.01"]]),
+    Case::new("yin/writing.rs", "say how far chords may be from them: --flatten LENGTH; or write .json")
+        .files(DISK)
+        .refused("coface yin info disk.svg -o out.wkt")
+        .cured(&[
+            &["coface yin info disk.svg -o out.wkt --flatten 0.01"],
+            &["coface yin info disk.svg -o out.json"],
+        ]),
+    Case::new("yin/advect.rs", "there is no such time; give a finite one")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --flow rotation --time inf")
+        .cured(&[&["coface yin advect disk.svg --flow rotation --time 0.1"]]),
+    Case::new("yin/advect.rs", "--repair needs to know when: leave out --verify never")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --flow rotation --time 0.1 --repair nonzero --verify never")
+        .cured(&[&["coface yin advect disk.svg --flow rotation --time 0.1 --repair nonzero"]]),
+    Case::new("yin/advect.rs", "a flow cannot come back after that; give a finite time other than 0")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --flow vortex --period 0")
+        .cured(&[&["coface yin advect disk.svg --flow vortex --period 0.1"]]),
+    Case::new("yin/advect.rs", "give a finite number of radians per time")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --flow rotation --speed inf --time 0.1")
+        .cured(&[&["coface yin advect disk.svg --flow rotation --speed 1 --time 0.1"]]),
+    Case::new("yin/cut_cells.rs", "ask for it with `coface yin info`")
+        .files(DISK)
+        .refused("coface yin cut-cells disk.svg --picture kinks -o a.svg")
+        .cured(&[&["coface yin info disk.svg --picture kinks -o a.svg"]]),
+    Case::new("yin/edit.rs", "`coface yin kinks` lists them")
+        .files(BOW)
+        .misused("coface yin kinks bow.wkt --rule nonzero --erase first")
+        .cured(&[&["coface yin kinks bow.wkt --rule nonzero"]]),
+    Case::new("yin/mod.rs", "--picture draws an SVG: name it with -o FILE.svg")
+        .files(DISK)
+        .refused("coface yin info disk.svg --picture forest")
+        .cured(&[&["coface yin info disk.svg --picture forest -o a.svg"]]),
+    Case::new("yin/advect.rs", "{cure}by a fill rule: --repair nonzero, evenodd or positive")
+        .files(DROP)
+        .refused("coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15")
+        .cured(&[
+            &["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --repair nonzero"],
+            &["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --repair evenodd"],
+            &["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --repair positive"],
+            &["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.02 --step 0.05"],
+        ]),
+    Case::new("yin/advect.rs", "a shorter --step or a smaller --spacing")
+        .files(DROP)
+        .refused("coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15")
+        .cured(&[&["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.02 --step 0.05"]]),
+    Case::new("yin/advect.rs", "leave out --verify never, and repair the set by a fill rule")
+        .files(DROP)
+        .refused("coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --verify never")
+        .cured(&[&["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --repair nonzero"]]),
+    Case::new("yin/combine.rs", "could not be certified at the resolution of the arithmetic; --json lists them")
+        .files(DISKS)
+        .answered("coface yin xor a.svg b.svg")
+        .cured(&[&["coface yin xor a.svg b.svg --json"]])
+        .shows("\"uncertified\":[{")
+        .stays(),
+    Case::new("overlay/chains.rs", "or take chords for curves, which are exact: --order 2 --flatten LENGTH")
+        .files(ARCS)
+        .refused("coface yin meet a.svg b.svg")
+        .cured(&[&["coface yin meet a.svg b.svg --order 2 --flatten 1e-3"]]),
+];
