@@ -664,6 +664,8 @@ export interface InfoAnswer {
   format?: string | null;
   /** The genus of a connected surface; of a non-orientable one the number of cross-caps. */
   genus?: number | null;
+  /** The named sets of vertices, lines, polygons and cells. */
+  groups?: NamedGroup[];
   /** The integral homology of degrees 0, 1, ... up to the dimension. */
   homology: HomologyGroup[];
   /** What sort of thing the model is: `complex`, `surface`, `volume` or `planar`. */
@@ -777,6 +779,8 @@ export interface LoopsAnswer {
   kind: string;
   /** What was assumed or left out. */
   remarks: Remark[];
+  /** The trees that the loops of a complex of at most 40 edges come from; `null` for larger ones. */
+  trees?: TreesAnswer | null;
 }
 
 /** The loops of one component. */
@@ -850,6 +854,16 @@ export interface MomentAnswer {
   surface?: number | null;
   /** The integral over the enclosed solid. */
   volume?: number | null;
+}
+
+/** A named set of vertices, lines, polygons or cells of a model: an object of an OBJ, a solid of an STL, a physical group of Gmsh. */
+export interface NamedGroup {
+  /** How many members it has. */
+  count: number;
+  /** The name, or the number, that the file gives it; one of polygons is read alone as `FILE#name`. */
+  name: string;
+  /** What the members are. */
+  of: string;
 }
 
 /** How a complex was cut into parts. */
@@ -1400,6 +1414,16 @@ export interface SurfaceRepairAnswer {
   vertices_left_out: number;
   /** How many vertices were merged with another one. */
   vertices_merged: number;
+}
+
+/** The edges of a small complex by what they are in a tree-cotree decomposition, each by its vertices. */
+export interface TreesAnswer {
+  /** The edges that spanning trees of faces cross: what they are as loops follows from the faces. */
+  cotree: [number, number][];
+  /** The edges in neither: each makes a loop with the tree. Where a presentation was simplified, fewer loops are shown. */
+  generators: [number, number][];
+  /** The edges of the spanning trees of vertices. */
+  tree: [number, number][];
 }
 
 /** A curve that vanished. */
