@@ -17,8 +17,6 @@ pub struct FoundGroups {
     request: GroupsRequest,
     shown: Vec<Shown>,
     positions: Positions,
-    /// What is wrong with the positions, where some are not finite.
-    fault: Option<Error>,
     pub(super) compared: Option<(Vec<WalkAnswer>, Vec<WalkPair>)>,
     pub(super) short: Option<Vec<ClosedPath>>,
     pub(super) trees: Option<TreesAnswer>,
@@ -28,17 +26,7 @@ pub struct FoundGroups {
 impl FoundGroups {
     pub(super) fn new(request: &GroupsRequest, shown: Vec<Shown>, producer: &Producer) -> Self {
         let (request, positions) = (request.clone(), producer.positions().clone());
-        let fault = producer.require_finite().err();
-        Self {
-            request,
-            shown,
-            positions,
-            fault,
-            compared: None,
-            short: None,
-            trees: None,
-            remarks: Vec::new(),
-        }
+        Self { request, shown, positions, compared: None, short: None, trees: None, remarks: Vec::new() }
     }
 
     /// The presentation of the group of each component, as it was asked for.
@@ -163,11 +151,8 @@ impl FoundGroups {
         })
     }
 
-    /// The length of a closed path, or the number of its edges without positions.
+    /// The length of a closed path, or the number of its edges without positions that are all finite.
     fn length(&self, vertices: &[u32]) -> Result<f64, Error> {
-        if let Some(fault) = &self.fault {
-            return Err(fault.clone());
-        }
         if self.positions.dimension() == 0 {
             return Ok(vertices.len().saturating_sub(1) as f64);
         }

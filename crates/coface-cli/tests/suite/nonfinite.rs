@@ -139,7 +139,7 @@ fn whatever_needs_all_coordinates_names_the_first_that_is_none() {
         &["boolean", "union", whole, file],
         &["congruence", file, "--tolerance", "0.1"],
         &["pi1", file, "--shortest"],
-        &["loops", file],
+        &["loops", file, "--shortest"],
         &["cycles", file],
         &["cocycles", file, "--harmonic"],
         &["cocycles", file, "-o", argument(&svg)],
@@ -158,6 +158,19 @@ fn whatever_needs_all_coordinates_names_the_first_that_is_none() {
     }
     for path in [model, svg, wkt, json] {
         assert!(!path.exists(), "{}", path.display());
+    }
+}
+
+/// The group and its loops need no coordinates; lengths count edges then, and a remark says so.
+#[test]
+fn loops_count_edges() {
+    let files = Files::new();
+    let loops = answer(&["loops"], &files.broken);
+    assert!(codes(&loops).contains(&"unit-lengths"), "{loops}");
+    for path in
+        loops["components"].as_array().unwrap().iter().flat_map(|one| one["loops"].as_array().unwrap())
+    {
+        assert_eq!(path["length"].as_f64().unwrap(), path["vertices"].as_array().unwrap().len() as f64 - 1.0);
     }
 }
 
