@@ -2,11 +2,12 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::input;
+use crate::input::{self, Loaded};
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
+use crate::remarks;
 use coface::Error;
-use coface::answers::answer::SimplicesAnswer;
+use coface::answers::answer::{Place, Remark, RemarkCode, SimplicesAnswer};
 use coface::answers::text;
 use coface::answers::{model_of_simplices, simplicial_complex};
 use coface::complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
@@ -51,6 +52,23 @@ pub(crate) struct Request<'a> {
     pub(crate) simplices: Option<&'a SimplexList>,
 }
 
+/// All simplices of a model; the vertices of a mesh that no face uses are no facets, and stay out with a remark.
+fn all_simplices(complex: &SimplicialComplex, loaded: &Loaded) -> SimplexSet {
+    let all = SimplexSet::from(complex);
+    if loaded.model.structure().is_some() || complex.dimension().is_none_or(|dimension| dimension == 0) {
+        return all;
+    }
+    let strays: Vec<Simplex> = complex.facets().into_iter().filter(|facet| facet.dimension() == 0).collect();
+    if strays.is_empty() {
+        return all;
+    }
+    let message = format!("left out: {} that no face uses", text::count(strays.len(), "vertex"));
+    let places = strays.iter().map(|stray| Place::cell(stray.numbers()));
+    let remark = Remark::new(RemarkCode::IsolatedVertex, message).at(strays.len(), places);
+    remarks::take(&loaded.name, &[remark]);
+    all.iter().filter(|simplex| strays.binary_search(simplex).is_err()).cloned().collect()
+}
+
 impl Request<'_> {
     /// Reads the model, lets `answer` make a set from the complex and the simplices asked about, and gives it back: as
     /// JSON, as a file, or as text.
@@ -66,7 +84,7 @@ impl Request<'_> {
         let complex = simplicial_complex(&loaded.model).map_err(in_file)?;
         let asked = match self.simplices {
             Some(list) => list.simplices()?,
-            None => SimplexSet::from(&complex),
+            None => all_simplices(&complex, &loaded),
         };
         progress.stage(format!("computing the {}", self.verb));
         let set = answer(&complex, &asked).map_err(in_file)?;

@@ -317,7 +317,9 @@ fn first_word(start: &[u8]) -> &[u8] {
 fn is_counts(line: &[u8]) -> bool {
     let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
     let count = words.clone().count();
-    (2..=3).contains(&count) && words.all(|word| word.iter().all(u8::is_ascii_digit))
+    // Of nothing there is no mesh: 0 0 0 is a point.
+    let is_some = words.clone().next().is_some_and(|first| first.iter().any(|&digit| digit != b'0'));
+    is_some && (2..=3).contains(&count) && words.all(|word| word.iter().all(u8::is_ascii_digit))
 }
 
 /// `[ST][C][N][4][n]OFF`.

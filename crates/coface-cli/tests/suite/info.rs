@@ -53,3 +53,40 @@ fn trees_of_small_surfaces_are_listed() {
     coface(&["generate", "torus", "-o", &path, "--json"]).json();
     assert!(coface(&["loops", "--json", &path]).json()["trees"].is_null());
 }
+
+/// A vertex that no face uses is no facet: the boundary of the rest is taken, with a remark; a facet of one vertex stays a fault.
+#[test]
+fn stray_vertices_have_no_part_in_boundaries() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let mesh = path("stray.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\n");
+    for verb in ["boundary", "interior"] {
+        let answer = coface(&[verb, "--json", &mesh]).json();
+        let remark = &answer["remarks"][0];
+        assert_eq!(
+            (&remark["message"], &remark["count"]),
+            (&json!("left out: 1 vertex that no face uses"), &json!(1))
+        );
+    }
+    let edges = coface(&["boundary", "--json", &mesh]).json()["simplices"].clone();
+    assert_eq!(edges, json!([[0], [1], [2], [0, 1], [0, 2], [1, 2]]));
+    let facets = path("facets.json", "[[0, 1, 2], [5]]");
+    assert!(coface(&["boundary", &facets]).fails_with(1).contains("not pure"));
+}
+
+/// Lines of numbers that begin with the origin are no mesh of nothing.
+#[test]
+fn points_from_the_origin_are_no_empty_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let points = "0 0 0\n1 0 0\n0 1 0\n";
+    let unnamed = folder.path().join("points").display().to_string();
+    std::fs::write(&unnamed, points).unwrap();
+    assert!(coface(&["info", &unnamed]).fails_with(1).contains("of no format known here"));
+    let named = format!("{unnamed}.xyz");
+    std::fs::write(&named, points).unwrap();
+    assert_eq!(coface(&["info", "--json", &named]).json()["f_vector"], json!([3]));
+}
