@@ -10,7 +10,7 @@ import coface
 folder = Path(tempfile.mkdtemp())
 for family in ["torus", "klein", "csaszar", "sphere"]:
     coface.generate(family).write(folder / f"{family}.off")
-(folder / "damaged.off").write_text("OFF\n1 0 0\n0 0 nan\n")
+(folder / "damaged.off").write_text("OFF\n1 0 0\n0 0 oops\n")
 (folder / "huge.json").write_text(str([list(range(26))]))
 
 # %% Rows as dictionaries: what a file costs is limited, and what it costs too much it costs alone

@@ -131,7 +131,7 @@ def batch(
     >>> import coface, pathlib, tempfile
     >>> folder = pathlib.Path(tempfile.mkdtemp())
     >>> _ = (folder / "a.off").write_text("OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n")
-    >>> _ = (folder / "b.off").write_text("OFF\\n1 0 0\\n0 0 nan\\n")
+    >>> _ = (folder / "b.off").write_text("OFF\\n1 0 0\\n0 0 oops\\n")
     >>> [(row.get("name"), row["error"] and row["error"]["kind"]) for row in coface.batch(folder)]
     [('disk', None), (None, 'parse')]
     """
