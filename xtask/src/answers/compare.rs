@@ -6,7 +6,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// A key that answers may have now though they had none before, and why.
-const ADDED: &[(&str, &str)] = &[("remarks", "every answer says what was assumed")];
+const ADDED: &[(&str, &str)] = &[
+    ("remarks", "every answer says what was assumed"),
+    ("groups", "info lists the named parts of a file"),
+    ("trees", "loops lists the trees of small complexes"),
+];
 
 /// One difference.
 #[derive(Debug, Clone, PartialEq)]
