@@ -679,6 +679,11 @@ pub(crate) fn opened<'r>(
     Ok(Opened { start, whole, rest, is_unpacked, format, remarks, path: None })
 }
 
+/// The bytes of a file once more, unpacked and without the mark of text.
+pub(crate) fn bytes_again(path: &Path) -> Result<impl Read + use<>, Error> {
+    Ok(opened(counted(path)?, Some(path), Some(Format::Off))?.bytes())
+}
+
 type Start<'r> = (Vec<u8>, bool, Box<dyn Read + 'r>, bool);
 
 /// The first bytes of a stream, whether they are all of it, the rest of it, and whether it was unpacked.
@@ -736,7 +741,10 @@ fn read_format(
     let mut input = detection::without_mark(start).chain(rest);
     let input: &mut dyn Read = &mut input;
     let model = match format {
-        Format::Off => off::read_with(input, options)?,
+        Format::Off => match path.filter(|path| path.is_file()) {
+            Some(path) => off::read_file(input, path, options)?,
+            None => off::read_with(input, options)?,
+        },
         Format::Obj => obj::read_with(input, options)?,
         Format::Ply => ply::read_with(input, options)?,
         Format::Stl => stl::read_with(input, options)?,

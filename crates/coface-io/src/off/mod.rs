@@ -12,5 +12,5 @@ mod words;
 mod write;
 
 pub use read::read;
-pub(crate) use read::read_with;
+pub(crate) use read::{read_file, read_with};
 pub use write::write;

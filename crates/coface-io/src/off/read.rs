@@ -6,9 +6,10 @@ use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
 use crate::lists::Elements;
 use crate::oddities::Oddities;
 use crate::scanner::{Scanner, parse_coordinate, parse_i64, quoted};
-use crate::{Model, Place, ReadOptions, Remark, RemarkCode};
+use crate::{Model, Place, ReadOptions, Remark, RemarkCode, readers};
 use coface_algebra::{Error, ErrorKind};
 use std::io::{Cursor, Read};
+use std::path::Path;
 
 /// What the keyword and the counts say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,15 +114,30 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
             Err(_) => return Err(fault),
         }
     }
-    if !kept.is_whole {
-        return Err(fault);
+    if kept.is_whole { read_otherwise(&kept.bytes, fault, options) } else { Err(fault) }
+}
+
+/// The same from a file on disk, of which nothing is kept: it is opened again where it is laid out in another way.
+pub(crate) fn read_file(input: impl Read, path: &Path, options: &ReadOptions) -> Result<Model, Error> {
+    let fault = match read_lines(input, options) {
+        Ok(model) => return Ok(model),
+        Err(fault) => fault,
+    };
+    let mut bytes = Vec::new();
+    match readers::bytes_again(path).and_then(|mut input| Ok(input.read_to_end(&mut bytes)?)) {
+        Ok(_) => read_otherwise(&bytes, fault, options),
+        Err(_) => Err(fault),
     }
-    let (other, remark) = if is_binary(&kept.bytes) {
-        let little = Keyword::of_binary(&kept.bytes)
-            .and_then(|(keyword, at)| read_binary(Scanner::new(&kept.bytes[at..]), keyword, false).ok());
+}
+
+/// Reads a file that is not laid out line by line, or the part of it before its fault.
+fn read_otherwise(bytes: &[u8], fault: Error, options: &ReadOptions) -> Result<Model, Error> {
+    let (other, remark) = if is_binary(bytes) {
+        let little = Keyword::of_binary(bytes)
+            .and_then(|(keyword, at)| read_binary(Scanner::new(&bytes[at..]), keyword, false).ok());
         (little, "the numbers of the binary file are little-endian; OFF files are big-endian")
     } else {
-        let words = words::read(&kept.bytes);
+        let words = words::read(bytes);
         (words, "the vertices and faces do not have a line each; the file is read word by word")
     };
     match other {
@@ -129,7 +145,7 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
             model.remarks.insert(0, Remark::new(RemarkCode::InputReading, remark));
             Ok(model)
         }
-        None if options.partial => read_lines_partly(&kept.bytes, &fault, options),
+        None if options.partial => read_lines_partly(bytes, &fault, options),
         None => Err(fault),
     }
 }

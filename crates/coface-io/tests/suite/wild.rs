@@ -430,3 +430,33 @@ fn a_cut_obj_is_read_partly() {
     assert_eq!(members, [1, 0]);
     assert!(io::read_with(&b""[..], &partial).is_err());
 }
+
+/// A file on disk is read once more where it is not laid out line by line, packed or not, with the same result as a stream.
+#[test]
+fn files_on_disk_are_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    for text in [
+        "OFF\n3 1 0 0 0 0 1 0 0 0 1 0\n3 0 1 2\n",
+        "\u{feff}OFF 3, 1, 0\n0,0,0\n1,0,0\n0,1,0\n3,0,1\n2\n",
+        "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0\n",
+    ] {
+        for options in [ReadOptions::new(), ReadOptions::new().partial(true), ReadOptions::new().strict(true)]
+        {
+            let from_stream = io::read_with(text.as_bytes(), &options.format(Format::Off));
+            let path = folder.path().join("a.off");
+            std::fs::write(&path, text).unwrap();
+            let packed = folder.path().join("a.off.gz");
+            let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+            std::io::Write::write_all(&mut encoder, text.as_bytes()).unwrap();
+            std::fs::write(&packed, encoder.finish().unwrap()).unwrap();
+            for path in [&path, &packed] {
+                let from_disk = io::read_path_with(path, &options);
+                match (&from_stream, from_disk) {
+                    (Ok(stream), Ok(disk)) => assert_eq!(*stream, disk, "{text}"),
+                    (Err(stream), Err(disk)) => assert_eq!(stream.message(), disk.message(), "{text}"),
+                    (stream, disk) => panic!("{stream:?} {disk:?}"),
+                }
+            }
+        }
+    }
+}
