@@ -209,8 +209,14 @@ fn compressed_files_are_read_by_the_name_before() {
     let mut bzip2 = bzip2::write::BzEncoder::new(Vec::new(), bzip2::Compression::default());
     bzip2.write_all(off).unwrap();
     let zstandard = ruzstd::encoding::compress_to_vec(&off[..], ruzstd::encoding::CompressionLevel::Fastest);
+    // What XZ Utils 5 wrote of it.
+    let digits = "fd377a585a000004e6d6b4460200210116000000742fe5a3e00023001d5d002791ac14330348a100\
+                  4efbcdf91d9a0a1d28f1716e3b996b2de6326000000000006471336ec5a9f42b0001392440dc0112\
+                  1fb6f37d010000000004595a";
+    let xz =
+        (0..digits.len() / 2).map(|i| u8::from_str_radix(&digits[2 * i..2 * i + 2], 16).unwrap()).collect();
     for (extension, bytes) in
-        [("gz", gzip.finish().unwrap()), ("bz2", bzip2.finish().unwrap()), ("zst", zstandard)]
+        [("gz", gzip.finish().unwrap()), ("bz2", bzip2.finish().unwrap()), ("zst", zstandard), ("xz", xz)]
     {
         let path = folder.path().join(format!("a.off.{extension}"));
         std::fs::write(&path, &bytes).unwrap();
