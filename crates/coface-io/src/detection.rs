@@ -118,6 +118,12 @@ pub(super) fn decide(
         if let Some((what, cure)) = foreign(start).filter(|_| !volume::is_nifti(start)) {
             return Err(unsupported(format!("this is {what}")).with_cure(cure));
         }
+        let is_sure = Format::from_content(start, whole)
+            .is_some_and(|seen| seen.likeness(start, whole) == Likeness::Certain);
+        if whole && !is_sure && is_text(start) && first_line(start).is_empty() {
+            return Err(unsupported("the file holds nothing but comments".to_owned())
+                .with_cure(format!("say what it is with --format, one of {}", names())));
+        }
         let seen = Format::from_content(start, whole).ok_or_else(|| {
             unsupported(format!(
                 "the content, {}, is of no format known here",

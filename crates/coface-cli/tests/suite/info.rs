@@ -86,6 +86,12 @@ fn points_from_the_origin_are_no_empty_mesh() {
     let unnamed = folder.path().join("points").display().to_string();
     std::fs::write(&unnamed, points).unwrap();
     assert!(coface(&["info", &unnamed]).fails_with(1).contains("of no format known here"));
+    // Nor are comments alone, unless the name says so.
+    std::fs::write(&unnamed, "#ifndef A\n#endif\n").unwrap();
+    assert!(coface(&["info", &unnamed]).fails_with(1).contains("nothing but comments"));
+    let empty = format!("{unnamed}.obj");
+    std::fs::write(&empty, "# nothing\n").unwrap();
+    assert_eq!(coface(&["info", "--json", &empty]).json()["f_vector"], json!([]));
     let named = format!("{unnamed}.xyz");
     std::fs::write(&named, points).unwrap();
     assert_eq!(coface(&["info", "--json", &named]).json()["f_vector"], json!([3]));
