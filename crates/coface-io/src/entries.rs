@@ -68,30 +68,36 @@ impl FileEntries {
         if entries.len() < 2 {
             entries.clear();
         }
+        let mut counts: HashMap<String, usize> = HashMap::new();
+        for name in entries.iter().filter_map(|entry| entry.name.clone()) {
+            *counts.entry(name).or_default() += 1;
+        }
         let mut numbers = HashMap::with_capacity(entries.len());
         for (number, entry) in entries.iter_mut().enumerate() {
-            // A name chooses an entry if it is the first of its name, and can stand in a line.
-            entry.name = entry.name.take().filter(|name| {
-                let is_plain = !name.is_empty() && !name.chars().any(char::is_control);
-                is_plain && !numbers.contains_key(name)
-            });
+            // A name chooses an entry if no other has it and it can stand in a line.
+            entry.name = entry
+                .name
+                .take()
+                .filter(|name| counts[name] == 1 && !name.is_empty() && !name.chars().any(char::is_control));
             if let Some(name) = &entry.name {
                 numbers.insert(name.clone(), number);
             }
         }
-        for number in 0..entries.len() {
-            numbers.entry((number + 1).to_string()).or_insert(number);
+        for (number, entry) in entries.iter_mut().enumerate() {
+            // A name comes before a place; a place with zeros in front is no name of another entry.
+            let mut place = (number + 1).to_string();
+            while entry.name.is_none() && counts.contains_key(&place) {
+                place.insert(0, '0');
+            }
+            entry.name.get_or_insert_with(|| place.clone());
+            numbers.entry(place).or_insert(number);
         }
         Ok(Self { file: file.to_path_buf(), format, is_unpacked, entries, numbers })
     }
 
     /// What [`read_path`](crate::read_path) takes behind a `#`: the name of each model, or its place from 1 where it has none of its own.
-    pub fn names(&self) -> impl ExactSizeIterator<Item = String> + '_ {
-        let name = |(number, entry): (usize, &Entry)| match &entry.name {
-            Some(name) => name.clone(),
-            None => (number + 1).to_string(),
-        };
-        self.entries.iter().enumerate().map(name)
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().filter_map(|entry| entry.name.as_deref())
     }
 
     /// Reads one of them, by its name or its place from 1.
@@ -129,5 +135,5 @@ impl FileEntries {
 /// # Ok(()) }
 /// ```
 pub fn entries_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<Vec<String>, Error> {
-    Ok(FileEntries::of_path(path, format)?.names().collect())
+    Ok(FileEntries::of_path(path, format)?.names().map(str::to_owned).collect())
 }

@@ -125,7 +125,7 @@ impl Format {
             Self::Json => &["json", "jsonl", "ndjson"],
             Self::Isosig => &["isosig", "sig"],
             Self::Lines => &["lines"],
-            Self::GeoJson => &["geojson"],
+            Self::GeoJson => &["geojson", "geojsonl", "geojsons"],
             Self::Wkt => &["wkt"],
             Self::Svg => &["svg"],
             Self::Dat => &["dat"],

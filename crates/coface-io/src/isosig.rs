@@ -36,7 +36,8 @@ const LONGEST_LINE: usize = 1 << 26;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    match scan(input, None)? {
+    let found = scan(input, None)?;
+    match (found.count, found.line) {
         (count, Some(line)) => {
             let mut model = to_model(&line)?;
             if count > 1 {
@@ -71,7 +72,12 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// # Ok(()) }
 /// ```
 pub fn read_entry(input: impl Read, place: &str) -> Result<Model, Error> {
-    match scan(input, Some(place))? {
+    let found = scan(input, Some(place))?;
+    match (found.count, found.line) {
+        _ if found.named > 1 => {
+            Err(Error::invalid(format!("{} signatures have the name {}", found.named, place.escape_debug()))
+                .with_cure("choose one by its place"))
+        }
         (_, Some(line)) => to_model(&line),
         (count, None) => Err(Error::invalid(format!("there is no signature {}", place.escape_debug()))
             .with_cure(format!("the file has {count}: give a place from 1 to that, or the name behind one"))),
@@ -140,20 +146,28 @@ struct Line {
     name: String,
 }
 
-/// The number of signatures, and the one that is wanted, by its name or its place from 1, or the first.
-fn scan(input: impl Read, wanted: Option<&str>) -> Result<(usize, Option<Line>), Error> {
+/// What was found in a file.
+struct Found {
+    /// The number of signatures, and of those with the name that is wanted.
+    count: usize,
+    named: usize,
+    /// The one that is wanted, by its name or its place from 1, or the first.
+    line: Option<Line>,
+}
+
+fn scan(input: impl Read, wanted: Option<&str>) -> Result<Found, Error> {
     let place = wanted.map_or(Some(1), |wanted| wanted.parse::<usize>().ok());
-    let (mut count, mut found, mut has_name) = (0, None, false);
+    let mut found = Found { count: 0, named: 0, line: None };
     scan_with(input, |line| {
-        count += 1;
+        found.count += 1;
         let is_named = wanted.is_some_and(|wanted| !wanted.is_empty() && line.name == wanted);
         // A name comes before a place.
-        if !has_name && (is_named || place == Some(count)) {
-            has_name = is_named;
-            found = Some(line);
+        if found.named == 0 && (is_named || place == Some(found.count)) {
+            found.line = Some(line);
         }
+        found.named += usize::from(is_named);
     })?;
-    Ok((count, found))
+    Ok(found)
 }
 
 /// Gives each signature to a function.
@@ -250,6 +264,10 @@ mod tests {
             assert_eq!(read_entry(list, entry).unwrap(), read(signature.as_bytes()).unwrap(), "{entry}");
         }
         assert!(read_entry(list, "L(9,2)").is_err());
+        let twice = &b"cMcabbgqw S\ncMcabbjak S\n"[..];
+        let error = read_entry(twice, "S").unwrap_err().to_string();
+        assert!(error.contains("2 signatures have the name S; choose one by its place"), "{error}");
+        assert_eq!(read_entry(twice, "2").unwrap(), read(&b"cMcabbjak"[..]).unwrap());
         let model = crate::read_unknown(&b"cMcabbgqw L(3,1)\n"[..]).unwrap();
         assert_eq!((model.format(), model.remarks().len()), (Some(crate::Format::Isosig), 0));
     }

@@ -88,8 +88,10 @@ fn names_behind(keyword: &[u8], input: impl Read) -> Result<Vec<String>, Error> 
 pub(crate) fn part(model: Model, entry: &str) -> Result<Model, Error> {
     let groups: Vec<_> = model.groups().iter().filter(|group| group.kind() == GroupKind::Polygons).collect();
     let place = entry.parse::<usize>().ok().and_then(|place| place.checked_sub(1));
+    // An object whose name other polygons have too has its keyword in front.
+    let named = |name: &str| groups.iter().find(|group| group.name() == name);
     let found =
-        groups.iter().find(|group| group.name() == entry).or(place.and_then(|place| groups.get(place)));
+        named(&format!("o {entry}")).or_else(|| named(entry)).or(place.and_then(|place| groups.get(place)));
     let Some(group) = found else {
         let names: Vec<String> = groups
             .iter()

@@ -93,7 +93,10 @@ impl Batch {
         let mut files = find_files(&self.paths, self.recursive, std::io::stdin().lock())?;
         // The rows of an earlier run, in a folder of the files.
         if let Ok(earlier) = out.canonicalize() {
-            let is_earlier = |file: &Path| file.canonicalize().is_ok_and(|file| file == earlier);
+            let name = earlier.file_name();
+            let is_earlier = |file: &Path| {
+                file.file_name() == name && file.canonicalize().is_ok_and(|file| file == earlier)
+            };
             files.retain(|file| !is_earlier(entry_of(file).map_or(file, |(file, _)| file)));
         }
         let mut batch = Files::new(files);

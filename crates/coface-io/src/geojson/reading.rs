@@ -53,11 +53,15 @@ const OTHERS: [&str; 4] = ["GeometryCollection", "Feature", "FeatureCollection",
 pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut deserializer = serde_json::Deserializer::from_reader(BufReader::with_capacity(1 << 16, input));
     let (mut drawing, faults) = (Drawing::default(), Faults::default());
-    Root(&mut Sink { drawing: &mut drawing, faults: &faults })
-        .deserialize(&mut deserializer)
-        .and_then(|()| deserializer.end())
-        .map_err(|error| located(error, faults.take()))?;
-    drawing.finish()
+    loop {
+        Root(&mut Sink { drawing: &mut drawing, faults: &faults })
+            .deserialize(&mut deserializer)
+            .map_err(|error| located(error, faults.take()))?;
+        // Behind an object there may be more, such as a feature a line.
+        if deserializer.end().is_ok() {
+            return drawing.finish();
+        }
+    }
 }
 
 /// Whether the start of a file has a type of GeoJSON, or is a list of lists of lists.

@@ -75,7 +75,13 @@ impl Scan {
             return;
         }
         match byte {
-            b' ' | b'\t' | b'\n' | b'\r' | b',' => {}
+            b' ' | b'\t' | b'\n' | b'\r' => {}
+            // What was no text is no name.
+            b',' => {
+                if let Some(object) = self.object() {
+                    object.is_named = false;
+                }
+            }
             b'"' => {
                 (self.is_text, self.element.is_new) = (true, false);
                 self.text.clear();
@@ -184,6 +190,11 @@ mod tests {
         let text = r#" [{"name": "a", "facets": [[0]]}, {"facets": [[1]], "other": {"name": "x"}, "name": "b \" ]"}] "#;
         let parts = [r#"{"name": "a", "facets": [[0]]}"#, &text[34..text.len() - 2]];
         assert_eq!(of(text), [(named("a"), parts[0]), (named("b \" ]"), parts[1])]);
+        // Names that are no texts.
+        assert_eq!(
+            of("[{\"name\": 5, \"facets\": []}, {\"name\": null, \"next\": []}]"),
+            [(None, "{\"name\": 5, \"facets\": []}"), (None, "{\"name\": null, \"next\": []}")]
+        );
         assert_eq!(of("[[[0, 1]], [ [1], [2]]]"), [(None, "[[0, 1]]"), (None, "[ [1], [2]]")]);
         assert_eq!(
             of("[[0, 1]]\n{\"name\":\"b\"}\n"),

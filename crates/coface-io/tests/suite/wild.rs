@@ -389,6 +389,35 @@ fn one_of_several_models_is_chosen() {
         assert_eq!(entries.read("2", &ReadOptions::new()).unwrap(), second, "{name}");
         assert_eq!(second, io::read(&b"[[5, 6], [6, 7, 8]]"[..], Format::Json).unwrap());
     }
+    // Each name that is listed chooses its own model, also where names are places of others, or are given twice.
+    let odd = path(
+        "f.json",
+        r#"[{"name": "2", "facets": [[0, 1]]}, {"facets": [[0, 1, 2]]}, {"name": "c", "facets": [[7]]}, {"name": "c", "facets": [[7, 8]]}]"#,
+    );
+    let entries = io::FileEntries::of_path(&odd, None).unwrap();
+    assert_eq!(entries.names().collect::<Vec<_>>(), ["2", "02", "3", "4"]);
+    for (name, facets) in [("2", "[[0,1]]"), ("02", "[[0,1,2]]"), ("3", "[[7]]"), ("4", "[[7,8]]")] {
+        let expected = io::read(facets.as_bytes(), Format::Json).unwrap();
+        assert_eq!(entries.read(name, &ReadOptions::new()).unwrap(), expected, "{name}");
+        assert_eq!(io::read_path(format!("{odd}#{name}"), None).unwrap(), expected, "{name}");
+    }
+    assert!(
+        io::read_path(format!("{odd}#c"), None)
+            .unwrap_err()
+            .to_string()
+            .contains("2 entries have the name c")
+    );
+    // Features one a line are one drawing.
+    let feature = |x: u8| {
+        format!(
+            "{{\"type\":\"Feature\",\"properties\":{{\"x\":{x}}},\"geometry\":{{\"type\":\"Point\",\"coordinates\":[{x},0]}}}}\n"
+        )
+    };
+    let features = path("g.geojsonl", &(feature(1) + &feature(2)));
+    let model = io::read_path(&features, None).unwrap();
+    assert_eq!((model.vertex_count(), model.features().properties(1)), (2, "{\"x\":2}"));
+    let torn = path("h.ndjson", &(feature(1) + "{\"type\":"));
+    assert!(io::read_path(&torn, None).unwrap_err().to_string().contains(":2: "));
     // Pairs of numbers, and numbers that are no corners of a simplex, are points.
     for points in ["[[[0, 0], [1, 0], [0, 1], [0, 0]]]", "[[[0, 1, 1], [5, 1, 2], [1, 2, 3], [0, 1, 1]]]"] {
         assert_eq!(io::read_path(path("d.json", points), None).unwrap().format(), Some(Format::GeoJson));

@@ -221,7 +221,7 @@ mod tests {
             "census.sig#2",
             "lines.jsonl#1",
             "lines.jsonl#2",
-            "list.json#a",
+            "list.json#1",
             "list.json#2",
             "nested.json#1",
             "nested.json#2",
