@@ -43,7 +43,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             if count > 1 {
                 let message = format!(
                     "the file has {count} signatures, and the first is taken; choose one by its place or name after a #: \
-                     file.isosig#3"
+                     FILE#{count}"
                 );
                 model.remarks.push(Remark::new(RemarkCode::SeveralModels, message).at(count, []));
             }
