@@ -76,7 +76,7 @@ fn signatures_are_chosen_by_their_place() {
     std::fs::write(&path, "# two\ncMcabbgqw\ncPcbbbiht\n").unwrap();
     assert_eq!(coface(&["info", "--json", argument(&path)]).json()["manifold"]["verdict"], "yes");
     let message = coface(&["info", "--strict", argument(&path)]).fails_with(1).to_owned();
-    assert!(message.contains("2 signatures") && message.contains("#3"), "{message}");
+    assert!(message.contains("2 signatures") && message.contains("FILE#2"), "{message}");
     let report = coface(&["info", "--json", &format!("{}#2", argument(&path))]).json();
     assert_eq!(report["manifold"]["witness"]["kind"], "link_not_a_sphere");
     assert_eq!(report["manifold"]["witness"]["cells"], json!([[0]]));
