@@ -3,6 +3,7 @@
 //! An [`Error`] has two readers. A person reads its message, which names the place, the fault and the cure. A program
 //! matches on its [`ErrorKind`] and, where the fault is about cells or numbers, on its typed [`Fault`].
 
+use crate::escapes::escaped;
 use crate::ids::{CellId, FaceId, VertexId};
 use std::fmt;
 
@@ -170,6 +171,8 @@ struct Place {
 }
 
 /// A fault in data or in a request: it names the place, the fault and the cure.
+///
+/// It is shown in one line, whatever the names of files and objects in it are: as by [`escaped`].
 ///
 /// # Examples
 /// ```
@@ -425,6 +428,7 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Place { file, line, byte } = &self.0.place;
+        let file = file.as_deref().map(escaped);
         match (file, line) {
             (Some(file), Some(line)) => write!(f, "{file}:{line}: ")?,
             (Some(file), None) => write!(f, "{file}: ")?,
@@ -434,9 +438,9 @@ impl fmt::Display for Error {
         if let (None, Some(byte)) = (line, byte) {
             write!(f, "at byte {byte}: ")?;
         }
-        f.write_str(&self.0.message)?;
+        f.write_str(&escaped(&self.0.message))?;
         if let Some(cure) = &self.0.cure {
-            write!(f, "; {cure}")?;
+            write!(f, "; {}", escaped(cure))?;
         }
         Ok(())
     }
@@ -477,6 +481,16 @@ mod tests {
         assert_eq!(error.cells(), [[11]]);
         let fans = vec![vec![FaceId::new(1)]; 2];
         assert_eq!(error.fault(), Some(&Fault::VertexWithFans { vertex: VertexId::new(11), fans }));
+    }
+
+    #[test]
+    fn names_of_strangers_stay_in_one_line() {
+        let error = Error::invalid("no object \"a\x1b[2J\"")
+            .with_cure("name b\nc")
+            .in_file("x\ny\u{202e}.off")
+            .at_line(2);
+        assert_eq!(error.to_string(), "x\\ny\\u{202e}.off:2: no object \"a\\u{1b}[2J\"; name b\\nc");
+        assert_eq!(error.file(), Some("x\ny\u{202e}.off"));
     }
 
     #[test]

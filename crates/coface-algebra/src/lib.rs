@@ -21,7 +21,7 @@
 //! * Ids: [`VertexId`], [`EdgeId`], [`HalfedgeId`], [`FaceId`] and [`CellId`] are positions in the list of all cells of
 //!   one kind; an [`IdVec`] is a vector that one kind of id indexes.
 //! * Errors: every fallible function returns an [`Error`] with an [`ErrorKind`] and, where cells or numbers are at
-//!   fault, a typed [`Fault`].
+//!   fault, a typed [`Fault`]. [`escaped`] is for names in messages.
 //!
 //! # Conventions
 //! * Column j of the boundary matrix of degree k is the boundary of the k-cell j, a combination of (k-1)-cells.
@@ -50,6 +50,7 @@
 pub mod chains;
 mod combinatorics;
 mod error;
+mod escapes;
 mod ids;
 mod integers;
 mod matrices;
@@ -60,6 +61,7 @@ pub mod progress;
 pub mod samples;
 
 pub use error::{Error, ErrorKind, Fault};
+pub use escapes::escaped;
 pub use ids::{CellId, EdgeId, FaceId, HalfedgeId, Id, IdVec, VertexId};
 
 pub use combinatorics::{ParityUnion, ParityUnionFind, Permutation, Sign, UnionFind, Word};

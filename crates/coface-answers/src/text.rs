@@ -2,6 +2,7 @@
 
 use crate::{Answer, Kind, Problem, ProblemKind, Report};
 use anstyle::{AnsiColor, Style};
+use coface_algebra::escaped;
 use coface_complexes::simplicial::SimplexSet;
 use coface_io::GroupKind;
 use coface_topology::{AbelianGroup, Coefficients};
@@ -222,11 +223,11 @@ impl Page {
     }
 
     fn title(&mut self, name: &str, gloss: &str) {
-        self.items.push(Item::Title(name.to_owned(), gloss.to_owned()));
+        self.items.push(Item::Title(escaped(name).into_owned(), escaped(gloss).into_owned()));
     }
 
     fn heading(&mut self, words: &str) {
-        self.items.push(Item::Heading(words.to_owned()));
+        self.items.push(Item::Heading(escaped(words).into_owned()));
     }
 
     fn blank(&mut self) {
@@ -235,12 +236,12 @@ impl Page {
 
     /// Words broken into lines that start at column `indent`.
     fn paragraph(&mut self, indent: usize, emphasis: Emphasis, words: &str) {
-        self.items.push(Item::Paragraph { indent, emphasis, words: words.to_owned() });
+        self.items.push(Item::Paragraph { indent, emphasis, words: escaped(words).into_owned() });
     }
 
     /// One fact: what it is called, what it is, what that means.
     fn fact(&mut self, label: &str, emphasis: Emphasis, value: &str, gloss: &str) {
-        let [label, value, gloss] = [label, value, gloss].map(str::to_owned);
+        let [label, value, gloss] = [label, value, gloss].map(|text| escaped(text).into_owned());
         self.items.push(Item::Fact { label, emphasis, value, gloss });
     }
 }
@@ -608,7 +609,7 @@ fn named_parts(page: &mut Page, report: &Report, limit: usize) {
         return;
     }
     for (i, part) in parts.iter().take(most).enumerate() {
-        let name: String = part.name().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let name = part.name();
         let noun = match part.kind() {
             GroupKind::Vertices => "vertex",
             GroupKind::Lines => "line",
@@ -620,7 +621,7 @@ fn named_parts(page: &mut Page, report: &Report, limit: usize) {
             _ => String::new(),
         };
         let label = if i == 0 { "groups" } else { "" };
-        page.fact(label, PLAIN, &name, &format!("{}{hint}", count(part.count(), noun)));
+        page.fact(label, PLAIN, name, &format!("{}{hint}", count(part.count(), noun)));
     }
     let rest = parts.len().saturating_sub(most);
     if rest > 0 {
@@ -668,7 +669,7 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
 }
 
 fn bullet(page: &mut Page, emphasis: Emphasis, words: &str) {
-    page.items.push(Item::Bullet { emphasis, words: words.to_owned() });
+    page.items.push(Item::Bullet { emphasis, words: escaped(words).into_owned() });
 }
 
 /// The first places of a problem: the cells by their vertices, and the top cells that meet there.

@@ -36,6 +36,10 @@ pub(crate) struct Common {
     /// Read a damaged file up to its first fault
     #[arg(long, global = true, help_heading = "Common options")]
     pub(crate) partial: bool,
+    /// Let the input name other files outside of its folder, as the header of an NRRD file and a glTF do: for files
+    /// that you trust
+    #[arg(long, global = true, help_heading = "Common options")]
+    pub(crate) allow_outside: bool,
     #[command(flatten)]
     pub(crate) voxels: VoxelArguments,
 }
@@ -113,6 +117,7 @@ impl Common {
             .volume(self.voxels.reading())
             .strict(self.strict)
             .partial(self.partial)
+            .allow_outside(self.allow_outside)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use clap::error::ErrorKind;
 use coface::Error;
+use coface::algebra::escaped;
 use std::io::Write;
 
 /// Why a verb did not do its work.
@@ -34,7 +35,7 @@ impl Failure {
         if let Self::Message(message) = self {
             let style = anstyle::AnsiColor::Red.on_default().bold();
             // A closed standard error leaves nobody to tell.
-            let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {message}");
+            let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {}", escaped(message));
         }
     }
 }

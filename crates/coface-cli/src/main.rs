@@ -31,7 +31,9 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
-        Err(Failure::Usage(kind, message)) => Arguments::of_verb_in_use().error(kind, message).exit(),
+        Err(Failure::Usage(kind, message)) => {
+            output::end_with(&Arguments::of_verb_in_use().error(kind, message))
+        }
         Err(failure) => {
             failure.say();
             ExitCode::FAILURE

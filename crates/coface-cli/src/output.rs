@@ -3,8 +3,10 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::remarks::object;
+use coface::algebra::escaped;
 use coface::io::replace_file;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -33,11 +35,37 @@ pub(crate) fn print_bytes(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
 pub(crate) fn remark(text: &str) {
     let style = anstyle::AnsiColor::Yellow.on_default().bold();
     // A closed standard error leaves nobody to tell.
-    let _ = writeln!(anstream::stderr(), "{style}remark:{style:#} {text}");
+    let _ = writeln!(anstream::stderr(), "{style}remark:{style:#} {}", escaped(text));
 }
 
 fn failed(error: &io::Error) -> Failure {
     Failure::writing("standard output", error)
+}
+
+/// Ends the program with what the parser of the command line says: help and the version on standard output, wrong
+/// usage on standard error. Words of the command line may be names of files, which stay in their line.
+pub(crate) fn end_with(said: &clap::Error) -> ! {
+    let mut text = said.render().ansi().to_string();
+    for word in std::env::args().skip(1) {
+        // An option and its value are one word or two.
+        for part in [&word[..], word.split_once('=').map_or("", |(_, value)| value)] {
+            if let Cow::Owned(shown) = escaped(part) {
+                text = text.replace(part, &shown);
+            }
+        }
+    }
+    if said.use_stderr() {
+        // A closed standard error leaves nobody to tell.
+        let _ = anstream::stderr().write_all(text.as_bytes());
+        std::process::exit(said.exit_code());
+    }
+    std::process::exit(match print_text(&text) {
+        Ok(()) | Err(Failure::ClosedPipe) => said.exit_code(),
+        Err(failure) => {
+            failure.say();
+            1
+        }
+    })
 }
 
 /// Writes these bytes to a file.

@@ -1,12 +1,12 @@
 //! A sign of life on standard error for work longer than a second.
 
+use coface::algebra::escaped;
 use coface::algebra::progress::{Stage, Unit, Watch};
 use indicatif::{HumanBytes, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
-use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, LazyLock};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -127,7 +127,7 @@ impl Line {
                     Unit::Bytes => format!("{}/s", HumanBytes(rate as u64)),
                     _ => format!("{}/s", with_prefix(rate)),
                 };
-                let name = stage.name().to_owned();
+                let name = escaped(stage.name()).into_owned();
                 match stage.total() {
                     None if stage.done() == 0 => bar.set_message(name),
                     None => bar.set_message(format!("{name} {per_second}")),
@@ -141,7 +141,7 @@ impl Line {
                     }
                 }
             }
-            None => bar.set_message(coarse.to_owned()),
+            None => bar.set_message(escaped(coarse).into_owned()),
         }
         bar.tick();
     }
@@ -209,20 +209,8 @@ pub(crate) fn end_on_signals() {
     let _ = ctrlc::set_handler(|| end(INTERRUPTED));
 }
 
-/// Has a folder removed, with all that is in it, when the program ends by a signal.
-pub(crate) fn remove_at_end(folder: &Path) {
-    FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).push(folder.to_path_buf());
-}
-
-/// The folders that go with this run.
-static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
 fn end(status: i32) -> ! {
     coface::io::abandon_files();
-    for folder in FOLDERS.lock().unwrap_or_else(PoisonError::into_inner).iter() {
-        // What cannot be removed stays; there is nobody to tell any more.
-        let _ = std::fs::remove_dir_all(folder);
-    }
     let mut out = std::io::stderr();
     if IS_SHOWN.load(Ordering::Relaxed) {
         // Back to the start of the line of progress, and away with it.

@@ -4,9 +4,11 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::remark;
+use coface::algebra::escaped;
 use coface::answers::answer::{Place, Remark, RemarkCode};
 use serde::Serialize;
 use serde_json::Value;
+use std::borrow::Cow;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A remark with the name of the input that it is about.
@@ -92,7 +94,23 @@ pub(crate) fn object(answer: &(impl Serialize + ?Sized)) -> String {
         all.append(own);
         *own = all;
     }
-    object.to_string()
+    of_harmless_characters(object.to_string())
+}
+
+/// The same JSON with escapes for the characters that a terminal takes for orders, and that JSON lets stand as they
+/// are.
+fn of_harmless_characters(json: String) -> String {
+    if let Cow::Borrowed(_) = escaped(&json) {
+        return json;
+    }
+    let mut whole = String::with_capacity(json.len() + 16);
+    for character in json.chars() {
+        match escaped(character.encode_utf8(&mut [0; 4])) {
+            Cow::Owned(_) => whole += &format!("\\u{:04x}", u32::from(character)),
+            Cow::Borrowed(same) => whole.push_str(same),
+        }
+    }
+    whole
 }
 
 /// The remarks of readers that the answer does not have itself; of several inputs each names its own.

@@ -3,6 +3,7 @@
 use crate::arguments::Common;
 use crate::commands;
 use crate::failure::Failure;
+use crate::output::end_with;
 use crate::remarks::say_read;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -39,7 +40,7 @@ impl Arguments {
             Some(false) => Err(no_such_file(&error)),
             None => Err(error),
         });
-        matches.and_then(|matches| Self::from_arg_matches(&matches)).unwrap_or_else(|error| error.exit())
+        matches.and_then(|matches| Self::from_arg_matches(&matches)).unwrap_or_else(|error| end_with(&error))
     }
 
     /// The verb of this run, whose usage a message about it shows.
@@ -134,7 +135,7 @@ const WITHOUT_VOLUMES: [&str; 11] = [
 const WITHOUT_INPUTS: [&str; 2] = ["completions", "man"];
 
 /// The options that say how a model is read.
-const OF_INPUTS: [&str; 4] = ["format", "flatten", "strict", "partial"];
+const OF_INPUTS: [&str; 5] = ["format", "flatten", "strict", "partial", "allow_outside"];
 
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.

@@ -57,7 +57,7 @@ impl Matrix {
     ///
     /// # Errors
     /// [`Error::Shape`] unless the starts rise from 0 to the number of rows, which is that of the entries, and the rows are
-    /// below `row_count`; [`Error::Library`].
+    /// below `row_count` and differ within each column; [`Error::Library`].
     pub fn from_columns(
         row_count: usize,
         starts: &[u32],
@@ -74,6 +74,7 @@ impl Matrix {
             ));
         }
         check_indices(rows, row_count)?;
+        check_distinct(starts, rows)?;
         start()?;
         let column_count = starts.len() - 1;
         let mut handle = null_mut();
@@ -278,6 +279,24 @@ fn check_indices(indices: &[u32], count: usize) -> Result<(), Error> {
         None => Ok(()),
         Some(index) => Err(Error::Shape(format!("index {index} where there are {count}"))),
     }
+}
+
+/// The library takes the rows of a column for different ones, and does not look.
+fn check_distinct(starts: &[u32], rows: &[u32]) -> Result<(), Error> {
+    let mut sorted = Vec::new();
+    for (column, pair) in starts.windows(2).enumerate() {
+        let rows = &rows[pair[0] as usize..pair[1] as usize];
+        if rows.is_sorted_by(|a, b| a < b) {
+            continue;
+        }
+        sorted.clear();
+        sorted.extend_from_slice(rows);
+        sorted.sort_unstable();
+        if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(Error::Shape(format!("row {} stands twice in column {column}", pair[0])));
+        }
+    }
+    Ok(())
 }
 
 fn fits(number: u64) -> Result<u32, Error> {

@@ -43,6 +43,15 @@ fn faults_are_named() {
     assert!(matches!(Matrix::from_columns(2, &[0, 1], &[2], &[1]), Err(Error::Shape(_))));
     assert!(matches!(Matrix::from_columns(2, &[0, 2], &[1], &[1]), Err(Error::Shape(_))));
     assert!(matches!(Matrix::from_columns(2, &[], &[], &[]), Err(Error::Shape(_))));
+    // Rows in any order are fine, a row twice is not: in sorted and in unsorted columns.
+    assert!(Matrix::from_columns(3, &[0, 1, 4], &[1, 2, 0, 1], &[1; 4]).is_ok());
+    for rows in [[1, 0, 1, 1], [1, 1, 0, 1], [1, 2, 0, 2]] {
+        let error = Matrix::from_columns(3, &[0, 1, 4], &rows, &[1; 4]).unwrap_err();
+        assert!(
+            matches!(&error, Error::Shape(message) if message.contains("twice in column 1")),
+            "{rows:?}: {error}"
+        );
+    }
     let none = Matrix::from_columns(0, &[0], &[], &[]).unwrap();
     assert_eq!(none.product(&none).unwrap().to_columns().unwrap().starts, [0]);
 }

@@ -1,5 +1,6 @@
 //! Streams whose bytes count as progress.
 
+use coface_algebra::escaped;
 use coface_algebra::progress::{Steps, stage_of_bytes};
 use std::io::{Read, Write};
 use std::path::Path;
@@ -10,14 +11,14 @@ pub(super) struct CountedStream<S> {
     steps: Steps,
 }
 
-/// Begins to read a stream of so many bytes, 0 where the length is unknown.
+/// Begins to read a stream of so many bytes, 0 where the length is unknown. The name may have any character.
 pub(super) fn reading<R: Read>(name: &str, stream: R, total: u64) -> CountedStream<R> {
-    CountedStream { stream, steps: stage_of_bytes(&format!("reading {name}"), total) }
+    CountedStream { stream, steps: stage_of_bytes(&format!("reading {}", escaped(name)), total) }
 }
 
 /// Begins to write a stream.
 pub(super) fn writing<W: Write>(name: &str, stream: W) -> CountedStream<W> {
-    CountedStream { stream, steps: stage_of_bytes(&format!("writing {name}"), 0) }
+    CountedStream { stream, steps: stage_of_bytes(&format!("writing {}", escaped(name)), 0) }
 }
 
 /// The name of a file without its folder.

@@ -29,7 +29,10 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 
 /// Refuses every file: this build lacks the feature `gltf`.
 #[cfg(not(feature = "gltf"))]
-pub(crate) fn read_in(_input: impl Read, _folder: Option<&std::path::Path>) -> Result<Model, Error> {
+pub(crate) fn read_in(
+    _input: impl Read,
+    _companions: Option<&crate::files::Companions>,
+) -> Result<Model, Error> {
     Err(crate::features::without_feature("glTF", "gltf"))
 }
 
@@ -39,6 +42,7 @@ pub(crate) use reading::read_in;
 #[cfg(feature = "gltf")]
 mod reading {
     use crate::Model;
+    use crate::files::Companions;
     use crate::scene::{LooseMesh, Placement, Scene};
     use base64::Engine;
     use coface_algebra::{Error, ErrorKind};
@@ -46,10 +50,10 @@ mod reading {
     use gltf::buffer::Source;
     use gltf::mesh::Mode;
     use std::io::Read;
-    use std::path::{Component, Path};
+    use std::path::Path;
 
     /// Reads a file whose other files lie in this folder or below.
-    pub(crate) fn read_in(mut input: impl Read, folder: Option<&Path>) -> Result<Model, Error> {
+    pub(crate) fn read_in(mut input: impl Read, companions: Option<&Companions>) -> Result<Model, Error> {
         let mut bytes = Vec::new();
         input.read_to_end(&mut bytes)?;
         let file = gltf::Gltf::from_slice(&bytes).map_err(|error| {
@@ -62,7 +66,7 @@ mod reading {
         for buffer in document.buffers() {
             buffers.push(match buffer.source() {
                 Source::Bin => file.blob.clone().unwrap_or_default(),
-                Source::Uri(uri) => bytes_of(uri, folder)?,
+                Source::Uri(uri) => bytes_of(uri, companions)?,
             });
         }
         let mut meshes = Vec::new();
@@ -107,7 +111,7 @@ mod reading {
     }
 
     /// The bytes that a URI names: in itself, or a regular file in the folder or below.
-    fn bytes_of(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Error> {
+    fn bytes_of(uri: &str, companions: Option<&Companions>) -> Result<Vec<u8>, Error> {
         let shown: String = uri.chars().take(60).flat_map(char::escape_default).collect();
         if let Some(data) = uri.strip_prefix("data:") {
             let coded = data.split_once(";base64,").map(|(_, coded)| coded.trim());
@@ -121,27 +125,21 @@ mod reading {
             Err(Error::invalid(format!("the buffer {shown} {why}"))
                 .with_cure("put it into the folder of the file, or export the model as one file (.glb)"))
         };
-        let Some(folder) = folder else {
+        let Some(companions) = companions else {
             return refused("is another file, and the place of this one is not known");
         };
         let name = percent_decoded(uri);
-        let path = Path::new(&name);
-        let is_inside =
-            path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-        if !is_inside || name.contains("://") {
-            return refused("is outside the folder of the file");
+        if name.contains("://") {
+            return refused("is no file of this machine");
         }
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        let (Ok(folder), Ok(path)) = (folder.canonicalize(), folder.join(path).canonicalize()) else {
-            return refused("is not there");
-        };
-        if !path.starts_with(&folder) {
-            return refused("is outside the folder of the file");
-        }
-        if !path.is_file() {
-            return refused("is no regular file");
-        }
-        Ok(std::fs::read(path)?)
+        let mut bytes = Vec::new();
+        let read = companions.open(Path::new(&name)).and_then(|mut file| Ok(file.read_to_end(&mut bytes)?));
+        read.map_err(|error| {
+            let message = format!("the buffer {shown}: {}", error.message());
+            Error::new(error.kind(), message)
+                .with_cure(error.cure().unwrap_or("export the model as one file (.glb)").to_owned())
+        })?;
+        Ok(bytes)
     }
 
     /// The text with `%20` replaced by a blank, and so on.

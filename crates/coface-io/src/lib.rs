@@ -28,6 +28,7 @@ mod element_kind;
 mod entries;
 mod feature_table;
 mod features;
+mod files;
 mod foreign;
 mod format;
 mod generated;
@@ -49,7 +50,6 @@ mod numbers;
 pub mod obj;
 mod oddities;
 pub mod off;
-mod output;
 mod parts;
 pub mod ply;
 pub mod points_text;
@@ -79,20 +79,22 @@ pub use drawing::{Features, features_of_shapes};
 pub use drawing::{Shape, shapes};
 pub use entries::{FileEntries, entries_of_path};
 pub use feature_table::FeatureTable;
+#[doc(hidden)]
+pub use files::{FolderLock, MadeFolders, TemporaryFolder, replace_files};
+pub use files::{abandon_files, replace_file};
 pub use format::Format;
 pub use group::{Group, GroupKind};
 pub use model::repeated_vertex;
 pub use model::{Model, Structure};
 #[doc(hidden)]
 pub use model::{ModelParts, placed, segments};
-pub use output::{abandon_files, replace_file};
 pub use parts::parts_of_path;
 pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
     read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
 #[doc(hidden)]
-pub use readers::{entry_of, stream_mesh};
+pub use readers::{entry_of, read_companion, stream_mesh};
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use scratch_mesh::NO_VERTEX;

@@ -1,12 +1,13 @@
 //! Reading and writing models by path or stream, whatever the format.
 
 use super::counted_stream::{CountedStream, name_of, reading};
+use super::files::{Companions, replace_file};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::unpacking::{Packing, unpacked};
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, collada, container, detection,
-    format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, output, parts, ply, points_text,
-    stl, svg, tetgen, three_mf, volume, vtk, wkt, yin,
+    format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, parts, ply, points_text, stl, svg,
+    tetgen, three_mf, volume, vtk, wkt, yin,
 };
 use crate::RemarkCode;
 use coface_algebra::{Error, ErrorKind};
@@ -64,6 +65,7 @@ pub struct ReadOptions {
     pub(crate) volume: VolumeReading,
     pub(crate) strict: bool,
     pub(crate) partial: bool,
+    pub(crate) allow_outside: bool,
 }
 
 impl ReadOptions {
@@ -128,6 +130,40 @@ impl ReadOptions {
     pub fn volume(mut self, volume: VolumeReading) -> Self {
         self.volume = volume;
         self
+    }
+
+    /// Lets a file name other files that lie anywhere: without it those outside of its own folder are refused, since
+    /// a file of a stranger could name every file of the machine.
+    ///
+    /// Files that name others are NRRD headers, glTF, and the files of TetGen and NIfTI that come in pairs. What is
+    /// no regular file is refused either way.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{ReadOptions, read_path_with};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let folder = std::env::temp_dir().join("coface-allow-outside");
+    /// std::fs::create_dir_all(folder.join("headers"))?;
+    /// std::fs::write(folder.join("numbers.raw"), [1, 0])?;
+    /// let header = folder.join("headers/a.nhdr");
+    /// let text = "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 1\nencoding: raw\ndata file: ../numbers.raw\n\n";
+    /// std::fs::write(&header, text)?;
+    /// let error = read_path_with(&header, &ReadOptions::new()).unwrap_err();
+    /// assert!(error.to_string().contains("--allow-outside"));
+    /// assert!(read_path_with(&header, &ReadOptions::new().allow_outside(true)).is_ok());
+    /// # std::fs::remove_dir_all(&folder)?;
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn allow_outside(mut self, is_allowed: bool) -> Self {
+        self.allow_outside = is_allowed;
+        self
+    }
+
+    /// Whether files that are named may lie anywhere.
+    #[doc(hidden)]
+    pub fn allows_outside(&self) -> bool {
+        self.allow_outside
     }
 
     /// The choice of voxels.
@@ -240,13 +276,27 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
         if opened.format.is_volume() && !opened.is_unpacked {
             options.accept(&opened.remarks)?;
             let Opened { format, remarks, .. } = opened;
-            let mut model = volume_model(VolumeStream::open(path, format)?, options, format)?;
+            let mut model =
+                volume_model(VolumeStream::open_with(path, format, options.allow_outside)?, options, format)?;
             model.remarks.splice(..0, remarks);
             return Ok(model);
         }
         read_started(opened, options)
     };
     read().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// Reads a model that a file names, which lies in the folder of that file unless the options say otherwise.
+#[doc(hidden)]
+pub fn read_companion(file: &Path, name: &str, options: &ReadOptions) -> Result<Model, Error> {
+    let companions = Companions::of(file, options.allow_outside);
+    let path = companions.path(Path::new(name));
+    // One model of several is behind a `#`.
+    let is_entry = |at: &usize| companions.path(Path::new(&name[..*at])).is_file();
+    let entry = name.match_indices('#').map(|(at, _)| at).find(is_entry).filter(|_| !path.exists());
+    let named = companions.open(Path::new(entry.map_or(name, |at| &name[..at])));
+    named.map_err(|error| error.in_file(path.display().to_string()))?;
+    read_path_with(path, options)
 }
 
 /// The format of a file: what its name and its content tell, or the one that is given.
@@ -572,7 +622,7 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
             .in_file(path.display().to_string()));
         }
     };
-    output::replace_file(path, |out| write(model, out, format))
+    replace_file(path, |out| write(model, out, format))
 }
 
 /// The file and the entry that `file#entry` names, if there is such a file.
@@ -740,6 +790,7 @@ fn read_format(
     let rest = rest.take(if whole { 0 } else { u64::MAX });
     let mut input = detection::without_mark(start).chain(rest);
     let input: &mut dyn Read = &mut input;
+    let companions = path.map(|path| Companions::of(path, options.allow_outside));
     let model = match format {
         Format::Off => match path.filter(|path| path.is_file()) {
             Some(path) => off::read_file(input, path, options)?,
@@ -760,11 +811,11 @@ fn read_format(
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
         Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,
         Format::Container => container::read(input)?,
-        Format::Gltf => gltf::read_in(input, path.map(|path| path.parent().unwrap_or(Path::new(""))))?,
+        Format::Gltf => gltf::read_in(input, companions.as_ref())?,
         Format::ThreeMf => three_mf::read(input)?,
         Format::Collada => collada::read(input)?,
         Format::Abaqus => abaqus::read(input)?,
-        Format::TetGen => tetgen::read_beside(input, path)?,
+        Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,
         Format::Npy | Format::Nrrd | Format::Nifti => {
             return volume_model(VolumeStream::new(input, format)?, options, format);

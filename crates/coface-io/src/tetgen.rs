@@ -2,11 +2,11 @@
 
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
+use crate::files::Companions;
 use crate::scanner::{parse_coordinate, parse_f64, parse_i64};
 use crate::{GroupKind, Model};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::HashMap;
-use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
@@ -54,18 +54,22 @@ impl Part {
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    read_beside(input, None)
+    read_beside(input, None, None)
 }
 
 /// Reads a file of this path: nodes that it lacks are those of the file beside it.
-pub(crate) fn read_beside(input: impl Read, path: Option<&Path>) -> Result<Model, Error> {
+pub(crate) fn read_beside(
+    input: impl Read,
+    path: Option<&Path>,
+    companions: Option<&Companions>,
+) -> Result<Model, Error> {
     let part = path.map_or(Part::Nodes, Part::of_path);
     let mut file = Numbered::new(input);
     let mut mesh = Mesh::default();
     if matches!(part, Part::Nodes | Part::Poly) && !mesh.read_nodes(&mut file)?
         || !matches!(part, Part::Nodes | Part::Poly)
     {
-        mesh.read_nodes_beside(path)?;
+        mesh.read_nodes_beside(path.zip(companions))?;
     }
     match part {
         // Behind the nodes of a stream, the facets of a complex may follow.
@@ -201,26 +205,21 @@ impl Mesh {
     }
 
     /// Reads the nodes of the file of the same name that ends in `.node`.
-    fn read_nodes_beside(&mut self, path: Option<&Path>) -> Result<(), Error> {
-        let Some(path) = path else {
+    fn read_nodes_beside(&mut self, beside: Option<(&Path, &Companions)>) -> Result<(), Error> {
+        let Some((path, companions)) = beside else {
             return Err(Error::invalid(
                 "the nodes are in another file, and the place of this one is not known",
             )
             .with_cure("give the path of the file"));
         };
         let path = path.with_extension("node");
-        let name = || path.display().to_string();
-        let file = File::open(&path).map_err(|error| {
-            Error::new(ErrorKind::Io, format!("the nodes are in {}, which cannot be opened: {error}", name()))
-                .with_cure("put it beside the file")
+        let file = companions.open(Path::new(path.file_name().unwrap_or_default())).map_err(|error| {
+            let cure = error.cure().unwrap_or("put it beside the file").to_owned();
+            let message = format!("the nodes are in {}: {}", path.display(), error.message());
+            Error::new(error.kind(), message).with_cure(cure)
         })?;
-        if !file.metadata()?.is_file() {
-            return Err(Error::new(
-                ErrorKind::Io,
-                format!("the nodes are in {}, which is no regular file", name()),
-            ));
-        }
-        self.read_nodes(&mut Numbered::new(file)).map_err(|error| error.in_file(name()))?;
+        self.read_nodes(&mut Numbered::new(file))
+            .map_err(|error| error.in_file(path.display().to_string()))?;
         Ok(())
     }
 
@@ -355,13 +354,13 @@ mod tests {
     fn a_solid_of_facets_is_read() {
         let text = "# a tetrahedron\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 1\n1 0 7\n3 1 2 3\n1 0 7\n3 1 2\n4\n\
                     1\n3 2 3 4\n1\n3 1 3 4\n0\n0\n";
-        let model = read_beside(text.as_bytes(), Some(Path::new("a.poly"))).unwrap();
+        let model = read_beside(text.as_bytes(), Some(Path::new("a.poly")), None).unwrap();
         assert_eq!((model.vertex_count(), model.polygons().len(), model.lines().len()), (4, 4, 0));
         assert_eq!((model.groups()[0].name(), model.groups()[0].members()), ("7", &[0, 1][..]));
         let plane = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n";
-        let model = read_beside(plane.as_bytes(), Some(Path::new("a.poly"))).unwrap();
+        let model = read_beside(plane.as_bytes(), Some(Path::new("a.poly")), None).unwrap();
         assert_eq!((model.lines().len(), model.positions().dimension()), (3, 2));
-        let error = read_beside(&b"4 3 0 0\n1 0 0 0\n"[..], Some(Path::new("a.node"))).unwrap_err();
+        let error = read_beside(&b"4 3 0 0\n1 0 0 0\n"[..], Some(Path::new("a.node")), None).unwrap_err();
         assert!(error.to_string().contains("line 2: the file ends where a node should be"), "{error}");
     }
 

@@ -9,6 +9,7 @@ use coface::scale::workers::{Limits, WorkerCommand, WorkerPool};
 use coface::{Error, ErrorKind};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -29,6 +30,7 @@ pub(crate) struct Options {
     flatten: Option<f64>,
     strict: bool,
     partial: bool,
+    allow_outside: bool,
     voxels: Voxels,
     all_places: bool,
     timings: bool,
@@ -55,8 +57,8 @@ impl Options {
         let format = format_of(py, self.format.as_deref())?;
         let mut batch = Batch::new(files);
         let volume = reading_of(py, &self.voxels)?;
-        let Self { flatten, strict, partial, all_places, .. } = *self;
-        batch.reading = Reading { format, flatten, volume, strict, partial, all_places };
+        let Self { flatten, strict, partial, all_places, allow_outside, .. } = *self;
+        batch.reading = Reading { format, flatten, volume, strict, partial, all_places, allow_outside };
         (batch.timings, batch.restart) = (self.timings, self.restart);
         Ok(batch)
     }
@@ -102,6 +104,24 @@ pub(crate) fn _batch_write(
 #[pyfunction]
 pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timings: bool) -> PyResult<()> {
     run(py, None, || coface::scale::batch::csv_of_lines(&lines, &out, timings))
+}
+
+/// Writes a file that appears whole or not at all.
+#[pyfunction]
+pub(crate) fn _replace_file(py: Python<'_>, path: PathBuf, data: &Bound<'_, PyBytes>) -> PyResult<()> {
+    // Bytes of Python do not change, and are kept by the caller.
+    let bytes = data.as_bytes();
+    run(py, None, || coface::io::replace_file(&path, |out| Ok(out.write_all(bytes)?)))
+}
+
+/// Copies a file to one that appears whole or not at all.
+#[pyfunction]
+pub(crate) fn _copy_file(py: Python<'_>, source: PathBuf, target: PathBuf) -> PyResult<()> {
+    run(py, None, || {
+        let mut input = std::fs::File::open(&source)
+            .map_err(|error| Error::from(error).in_file(source.display().to_string()))?;
+        coface::io::replace_file(&target, |out| Ok(std::io::copy(&mut input, out).map(|_| ())?))
+    })
 }
 
 /// A row in a line of JSON as a list of names and values, one a column, in a line of JSON.

@@ -16,7 +16,6 @@ use coface::topology::{Coefficients, HomologyBasis, homology};
 use coface::{CellId, Error};
 use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
-use std::any::Any;
 use std::sync::Arc;
 
 /// A chain complex: for each degree a number of cells, and their boundaries as sparse integer matrices.
@@ -381,9 +380,11 @@ impl ChainComplex {
     ///        [ 1]], dtype=int32)
     fn boundary<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
         match self.complex.boundary_matrix(self.inner(degree)) {
-            Some(matrix) => {
-                let owner: Arc<dyn Any + Send + Sync> = Arc::clone(&self.complex) as _;
-                shared_matrix(py, &owner, matrix)
+            Some(_) => {
+                let inner = self.inner(degree);
+                shared_matrix(py, &self.complex, |complex| {
+                    complex.boundary_matrix(inner).expect("it was there")
+                })
             }
             None => {
                 let rows =

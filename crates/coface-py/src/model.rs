@@ -17,7 +17,7 @@ use crate::report::Report;
 use crate::source::{Names, Naming, Source};
 use crate::volumes::voxels_of;
 use crate::work::run;
-use cells::{Parts, kind_of, kind_word, model_of_parts, shape_word};
+use cells::{Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word};
 use coface::algebra::RaggedArray;
 use coface::answers::{Pair, repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
@@ -27,7 +27,6 @@ use coface::io::{CellData, Format, Group, Structure};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
-use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -65,14 +64,15 @@ impl Model {
     fn model(&self) -> &io::Model {
         &self.source.model
     }
-
-    fn owner(&self) -> Arc<dyn Any + Send + Sync> {
-        Arc::clone(&self.source) as _
-    }
-
     /// Lists as an array that shares memory where all have one length, else as (flat, offsets), of which flat does.
-    fn lists<'py>(&self, py: Python<'py>, lists: &RaggedArray, empty: usize) -> PyResult<Bound<'py, PyAny>> {
-        let flat = shared_ids(py, self.owner(), lists.items())?;
+    fn lists<'py>(
+        &self,
+        py: Python<'py>,
+        lists: impl for<'a> Fn(&'a io::Model) -> &'a RaggedArray,
+        empty: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let flat = shared_ids(py, &self.source, |own| lists(&own.model).items())?;
+        let lists = lists(self.model());
         if lists.is_empty() {
             return Ok(flat.reshape([0, empty])?.into_any());
         }
@@ -307,7 +307,7 @@ impl Model {
         partial: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        reading::from_bytes(py, data, read_options(py, format, flatten, (strict, partial))?, progress)
+        reading::from_bytes(py, data, read_options(py, format, flatten, (strict, partial, false))?, progress)
     }
 
     /// The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none. A file may hold
@@ -318,7 +318,7 @@ impl Model {
         if dimension == 0 {
             return Ok(None);
         }
-        let flat = shared(py, self.owner(), model.coordinates())?;
+        let flat = shared(py, &self.source, |source| source.model.coordinates())?;
         Ok(Some(flat.reshape([model.vertex_count(), dimension])?.into_any()))
     }
 
@@ -331,13 +331,13 @@ impl Model {
     /// The polygons: ``int32`` of shape (m, k) on the memory of the model where all have k corners, else ``(flat, offsets)``.
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.lists(py, self.model().polygons(), 3)
+        self.lists(py, io::Model::polygons, 3)
     }
 
     /// The polylines, as :attr:`faces` has the polygons. A closed line has its first vertex again at its end.
     #[getter]
     fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.lists(py, self.model().lines(), 2)
+        self.lists(py, io::Model::lines, 2)
     }
 
     /// The 3-cells by kind: ``tetra``, ``hexahedron``, ``wedge``, ``pyramid``, each an array of shape (m, k).
@@ -350,7 +350,7 @@ impl Model {
                 continue;
             }
             let value = if cells.uniform_width().is_some() {
-                self.lists(py, cells, shape.vertex_count())?
+                self.lists(py, io::Model::cells, shape.vertex_count())?
             } else {
                 let of_shape = cells.iter().zip(shapes).filter(|&(_, &other)| other == shape);
                 let width = Some(shape.vertex_count());
@@ -448,7 +448,7 @@ impl Model {
     #[getter]
     fn facets<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         match self.model().structure() {
-            Some(Structure::Facets(facets)) => self.lists(py, facets, 1).map(Some),
+            Some(Structure::Facets(_)) => self.lists(py, facets_of, 1).map(Some),
             _ => Ok(None),
         }
     }
@@ -460,8 +460,9 @@ impl Model {
         py: Python<'py>,
     ) -> PyResult<Option<(Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i32>>)>> {
         match self.model().structure() {
-            Some(Structure::Halfedges { next, twin }) => {
-                Ok(Some((shared_ids(py, self.owner(), next)?, shared_ids(py, self.owner(), twin)?)))
+            Some(Structure::Halfedges { .. }) => {
+                let ids = |i: usize| shared_ids(py, &self.source, move |own| permutations_of(&own.model)[i]);
+                Ok(Some((ids(0)?, ids(1)?)))
             }
             _ => Ok(None),
         }

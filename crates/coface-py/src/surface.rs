@@ -29,7 +29,6 @@ use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::{Value, json};
-use std::any::Any;
 use std::sync::Arc;
 
 /// How many vertices searches from all roots may reach in all.
@@ -183,9 +182,9 @@ impl Surface {
     /// The ends of each edge: ``int32``, shape (edges, 2), on the memory of the surface.
     #[getter]
     fn edge_ends<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let owner: Arc<dyn Any + Send + Sync> = Arc::clone(&self.surface) as _;
-        let ends = self.map().skeleton().edge_ends();
-        Ok(shared_ids(py, owner, ends)?.reshape([ends.len() / 2, 2])?.into_any())
+        let count = self.map().skeleton().edge_ends().len() / 2;
+        let ends = shared_ids(py, &self.surface, |surface| surface.map().skeleton().edge_ends())?;
+        Ok(ends.reshape([count, 2])?.into_any())
     }
 
     /// The numbers in the file of the vertices.

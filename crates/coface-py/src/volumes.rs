@@ -67,14 +67,15 @@ pub(crate) fn reading_of(py: Python<'_>, (rule, bounds, periodic): &Voxels) -> P
 
 /// The volume in a file.
 #[pyfunction]
-#[pyo3(signature = (path, voxels, progress=None))]
+#[pyo3(signature = (path, voxels, allow_outside=false, progress=None))]
 pub(crate) fn _read_volume(
     py: Python<'_>,
     path: PathBuf,
     voxels: Voxels,
+    allow_outside: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
-    let options = ReadOptions::new().volume(reading_of(py, &voxels)?);
+    let options = ReadOptions::new().volume(reading_of(py, &voxels)?).allow_outside(allow_outside);
     let model = run(py, progress, || io::read_path_with(&path, &options))?;
     match model.structure() {
         Some(Structure::Volume(_)) => Ok(Model::of(model)),

@@ -225,10 +225,12 @@ answer! { YinSet {
     ///     Whether the unique form is made.
     /// flatten : float, optional
     ///     How far the polylines of curved paths may be from the curves, where the order is 2.
+    /// allow_outside : bool
+    ///     Whether other files that the file names may lie outside of its folder: allow it for files that you trust.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     #[staticmethod]
-    #[pyo3(signature = (path, format=None, *, order=None, rule=None, kinks=None, ends="not-a-knot", fit=false, canonical=false, flatten=None, progress=None))]
+    #[pyo3(signature = (path, format=None, *, order=None, rule=None, kinks=None, ends="not-a-knot", fit=false, canonical=false, flatten=None, allow_outside=false, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn read(
         py: Python<'_>,
@@ -241,12 +243,13 @@ answer! { YinSet {
         fit: bool,
         canonical: bool,
         flatten: Option<f64>,
+        allow_outside: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let mut request = request(py, order, rule, kinks, ends, canonical, fit)?;
         request.flatten = flatten;
         // Curves stay curves unless polylines are asked for.
-        let options = read_options(py, format, flatten.filter(|_| request.order == Some(Order::LINEAR)), (false, false))?;
+        let options = read_options(py, format, flatten.filter(|_| request.order == Some(Order::LINEAR)), (false, false, allow_outside))?;
         run(py, progress, || {
             let name = path.display().to_string();
             let drawing = io::read_boundary_path(&path, &options)?;

@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use crate::workers::{self, Task};
 use clap::Args;
+use coface::algebra::escaped;
 use coface::answers::answer::{BatchAnswer, Remark, RemarkCode};
 use coface::io::entry_of;
 use coface::scale::batch::{Batch as Files, Reading, TableFormat, find_files};
@@ -106,6 +107,7 @@ impl Batch {
             volume: common.voxels.reading(),
             strict: self.strict,
             partial: common.partial,
+            allow_outside: common.allow_outside,
             all_places: self.all,
         };
         (batch.timings, batch.restart) = (!self.no_timings, self.restart);
@@ -123,7 +125,7 @@ impl Batch {
         if common.json {
             print_json(&answer)?;
         } else {
-            print_text(&format!("{}: {}\n", answer.output, in_words(&answer)))?;
+            print_text(&format!("{}: {}\n", escaped(&answer.output), in_words(&answer)))?;
         }
         match answer.error_count() {
             count @ 1.. if self.strict => {

@@ -2,9 +2,9 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::output::{print_bytes, write_file};
+use crate::output::print_bytes;
 use clap::Args;
-use std::path::Path;
+use coface::io::{MadeFolders, replace_files};
 
 /// Print the manual page in troff; with -o DIRECTORY write the pages of all verbs there.
 ///
@@ -20,16 +20,16 @@ impl Man {
             let page = rendered(command)?;
             return print_bytes(|out| out.write_all(&page));
         };
-        std::fs::create_dir_all(directory)
-            .map_err(|error| Failure::new(format!("{}: cannot write: {error}", directory.display())))?;
-        let verbs: Vec<clap::Command> =
-            command.get_subcommands().filter(|verb| verb.get_name() != "help").cloned().collect();
-        write_page(directory, "coface", command)?;
-        for verb in verbs {
-            let name = format!("coface-{}", verb.get_name());
-            write_page(directory, &name, verb)?;
+        // Gone again if the pages cannot be written.
+        let _made = MadeFolders::of(directory)?;
+        let page = |name: &str, command| -> Result<_, Failure> {
+            Ok((directory.join(format!("{name}.1")), rendered(command)?))
+        };
+        let mut pages = vec![page("coface", command.clone())?];
+        for verb in command.get_subcommands().filter(|verb| verb.get_name() != "help") {
+            pages.push(page(&format!("coface-{}", verb.get_name()), verb.clone())?);
         }
-        Ok(())
+        Ok(replace_files(&pages)?)
     }
 }
 
@@ -41,8 +41,4 @@ fn rendered(command: clap::Command) -> Result<Vec<u8>, Failure> {
         .render(&mut page)
         .map_err(|error| Failure::new(format!("cannot make the manual page: {error}")))?;
     Ok(page)
-}
-
-fn write_page(directory: &Path, name: &str, command: clap::Command) -> Result<(), Failure> {
-    write_file(&directory.join(format!("{name}.1")), &rendered(command)?)
 }

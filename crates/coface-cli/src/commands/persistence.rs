@@ -7,6 +7,7 @@ use crate::input;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
+use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{DiagramFormat, Growth, PersistenceRequest, write_diagram};
@@ -121,7 +122,7 @@ impl Persistence {
 
     /// The diagram for people: for each degree the longest pairs.
     fn page(&self, answer: &PersistenceAnswer) -> String {
-        let mut page = format!("  persistence of {} over {}\n", answer.file, self.coefficients);
+        let mut page = format!("  persistence of {} over {}\n", escaped(&answer.file), self.coefficients);
         let function = &answer.function;
         // Writing to a string does not fail.
         let _ = match &answer.star {

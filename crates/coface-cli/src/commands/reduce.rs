@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use clap::Args;
+use coface::algebra::escaped;
 use coface::answers::answer::{ReduceAnswer, ReducedShard};
 use coface::scale::shards::{ReducedStep, ShardFolder, reduce_file};
 use std::path::PathBuf;
@@ -72,7 +73,7 @@ fn line(step: &ReducedStep) -> String {
     let summary = step.summary();
     format!(
         "{}: {} cells, {} strata, {} critical cells, {} bytes{}\n",
-        step.path().display(),
+        escaped(&step.path().display().to_string()),
         summary.cells().iter().sum::<u64>(),
         summary.strata(),
         summary.critical().iter().sum::<u64>(),

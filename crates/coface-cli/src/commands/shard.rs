@@ -7,6 +7,7 @@ use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use crate::remarks::take;
 use clap::{Args, ValueEnum};
+use coface::algebra::escaped;
 use coface::answers::answer::ShardAnswer;
 use coface::io::{Structure, format_of_path};
 use coface::scale::shards::{
@@ -164,6 +165,7 @@ pub(crate) fn cut_input(
     let (sort, reading) = (cut.grid.sort(), common.reading());
     let mut request = cut.request(&name)?;
     request.replaces = asked.replaces;
+    request.allow_outside = common.allow_outside;
     request.part_memory = asked.memory;
     request.source.fingerprint = fingerprint(input, cut, common);
     if let Some(shape) = &cut.grid.grid {
@@ -239,8 +241,8 @@ impl Shard {
         print_text(&format!(
             "{} shards of {} in {}: {total} bytes, the largest {largest}\n",
             manifest.part_count,
-            manifest.source.name,
-            folder.display()
+            escaped(&manifest.source.name),
+            escaped(&folder.display().to_string())
         ))
     }
 }

@@ -7,6 +7,7 @@ use super::{nifti, npy, nrrd};
 use crate::Format;
 use crate::counted_stream::{name_of, reading};
 use crate::features::{GZIP, gunzipped};
+use crate::files::Companions;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
@@ -54,20 +55,30 @@ impl std::fmt::Debug for VolumeStream<'_> {
 }
 
 impl VolumeStream<'static> {
-    /// Opens a file of this format, or the one that its name and content tell; of `.hdr` and `.img`, and of `.nhdr`, the other file too.
+    /// Opens a file of this format, or the one that its name and content tell; of `.hdr` and `.img`, and of `.nhdr`,
+    /// the other file too, which lies in the folder of the first or below.
     ///
     /// # Errors
     /// [`ErrorKind::Io`] where a file cannot be read; [`ErrorKind::UnsupportedFormat`] for what is no volume, or one of numbers that are not
     /// read; [`ErrorKind::Parse`] for a damaged header, and one that says more numbers than the file has. All name the file.
     pub fn open(path: &Path, format: Format) -> Result<Self, Error> {
+        Self::open_with(path, format, false)
+    }
+
+    /// Opens a file as [`open`](Self::open) does; with `allow_outside` the other file may lie outside the folder of
+    /// the header.
+    ///
+    /// # Errors
+    /// As of [`open`](Self::open).
+    pub fn open_with(path: &Path, format: Format, allow_outside: bool) -> Result<Self, Error> {
         let path = header_path(path);
-        let opened = Self::open_here(&path, format);
+        let opened = Self::open_here(&path, format, allow_outside);
         let mut stream = opened.map_err(|error| error.in_file(path.display().to_string()))?;
         stream.files.insert(0, path);
         Ok(stream)
     }
 
-    fn open_here(path: &Path, format: Format) -> Result<Self, Error> {
+    fn open_here(path: &Path, format: Format, allow_outside: bool) -> Result<Self, Error> {
         let file = open(path)?;
         let size = file.metadata().ok().filter(|metadata| metadata.is_file()).map(|metadata| metadata.len());
         let file = reading(&name_of(path), file, size.unwrap_or(0));
@@ -76,13 +87,15 @@ impl VolumeStream<'static> {
             let left = first_byte.and_then(|first| size?.checked_sub(first));
             return Self::positioned(header, input, left, first_byte, None);
         };
-        let data_path = match format {
-            Format::Nifti => image_path(path),
-            _ => path.parent().unwrap_or(Path::new("")).join(data_file),
+        let data_file = match format {
+            Format::Nifti => image_path(path).file_name().map(PathBuf::from).unwrap_or_default(),
+            _ => data_file,
         };
+        let companions = Companions::of(path, allow_outside);
+        let data_path = companions.path(&data_file);
         let name = data_path.display().to_string();
         let in_data = |error: Error| error.in_file(name.clone());
-        let file = open(&data_path).map_err(in_data)?;
+        let file = companions.open(&data_file).map_err(in_data)?;
         let size = file.metadata().ok().filter(|metadata| metadata.is_file()).map(|metadata| metadata.len());
         let mut file = reading(&name_of(&data_path), file, size.unwrap_or(0));
         let start = up_to(&mut file, 2).map_err(in_data)?;

@@ -1,5 +1,6 @@
 //! Tests of `coface-io`, in one program: each test program links everything anew.
 
+mod files;
 mod formats;
 mod mesh_formats;
 mod nonfinite;

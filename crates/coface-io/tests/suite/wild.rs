@@ -263,8 +263,8 @@ fn gltf_places_its_meshes() {
         ("b%20c.bin", ""),
         ("../out.bin", "outside the folder"),
         ("/etc/hostname", "outside the folder"),
-        ("https://example.org/b.bin", "outside the folder"),
-        ("none.bin", "is not there"),
+        ("https://example.org/b.bin", "no file of this machine"),
+        ("none.bin", "there is no such file"),
         (".", "is no regular file"),
     ] {
         std::fs::write(&path, file(uri)).unwrap();

@@ -45,6 +45,7 @@ def batch(
     flatten: float | None = ...,
     strict: bool = ...,
     partial: bool = ...,
+    allow_outside: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -64,6 +65,7 @@ def batch(
     flatten: float | None = ...,
     strict: bool = ...,
     partial: bool = ...,
+    allow_outside: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -82,6 +84,7 @@ def batch(
     flatten: float | None = None,
     strict: bool = False,
     partial: bool = False,
+    allow_outside: bool = False,
     voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
@@ -108,7 +111,7 @@ def batch(
         How many files are read at once; one a core by default.
     timeout, memory
         The seconds and bytes that one file may take; ``None`` is any.
-    format, flatten, strict, partial
+    format, flatten, strict, partial, allow_outside
         As those of :func:`read`.
     voxels
         Which voxels of volumes are set, by the words of :func:`volume`: ``{"threshold": 0.5, "periodic": [0]}``.
@@ -137,7 +140,7 @@ def batch(
     """
     options = worker_options(
         jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten, strict=strict,
-        partial=partial, voxels=voxels,
+        partial=partial, allow_outside=allow_outside, voxels=voxels,
         all_places=all_places, timings=timings, restart=restart,
     )  # fmt: skip
     files = find_files(paths, recursive)
@@ -151,8 +154,10 @@ def batch(
     _pyarrow()
     lines = target.with_name(f".{target.name}.jsonl")
     summary = _summary(_coface._batch_write(files, lines, options, progress))
-    write_parquet(lines, target, timings)
-    lines.unlink()
+    try:
+        write_parquet(lines, target, timings)
+    finally:
+        lines.unlink()
     return summary
 
 
@@ -199,7 +204,7 @@ def write_lines(lines: Iterable[str], out: _Path, timings: bool) -> BatchSummary
         raise InvalidInputError(message, cure="end it in .jsonl, .csv or .parquet")
     errors: dict[str, int] = {}
     count = 0
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".jsonl", dir=target.parent)
+    handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", suffix=".jsonl", dir=target.parent)
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
             for line in lines:
@@ -213,7 +218,7 @@ def write_lines(lines: Iterable[str], out: _Path, timings: bool) -> BatchSummary
         elif suffix == ".parquet":
             write_parquet(Path(name), target, timings)
         else:
-            os.replace(name, target)
+            _coface._copy_file(name, target)
     finally:
         Path(name).unlink(missing_ok=True)
     return {"files": count, "errors": dict(sorted(errors.items())), "resumed": 0}
@@ -227,7 +232,9 @@ def write_parquet(lines: Path, out: Path, timings: bool) -> None:
         schema = arrow.unify_schemas([schema, table.schema], promote_options="permissive")
     names = _in_order(schema.names)
     schema = arrow.schema([_typed(arrow, schema.field(name)) for name in names])
-    hidden = out.with_name(f".{out.name}.part")
+    handle, name = tempfile.mkstemp(prefix=f".{out.name[:100]}.", suffix=".parquet", dir=out.parent)
+    os.close(handle)
+    hidden = Path(name)
     try:
         with parquet.ParquetWriter(hidden, schema) as writer:
             for table in _tables(arrow, lines, timings):
@@ -236,7 +243,7 @@ def write_parquet(lines: Path, out: Path, timings: bool) -> None:
                     for name, field in zip(names, schema, strict=True)
                 ]
                 writer.write_table(arrow.table(columns, schema=schema))
-        os.replace(hidden, out)
+        _coface._copy_file(hidden, out)
     finally:
         hidden.unlink(missing_ok=True)
 

@@ -84,8 +84,11 @@ def view(
     >>> path.name, path.stat().st_size > 100_000
     ('torus.html', True)
     """
+    from coface._coface import _replace_file
+
     target = Path(path)
-    target.write_text(page(x, results, title=title or target.stem, report=report, progress=progress), encoding="utf-8")
+    text = page(x, results, title=title or target.stem, report=report, progress=progress)
+    _replace_file(target, text.encode())
     return target
 
 

@@ -21,6 +21,7 @@ def volume(
     between: tuple[float, float] | None = None,
     value: float | None = None,
     periodic: Sequence[int] = (),
+    allow_outside: bool = False,
     progress: Any = None,
 ) -> Model:
     """The cubical complex of the voxels that are set, with all their faces.
@@ -39,7 +40,7 @@ def volume(
         Set voxels of this number, a label.
     periodic : sequence of int
         The axes whose last voxel meets their first.
-    progress
+    allow_outside, progress
         As in :func:`read`, for a file.
 
     Returns
@@ -65,7 +66,7 @@ def volume(
     """
     rule, bounds, axes = voxel_rule(threshold=threshold, below=below, between=between, value=value, periodic=periodic)
     if isinstance(x, (str, os.PathLike)):
-        return _read_volume(x, (rule, bounds, axes), progress)
+        return _read_volume(x, (rule, bounds, axes), allow_outside, progress)
     array = np.asarray(x)
     if array.dtype.kind not in "biuf":
         raise_invalid(f"an array of {array.dtype} has no numbers to compare", "give numbers or truth values")

@@ -46,6 +46,7 @@ def batch(
     flatten: float | None = ...,
     strict: bool = ...,
     partial: bool = ...,
+    allow_outside: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -64,6 +65,7 @@ def batch(
     flatten: float | None = ...,
     strict: bool = ...,
     partial: bool = ...,
+    allow_outside: bool = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -81,6 +83,7 @@ def batch(
     flatten: float | None = None,
     strict: bool = False,
     partial: bool = False,
+    allow_outside: bool = False,
     voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
@@ -94,7 +97,8 @@ def batch(
 
     Parameters
     ----------
-    paths, recursive, timeout, memory, format, flatten, strict, partial, voxels, all_places, timings
+    paths, recursive, timeout, memory, format, flatten, strict, partial, allow_outside, voxels, all_places,
+    timings
         As those of :func:`coface.batch`; folders and patterns are looked up here.
     out
         A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end.
@@ -114,7 +118,7 @@ def batch(
     files = find_files(paths, recursive)
     options = {
         "timeout": timeout, "memory": memory, "format": format, "flatten": flatten,
-        "strict": strict, "partial": partial, "voxels": voxels,
+        "strict": strict, "partial": partial, "allow_outside": allow_outside, "voxels": voxels,
         "all_places": all_places, "timings": timings,
     }  # fmt: skip
     # A data set keeps the context it was made in.

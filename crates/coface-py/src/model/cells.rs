@@ -6,7 +6,7 @@ use coface::algebra::RaggedArray;
 use coface::complexes::cell_mesh::CellShape;
 use coface::geometry::Positions;
 use coface::io;
-use coface::io::GroupKind;
+use coface::io::{GroupKind, Structure};
 use coface::{Error, VertexId};
 use pyo3::prelude::*;
 
@@ -128,5 +128,21 @@ pub(super) fn shape_word(shape: CellShape) -> &'static str {
         CellShape::Hexahedron => "hexahedron",
         CellShape::Wedge => "wedge",
         CellShape::Pyramid => "pyramid",
+    }
+}
+
+/// The facets of a model of facets.
+pub(super) fn facets_of(model: &io::Model) -> &RaggedArray {
+    match model.structure() {
+        Some(Structure::Facets(facets)) => facets,
+        _ => model.lines(),
+    }
+}
+
+/// The permutations `next` and `twin` of a model of halfedges.
+pub(super) fn permutations_of(model: &io::Model) -> [&[u32]; 2] {
+    match model.structure() {
+        Some(Structure::Halfedges { next, twin }) => [next, twin],
+        _ => [&[], &[]],
     }
 }

@@ -14,15 +14,15 @@ pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option
 }
 
 /// How a file is read: its format, the distance of chords from curves, whether assumptions are errors and whether a damaged file is read
-/// up to its fault.
+/// up to its fault, and whether the files that it names may lie outside of its folder.
 pub(crate) fn read_options(
     py: Python<'_>,
     format: Option<&str>,
     flatten: Option<f64>,
-    (strict, partial): (bool, bool),
+    (strict, partial, allow_outside): (bool, bool, bool),
 ) -> PyResult<ReadOptions> {
     let options = ReadOptions::new().format(format_of(py, format)?).flatten(flatten);
-    Ok(options.strict(strict).partial(partial))
+    Ok(options.strict(strict).partial(partial).allow_outside(allow_outside))
 }
 
 /// The model, after a warning for everything that its reader assumed.
@@ -91,6 +91,8 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 ///     Whether everything that the reader would assume, with an :class:`AssumptionWarning`, is an error instead.
 /// partial : bool
 ///     Whether a damaged file is read up to its first fault.
+/// allow_outside : bool
+///     Whether other files that the file names may lie outside of its folder: allow it for files that you trust.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -114,7 +116,8 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 /// >>> coface.read(path)
 /// Model(3 vertices, 1 face)
 #[pyfunction]
-#[pyo3(signature = (path, format=None, *, flatten=None, strict=false, partial=false, progress=None))]
+#[pyo3(signature = (path, format=None, *, flatten=None, strict=false, partial=false, allow_outside=false, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn read(
     py: Python<'_>,
     path: PathBuf,
@@ -122,8 +125,9 @@ pub(crate) fn read(
     flatten: Option<f64>,
     strict: bool,
     partial: bool,
+    allow_outside: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
-    let options = read_options(py, format, flatten, (strict, partial))?;
+    let options = read_options(py, format, flatten, (strict, partial, allow_outside))?;
     warned(py, run(py, progress, || io::read_path_with(&path, &options))?)
 }

@@ -44,6 +44,8 @@ pub struct Reading {
     pub partial: bool,
     /// Whether every place of every problem is reported, not the first hundred.
     pub all_places: bool,
+    /// Whether files that a file names may lie outside of its folder.
+    pub allow_outside: bool,
 }
 
 /// How many places of a problem are reported when not all are asked for.
@@ -52,7 +54,7 @@ const PLACES: usize = 100;
 impl Reading {
     fn options(self) -> ReadOptions {
         let options = ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume);
-        options.strict(self.strict).partial(self.partial)
+        options.strict(self.strict).partial(self.partial).allow_outside(self.allow_outside)
     }
 }
 
@@ -124,6 +126,8 @@ pub(crate) struct ReadingText {
     partial: bool,
     #[serde(default)]
     all_places: bool,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    allow_outside: bool,
 }
 
 impl ReadingText {
@@ -135,6 +139,7 @@ impl ReadingText {
             strict: reading.strict,
             partial: reading.partial,
             all_places: reading.all_places,
+            allow_outside: reading.allow_outside,
         }
     }
 
@@ -146,6 +151,7 @@ impl ReadingText {
             strict: self.strict,
             partial: self.partial,
             all_places: self.all_places,
+            allow_outside: self.allow_outside,
         })
     }
 }
@@ -314,6 +320,7 @@ mod tests {
                 strict: true,
                 partial: true,
                 all_places: true,
+                allow_outside: true,
             };
             let line = request.to_line();
             assert!(!line.contains('\n'));

@@ -79,8 +79,10 @@ impl Journal {
         let file = open().map_err(in_path)?;
         let names = files.iter().map(|file| PathText::of(file)).collect();
         let mut journal = Self { path: path.clone(), file, length: 0, lines: vec![None; files.len()], names };
-        let refused = journal.take(options, files, restart).map_err(in_path)?;
-        Ok((journal, refused))
+        match journal.take(options, files, restart) {
+            Ok(refused) => Ok((journal, refused)),
+            Err(error) => Err(journal.given_up(in_path(error))),
+        }
     }
 
     /// Takes what is there, or begins anew.
@@ -148,7 +150,11 @@ impl Journal {
     fn append(&mut self, text: &str) -> Result<u64, Error> {
         let line = format!("{:016x}\t{text}\n", xxh3_64(text.as_bytes()));
         let start = self.length;
-        self.file.write_all(line.as_bytes())?;
+        if let Err(error) = self.file.write_all(line.as_bytes()) {
+            // Half a line is no line, but takes room.
+            let _ = self.file.set_len(start);
+            return Err(error.into());
+        }
         self.length += line.len() as u64;
         Ok(start)
     }
@@ -174,6 +180,25 @@ impl Journal {
             take(&unsealed(&line).and_then(row_of).ok_or_else(fault)?)?;
         }
         Ok(())
+    }
+
+    /// What is said of a run that ends with this error: the journal goes if it has no row, else a later run takes
+    /// its rows.
+    pub(crate) fn given_up(self, error: Error) -> Error {
+        match self.lines.iter().flatten().count() {
+            0 => {
+                self.remove();
+                error
+            }
+            count if error.kind() == ErrorKind::Io => {
+                let cure = error.cure().map_or_else(String::new, |cure| format!("{cure}; "));
+                let rows = if count == 1 { "row is" } else { "rows are" };
+                error.with_cure(format!(
+                    "{cure}run it again when there is room: {count} finished {rows} kept beside the output"
+                ))
+            }
+            _ => error,
+        }
     }
 
     /// Removes it: the output is there.

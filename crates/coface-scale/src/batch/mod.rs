@@ -155,6 +155,25 @@ impl Batch {
         let (mut journal, refused) = Journal::open(out, &self.options(pool), &self.files, self.restart)?;
         let left: Vec<usize> = (0..self.files.len()).filter(|&place| !journal.has(place)).collect();
         let resumed = self.files.len() - left.len();
+        let mut summary = Summary { resumed, refused, ..Summary::default() };
+        match self.finish(pool, &mut journal, &left, &mut summary, (out, format)) {
+            Ok(()) => {
+                journal.remove();
+                Ok(summary)
+            }
+            Err(error) => Err(journal.given_up(error)),
+        }
+    }
+
+    /// Has the files examined that are left, and writes all rows.
+    fn finish(
+        &self,
+        pool: &WorkerPool,
+        journal: &mut Journal,
+        left: &[usize],
+        summary: &mut Summary,
+        (out, format): (&Path, TableFormat),
+    ) -> Result<(), Error> {
         pool.run(
             STAGE,
             left.len(),
@@ -164,7 +183,6 @@ impl Batch {
                 journal.add(left[i], &stamp, &self.row(left[i], &stamp, outcome))
             },
         )?;
-        let mut summary = Summary { resumed, refused, ..Summary::default() };
         let mut columns = Columns::default();
         journal.each(|row| {
             summary.count(row);
@@ -183,9 +201,7 @@ impl Batch {
                     table::write_row(file, &columns, &row.to_json(self.timings)?, self.timings)
                 }
             })
-        })?;
-        journal.remove();
-        Ok(summary)
+        })
     }
 
     fn request(&self, place: usize) -> String {

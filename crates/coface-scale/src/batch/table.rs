@@ -1,7 +1,7 @@
 //! Rows as lines of a file.
 
 use super::flat::Columns;
-use coface_algebra::Error;
+use coface_algebra::{Error, escaped};
 use serde_json::Value;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
@@ -109,17 +109,30 @@ pub fn csv_of_lines(lines: &Path, out: &Path, timings: bool) -> Result<(), Error
     })
 }
 
-/// A value as a field: empty for null, in quotes where it must be.
+/// A value as a field: empty for null, in one line, in quotes where it must be. What a spreadsheet would take for a
+/// formula has an apostrophe before it, which says that it is text.
 fn field(value: &Value) -> String {
     let text = match value {
         Value::Null => return String::new(),
-        Value::String(text) => text.clone(),
+        Value::String(text) => {
+            let text = escaped(text);
+            if is_formula(&text) { format!("'{text}") } else { text.into_owned() }
+        }
         other => other.to_string(),
     };
     if text.contains([',', '"', '\n', '\r']) || text.is_empty() || text.trim() != text {
         return format!("\"{}\"", text.replace('"', "\"\""));
     }
     text
+}
+
+/// Whether a spreadsheet may take a text for a formula: one that begins as a formula does and is no number.
+fn is_formula(text: &str) -> bool {
+    let is_number = || {
+        text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte))
+            && text.parse::<f64>().is_ok()
+    };
+    text.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_number()
 }
 
 #[cfg(test)]
@@ -139,8 +152,22 @@ mod tests {
             json!(""),
             json!([1, 2]),
         ];
-        let expected = ["", "true", "0.1", "a b", "\"a,\"\"b\"\"\"", "\"\n\"", "\"\"", "\"[1,2]\""];
+        let expected = ["", "true", "0.1", "a b", "\"a,\"\"b\"\"\"", "\\n", "\"\"", "\"[1,2]\""];
         assert_eq!(fields.map(|value| field(&value)), expected);
+    }
+
+    #[test]
+    fn formulas_are_text_and_numbers_are_numbers() {
+        for text in ["=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "-", "+1-1", "-inf", "-1e5 "] {
+            let cell = field(&json!(text));
+            assert!(cell.trim_start_matches('"').starts_with(&format!("'{}", &text[..1])), "{text}: {cell}");
+        }
+        assert_eq!([field(&json!("\t=1")), field(&json!("\r\n=1"))], ["\\t=1", "\\r\\n=1"]);
+        assert_eq!(field(&json!("=a,b")), "\"'=a,b\"");
+        for text in ["-1.5", "+2", "-1e-5", "a=b", "1-1", "."] {
+            assert_eq!(field(&json!(text)), text);
+        }
+        assert_eq!([field(&json!(-1.5)), field(&json!(-3))], ["-1.5", "-3"]);
     }
 
     #[test]

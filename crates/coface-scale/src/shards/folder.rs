@@ -7,12 +7,13 @@ use super::reduced::{ReducedSummary, merge, reduce, root_homology, summary};
 use coface_algebra::progress;
 use coface_algebra::{Error, ErrorKind};
 use coface_io::container::{Kind, checksum_of_header};
-use coface_io::replace_file;
+use coface_io::{FolderLock, MadeFolders, replace_file};
 use coface_topology::Homology;
 use rayon::prelude::*;
 use std::fs::{self, File};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A folder with the shards of one complex and what is left of them: `shards.json`, `part-000007.shard`, `part-000007.reduced`,
 /// `level-1-000000.reduced`.
@@ -43,7 +44,22 @@ use std::path::{Path, PathBuf};
 pub struct ShardFolder {
     path: PathBuf,
     manifest: ShardManifest,
+    /// Nothing for a folder that was opened.
+    writing: Option<Arc<Mutex<Writing>>>,
 }
+
+/// What is known of a folder whose shards are being written.
+#[derive(Debug, Default)]
+struct Writing {
+    /// The shards that are there.
+    written: Vec<u32>,
+    _lock: Option<FolderLock>,
+    /// Dropped after the lock, which is a file in them.
+    _made: Option<MadeFolders>,
+}
+
+/// The lock of those who write shards.
+const LOCK: &str = ".coface-shards.lock";
 
 /// A reduced shard that is there.
 #[derive(Clone, Debug)]
@@ -240,10 +256,12 @@ impl ShardFolder {
     /// The folder with the shards of this manifest, made if it is not there. The manifest is written by [`finish`](Self::finish), after the shards.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] where the shards of another complex stand there and are not to be replaced; [`ErrorKind::Io`].
+    /// [`ErrorKind::InvalidInput`] where the shards of another complex stand there and are not to be replaced;
+    /// [`ErrorKind::Io`], also while another run writes shards there.
     pub fn create(path: &Path, manifest: ShardManifest, replaces: bool) -> Result<Self, Error> {
         ShardPlace::new(manifest.complex, manifest.part_count, manifest.fan_in, 0)?;
-        fs::create_dir_all(path).map_err(|error| in_file(path)(error.into()))?;
+        let made = MadeFolders::of(path)?;
+        let lock = FolderLock::take(path, LOCK)?;
         let list = path.join(MANIFEST);
         let is_same = |other: &ShardManifest| {
             (other.complex, other.part_count, other.fan_in)
@@ -260,7 +278,8 @@ impl ShardFolder {
             // While shards are replaced they must not be merged.
             fs::remove_file(&list).map_err(|error| in_file(&list)(error.into()))?;
         }
-        Ok(Self { path: path.to_path_buf(), manifest })
+        let writing = Writing { written: Vec::new(), _lock: Some(lock), _made: Some(made) };
+        Ok(Self { path: path.to_path_buf(), manifest, writing: Some(Arc::new(Mutex::new(writing))) })
     }
 
     /// Says that all shards are written.
@@ -268,7 +287,31 @@ impl ShardFolder {
     /// # Errors
     /// [`ErrorKind::Io`].
     pub fn finish(&self) -> Result<(), Error> {
-        replace_file(&self.path.join(MANIFEST), |out| Ok(out.write_all(self.manifest.to_json().as_bytes())?))
+        replace_file(
+            &self.path.join(MANIFEST),
+            |out| Ok(out.write_all(self.manifest.to_json().as_bytes())?),
+        )?;
+        if let Some(writing) = &self.writing {
+            *writing.lock().unwrap_or_else(PoisonError::into_inner) = Writing::default();
+        }
+        Ok(())
+    }
+
+    /// Has all shards written, and says that they are; when that fails, those that were written are removed, and the
+    /// folder if it was made for them.
+    pub(super) fn finished(self, write: impl FnOnce(&Self) -> Result<(), Error>) -> Result<Self, Error> {
+        let failed = match write(&self).and_then(|()| self.finish()) {
+            Ok(()) => return Ok(self),
+            Err(error) => error,
+        };
+        if let Some(writing) = &self.writing {
+            let mut writing = writing.lock().unwrap_or_else(PoisonError::into_inner);
+            for number in writing.written.drain(..) {
+                // What cannot be removed is replaced by the next run.
+                let _ = fs::remove_file(self.shard_path(number));
+            }
+        }
+        Err(failed)
     }
 
     /// The folder at this path.
@@ -297,7 +340,7 @@ impl ShardFolder {
                     .with_cure("make one by coface shard INPUT -o FOLDER --parts N"),
             ));
         }
-        Ok(Self { path: path.to_path_buf(), manifest: read_manifest(&list)? })
+        Ok(Self { path: path.to_path_buf(), manifest: read_manifest(&list)?, writing: None })
     }
 
     /// The path.
@@ -405,7 +448,11 @@ impl ShardFolder {
         number: u32,
         write: impl FnOnce(&mut dyn Write) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        replace_file(&self.shard_path(number), write)
+        replace_file(&self.shard_path(number), write)?;
+        if let Some(writing) = &self.writing {
+            writing.lock().unwrap_or_else(PoisonError::into_inner).written.push(number);
+        }
+        Ok(())
     }
 
     /// Reduces a shard, as [`reduce_file`] does.

@@ -87,33 +87,40 @@ pub fn shard_mesh_file(
     let complex = mesh.number(request.fan_in);
     let manifest = ShardManifest::new(complex, part_count, request.fan_in, request.source.clone());
     let shards = ShardFolder::create(folder, manifest, request.replaces)?;
-    let mut records = Records::new(scratch.path(), part_count);
-    let dimension = mesh.distribute(&planes, &sharing, &mut records)?;
-    records.flush()?;
-    // Ids: where a stratum begins, then the rank within it.
-    let mut strata: BTreeMap<Vec<u32>, Vec<u64>> = BTreeMap::new();
-    let steps = progress::stage("finding strata", part_count as usize);
-    for number in 0..part_count {
-        let cells = LocalCells::new(number, dimension, &records.read(number)?);
-        for (key, counts) in cells.strata().filter(|(key, _)| key[0] == number) {
-            strata.insert(key.to_vec(), counts);
+    let shards = shards.finished(|shards| {
+        let mut records = Records::new(scratch.path(), part_count);
+        let dimension = mesh.distribute(&planes, &sharing, &mut records)?;
+        records.flush()?;
+        // Ids: where a stratum begins, then the rank within it.
+        let mut strata: BTreeMap<Vec<u32>, Vec<u64>> = BTreeMap::new();
+        let steps = progress::stage("finding strata", part_count as usize);
+        for number in 0..part_count {
+            let cells = LocalCells::new(number, dimension, &records.read(number)?);
+            for (key, counts) in cells.strata().filter(|(key, _)| key[0] == number) {
+                strata.insert(key.to_vec(), counts);
+            }
+            steps.advance(1);
         }
-        steps.advance(1);
-    }
-    drop(steps);
-    let mut next = vec![0u64; dimension + 1];
-    for counts in strata.values_mut() {
-        counts.iter_mut().zip(&mut next).for_each(|(count, next)| *next += std::mem::replace(count, *next));
-    }
-    let steps = progress::stage("writing shards", part_count as usize);
-    for number in 0..part_count {
-        let cells = LocalCells::new(number, dimension, &records.read(number)?);
-        let (part, names) = cells.into_part(&strata)?;
-        let place = shards.place(0, number);
-        shards.write_shard(number, |out| write_shard(place, &part, Some(&names), out).map(|_| ()))?;
-        steps.advance(1);
-    }
-    shards.finish()?;
+        drop(steps);
+        let mut next = vec![0u64; dimension + 1];
+        for counts in strata.values_mut() {
+            counts
+                .iter_mut()
+                .zip(&mut next)
+                .for_each(|(count, next)| *next += std::mem::replace(count, *next));
+        }
+        let steps = progress::stage("writing shards", part_count as usize);
+        for number in 0..part_count {
+            let cells = LocalCells::new(number, dimension, &records.read(number)?);
+            let (part, names) = cells.into_part(&strata)?;
+            let place = shards.place(0, number);
+            shards.write_shard(number, |out| write_shard(place, &part, Some(&names), out).map(|_| ()))?;
+            steps.advance(1);
+        }
+        // Before the list of shards, so that whole folders have nothing else in them.
+        drop(scratch);
+        Ok(())
+    })?;
     Ok(Some(shards))
 }
 

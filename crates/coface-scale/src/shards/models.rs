@@ -31,6 +31,8 @@ pub struct ShardRequest {
     pub owners: Owners,
     /// Whether shards of another complex in the folder are replaced.
     pub replaces: bool,
+    /// Whether files that the input names may lie outside of its folder.
+    pub allow_outside: bool,
 }
 
 /// What a program takes before it has read a shard, in bytes.
@@ -56,7 +58,15 @@ impl ShardRequest {
     /// ```
     pub fn new(name: impl Into<String>, part_count: u32) -> Self {
         let source = ShardSource { name: name.into(), kind: "model".to_owned(), fingerprint: String::new() };
-        Self { source, part_count, part_memory: None, fan_in: 8, owners: Owners::default(), replaces: false }
+        Self {
+            source,
+            part_count,
+            part_memory: None,
+            fan_in: 8,
+            owners: Owners::default(),
+            replaces: false,
+            allow_outside: false,
+        }
     }
 
     /// Merges so many neighbors at once: 2 at least.
@@ -97,6 +107,20 @@ impl ShardRequest {
         self.replaces = replaces;
         self
     }
+
+    /// The same, with leave for the input to name files outside of its folder, as
+    /// [`coface_io::ReadOptions::allow_outside`] gives it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_scale::shards::ShardRequest;
+    /// assert!(ShardRequest::new("brain", 2).allow_outside(true).allow_outside);
+    /// ```
+    #[must_use]
+    pub fn allow_outside(mut self, is_allowed: bool) -> Self {
+        self.allow_outside = is_allowed;
+        self
+    }
 }
 
 /// Cuts a model into shards in a folder. Any model that has a chain complex is cut; its cells are named by their vertices as in
@@ -128,17 +152,17 @@ pub fn shard_model(model: Model, folder: &Path, request: &ShardRequest) -> Resul
     let names = |degree: usize, cell: usize| producer.cell_vertices(degree, cell);
     let complex_number = number_of(&complex, &partition, place);
     let manifest = ShardManifest::new(complex_number, part_count, request.fan_in, request.source.clone());
-    let folder = ShardFolder::create(folder, manifest, request.replaces)?;
-    let steps = progress::stage("writing shards", part_count as usize);
-    for number in 0..part_count {
-        let part = partition.part(number)?;
-        let names = are_named.then(|| names_of(&part, names));
-        let place = folder.place(0, number);
-        folder.write_shard(number, |out| write_shard(place, &part, names.as_deref(), out).map(|_| ()))?;
-        steps.advance(1);
-    }
-    folder.finish()?;
-    Ok(folder)
+    ShardFolder::create(folder, manifest, request.replaces)?.finished(|folder| {
+        let steps = progress::stage("writing shards", part_count as usize);
+        for number in 0..part_count {
+            let part = partition.part(number)?;
+            let names = are_named.then(|| names_of(&part, names));
+            let place = folder.place(0, number);
+            folder.write_shard(number, |out| write_shard(place, &part, names.as_deref(), out).map(|_| ()))?;
+            steps.advance(1);
+        }
+        Ok(())
+    })
 }
 
 fn names_of(part: &Part, names: impl Fn(usize, usize) -> Vec<u32>) -> Vec<RaggedArray> {

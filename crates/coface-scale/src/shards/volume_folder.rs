@@ -80,13 +80,17 @@ impl GridShards {
         replaces: bool,
     ) -> Result<ShardFolder, Error> {
         let shards = self.create(folder, source, 0, replaces)?;
-        let steps = progress::stage("writing shards", self.boxes().count() as usize);
-        for number in 0..self.boxes().count() {
-            let place = shards.folder.place(0, number);
-            shards.folder.write_shard(number, |out| write_grid_shard(place, self, None, out).map(|_| ()))?;
-            steps.advance(1);
-        }
-        shards.finish()
+        shards.finished(|shards| {
+            let steps = progress::stage("writing shards", self.boxes().count() as usize);
+            for number in 0..self.boxes().count() {
+                let place = shards.folder.place(0, number);
+                shards
+                    .folder
+                    .write_shard(number, |out| write_grid_shard(place, self, None, out).map(|_| ()))?;
+                steps.advance(1);
+            }
+            Ok(())
+        })
     }
 
     /// Writes the shards of a volume, window by window; `content` as in [`create`](Self::create).
@@ -103,12 +107,14 @@ impl GridShards {
         replaces: bool,
     ) -> Result<ShardFolder, Error> {
         let shards = self.create(folder, source, content, replaces)?;
-        let steps = progress::stage("writing shards", self.boxes().count() as usize);
-        for number in 0..self.boxes().count() {
-            shards.write(number, &volume.window(&self.boxes().voxels(number))?)?;
-            steps.advance(1);
-        }
-        shards.finish()
+        shards.finished(|shards| {
+            let steps = progress::stage("writing shards", self.boxes().count() as usize);
+            for number in 0..self.boxes().count() {
+                shards.write(number, &volume.window(&self.boxes().voxels(number))?)?;
+                steps.advance(1);
+            }
+            Ok(())
+        })
     }
 }
 
@@ -177,5 +183,14 @@ impl VolumeFolder {
         }
         self.folder.finish()?;
         Ok(self.folder)
+    }
+
+    /// Has all shards written by a function that knows which; when that fails, those that were written are removed.
+    pub(super) fn finished(
+        self,
+        write: impl FnOnce(&Self) -> Result<(), Error>,
+    ) -> Result<ShardFolder, Error> {
+        let folder = self.folder.clone();
+        folder.finished(|_| write(&self))
     }
 }

@@ -128,19 +128,23 @@ pub fn shard_volume_file(
     folder: &Path,
     request: &ShardRequest,
 ) -> Result<(ShardFolder, Vec<Remark>), Error> {
-    let stream = VolumeStream::open(path, format)?;
+    let stream = VolumeStream::open_with(path, format, request.allow_outside)?;
     let is_periodic = how.periodic_axes(stream.shape().len())?;
     let grid = grid_of(sort, stream.shape(), &is_periodic, request)?;
     let content = content_of(&stream, how)?;
     let shards = grid.create(folder, source(request, "volume"), content, request.replaces)?;
-    let steps = progress::stage("writing shards", shards.boxes().count() as usize);
-    let boxes = shards.boxes().clone();
-    let remarks = stream.for_each_window(how.rule, &boxes, |number, window| {
-        steps.advance(1);
-        shards.write(number, &window)
-    });
-    let remarks = remarks.map_err(|error| error.in_file(path.display().to_string()))?;
-    Ok((shards.finish()?, remarks))
+    let mut remarks = Vec::new();
+    let shards = shards.finished(|shards| {
+        let steps = progress::stage("writing shards", shards.boxes().count() as usize);
+        let boxes = shards.boxes().clone();
+        let read = stream.for_each_window(how.rule, &boxes, |number, window| {
+            steps.advance(1);
+            shards.write(number, &window)
+        });
+        remarks = read.map_err(|error| error.in_file(path.display().to_string()))?;
+        Ok(())
+    })?;
+    Ok((shards, remarks))
 }
 
 /// A hash of the bytes of the files, packed as they are, and of the rule.

@@ -25,8 +25,15 @@ pub(super) fn assemble(path: &Path, common: &Common, progress: &Progress) -> Res
     let value = parse(path).map_err(in_scene)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     let (dimension, items) = items(&value).map_err(in_scene)?;
-    let mut reading =
-        Reading { dimension, folder, common, progress, files: BTreeMap::new(), path: Vec::new() };
+    let mut reading = Reading {
+        dimension,
+        scene: path,
+        folder,
+        common,
+        progress,
+        files: BTreeMap::new(),
+        path: Vec::new(),
+    };
     let assembly = reading.list(items).map_err(in_scene)?;
     let flat = assembly.flatten().map_err(in_scene)?;
     Model::from_assembly(&flat).map_err(in_scene)
@@ -78,6 +85,7 @@ fn items(scene: &Value) -> Result<(usize, &[Value]), Error> {
 /// What is needed while a scene is read.
 struct Reading<'a> {
     dimension: usize,
+    scene: &'a Path,
     folder: PathBuf,
     common: &'a Common,
     progress: &'a Progress,
@@ -204,7 +212,7 @@ impl Reading<'_> {
             return Ok(parts.clone());
         }
         self.progress.stage(format!("reading {}", path.display()));
-        let model = coface::io::read_path_with(&path, &self.common.reading())?;
+        let model = coface::io::read_companion(self.scene, name, &self.common.reading())?;
         crate::remarks::take(&path.display().to_string(), model.remarks());
         let parts = model.placed_cells().map_err(|error| error.in_file(path.display().to_string()))?;
         let parts: Vec<Arc<PlacedCells>> =

@@ -1,5 +1,6 @@
 //! What people read of an answer on homology.
 
+use coface::algebra::escaped;
 use coface::answers::CellNames;
 use coface::answers::answer::{
     ChainTerm, CupProducts, CycleClass, GeneratorAnswer, HarmonicCochain, HodgeParts, HomologyAnswer,
@@ -162,7 +163,7 @@ fn decomposition(parts: &HodgeParts, file: &Path) -> String {
     format!(
         "  Hodge decomposition of {}, of degree {} and norm {:.6}\n    \
          exact part: norm {:.6}\n    coexact part: norm {:.6}\n    harmonic part: norm {:.6}\n",
-        file.display(),
+        escaped(&file.display().to_string()),
         parts.degree,
         norms.cochain,
         norms.exact,

@@ -7,11 +7,12 @@ use crate::commands::merge::{Answer, Question};
 use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerprint};
 use crate::failure::Failure;
 use crate::output::give;
-use crate::progress::{Progress, remove_at_end};
+use crate::progress::Progress;
 use crate::workers::{Task, core_count, pool};
 use clap::Args;
 use coface::Error;
 use coface::answers::answer::HomologyAnswer;
+use coface::io::{FolderLock, MadeFolders, TemporaryFolder};
 use coface::scale::shards::ShardFolder;
 use coface::scale::workers::{Limits, Loss, bytes_text, parse_bytes};
 use serde::{Deserialize, Serialize};
@@ -68,7 +69,7 @@ impl PartsOptions {
         }
         let progress = Progress::start(common.quiet);
         let work = WorkFolder::new(self.work.as_deref())?;
-        let runner = Runner::new(self, common, &work.path)?;
+        let runner = Runner::new(self, common, work.path())?;
         let given = input;
         let input = work.standard_input(given)?;
         let name = (input != given).then(|| crate::input::name(given));
@@ -83,40 +84,32 @@ impl PartsOptions {
     }
 }
 
-/// Where shards stand: a folder of the user, or one that goes with this run.
-struct WorkFolder {
-    path: PathBuf,
-    is_temporary: bool,
+/// Where shards stand.
+enum WorkFolder {
+    /// A folder that goes with this run.
+    Temporary(TemporaryFolder),
+    /// A folder of the user, in which no other run works meanwhile. It goes too if it was made for this run and
+    /// stays empty.
+    Given { path: PathBuf, _lock: FolderLock, _made: MadeFolders },
 }
 
 impl WorkFolder {
     fn new(given: Option<&Path>) -> Result<Self, Failure> {
-        let made = |path: &Path| {
-            std::fs::create_dir_all(path).map_err(|error| {
-                Failure::new(format!(
-                    "{}: the folder cannot be made: {error}; name another with --work",
-                    path.display()
-                ))
-            })
-        };
+        let cure = |error: Error| error.with_cure("name another folder with --work");
         if let Some(path) = given {
-            made(path)?;
-            return Ok(Self { path: path.to_path_buf(), is_temporary: false });
+            let made = MadeFolders::of(path).map_err(cure)?;
+            let lock = FolderLock::take(path, ".coface-work.lock")?;
+            return Ok(Self::Given { path: path.to_path_buf(), _lock: lock, _made: made });
         }
-        let base = std::env::temp_dir();
-        for attempt in 0..1000 {
-            let path = base.join(format!("coface-parts-{}-{attempt}", std::process::id()));
-            if path.exists() {
-                continue;
-            }
-            made(&path)?;
-            remove_at_end(&path);
-            return Ok(Self { path, is_temporary: true });
+        let folder = TemporaryFolder::create_in(&std::env::temp_dir(), "coface-parts-").map_err(cure)?;
+        Ok(Self::Temporary(folder))
+    }
+
+    fn path(&self) -> &Path {
+        match self {
+            Self::Temporary(folder) => folder.path(),
+            Self::Given { path, .. } => path,
         }
-        Err(Failure::new(format!(
-            "{}: there is no free name for a folder; name one with --work",
-            base.display()
-        )))
     }
 
     /// A file instead of the standard input, which workers do not see.
@@ -124,20 +117,11 @@ impl WorkFolder {
         if input.as_os_str() != "-" {
             return Ok(input.to_path_buf());
         }
-        let path = self.path.join("standard input");
+        let path = self.path().join("standard input");
         let copied = coface::io::replace_file(&path, |out| {
             Ok(std::io::copy(&mut std::io::stdin().lock(), out).map(|_| ())?)
         });
         copied.map(|()| path).map_err(Failure::from)
-    }
-}
-
-impl Drop for WorkFolder {
-    fn drop(&mut self) {
-        if self.is_temporary {
-            // What cannot be removed stays in the folder for temporary files.
-            let _ = std::fs::remove_dir_all(&self.path);
-        }
     }
 }
 
@@ -173,6 +157,7 @@ struct ShardTask {
     flatten: Option<f64>,
     strict: bool,
     partial: bool,
+    allow_outside: bool,
     voxels: VoxelArguments,
     grid: Option<Vec<u32>>,
     simplicial: bool,
@@ -254,6 +239,7 @@ impl<'a> Runner<'a> {
             flatten: common.flatten,
             strict: common.strict,
             partial: common.partial,
+            allow_outside: common.allow_outside,
             voxels: common.voxels.clone(),
             grid: self.options.grid.grid.clone(),
             simplicial: self.options.grid.simplicial,
@@ -449,6 +435,7 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         flatten: task.flatten,
         strict: task.strict,
         partial: task.partial,
+        allow_outside: task.allow_outside,
         voxels: task.voxels.clone(),
     };
     let progress = Progress::start(true);

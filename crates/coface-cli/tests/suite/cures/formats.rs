@@ -82,4 +82,13 @@ pub(super) const CASES: &[Case] = &[
             "coface shard a.cfc --parts 1 -o parts",
             "coface reduce parts",
         ]]),
+    Case::new("files/companion.rs", "copy it into that folder, or allow it by --allow-outside")
+        .files(&[("numbers.raw", "1234")])
+        .before(&["coface man -o deep"])
+        .damaged(&[(
+            "deep/a.nhdr",
+            "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 2\nencoding: raw\ndata file: ../numbers.raw\n\n",
+        )])
+        .refused("coface info deep/a.nhdr")
+        .cured(&[&["coface info deep/a.nhdr --allow-outside"]]),
 ];

@@ -211,7 +211,6 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("cli/src/classes.rs", "build it with --features arrow", "needs another build of the program"),
     ("facts/volume.rs", "coface homology --parts N", "needs a volume of a thousand million voxels"),
     ("planar/writing.rs", "use --snap, or write GeoJSON", "needs a hole that rounding moves across its ring"),
-    ("homology/parts.rs", "there is no free name for a folder", "needs a thousand folders of one name"),
     (
         "homology/parts.rs",
         "merge fewer at once by --fan-in 2",
