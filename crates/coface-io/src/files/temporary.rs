@@ -37,7 +37,11 @@ pub fn abandon_files() {
     let unfinished = unfinished();
     for path in &unfinished.paths {
         // What cannot be removed is removed by the next run.
-        let _ = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+        if path.is_dir() {
+            remove_folder(path);
+        } else {
+            let _ = fs::remove_file(path);
+        }
     }
     // A folder stands before those in it.
     for folder in unfinished.made.iter().rev() {
@@ -236,7 +240,7 @@ fn remove_unless_held(folder: &Path) {
     let owner = folder.join(OWNER);
     match File::open(&owner) {
         Ok(file) if Hold::of(&file, &owner) == Hold::Ours => {
-            let _ = fs::remove_dir_all(folder);
+            remove_folder(folder);
         }
         Ok(_) => {}
         // Its process died before it said that it is its own, or is about to say it: then it makes another. What is
@@ -247,12 +251,33 @@ fn remove_unless_held(folder: &Path) {
     }
 }
 
+/// Removes a temporary folder with all that is in it. The file that says that it is one goes last, so that whoever is
+/// killed meanwhile leaves a folder that the next run removes.
+fn remove_folder(folder: &Path) {
+    let owner = folder.join(OWNER);
+    for _ in 0..ATTEMPTS {
+        let Ok(entries) = fs::read_dir(folder) else { return };
+        for entry in entries.filter_map(Result::ok).filter(|entry| entry.file_name() != OWNER) {
+            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+            // What cannot be removed is removed by the next run.
+            let _ = if is_folder { fs::remove_dir_all(entry.path()) } else { fs::remove_file(entry.path()) };
+        }
+        let _ = fs::remove_file(&owner);
+        match fs::remove_dir(folder) {
+            // A worker that has not seen yet that its parent is dead has put something there.
+            Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {
+                let _ = File::create(&owner);
+            }
+            _ => return,
+        }
+    }
+}
+
 impl Drop for TemporaryFolder {
     fn drop(&mut self) {
         let mut unfinished = unfinished();
         unfinished.paths.remove(&self.path);
-        // What cannot be removed is removed by the next run.
-        let _ = fs::remove_dir_all(&self.path);
+        remove_folder(&self.path);
         if let Some(owner) = &self.owner {
             // A process that is being started may still share the file, and the lock with it.
             let _ = owner.unlock();
@@ -378,6 +403,33 @@ mod tests {
             drop(TemporaryFolder::create_in(base.path(), "scratch-").unwrap());
             assert!(!at("scratch-emptyempty12").exists());
         }
+    }
+
+    #[test]
+    fn a_folder_that_was_removed_in_part_is_removed_by_the_next_run() {
+        let base = tempfile::tempdir().unwrap();
+        let dead = abandoned(base.path(), "scratch-");
+        fs::write(dead.join("a"), "a").unwrap();
+        // Whoever removes it is killed after any step: then either it is still known as one, or it is empty.
+        fs::remove_file(dead.join("a")).unwrap();
+        assert!(dead.join(OWNER).exists());
+        drop(TemporaryFolder::create_in(base.path(), "scratch-").unwrap());
+        assert_eq!(names(base.path()), [""; 0]);
+        // While it is removed somebody goes on writing into it.
+        let folder = TemporaryFolder::create_in(base.path(), "scratch-").unwrap();
+        let path = folder.path().to_path_buf();
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                for i in 0..2000 {
+                    if fs::write(path.join(i.to_string()), "a").is_err() {
+                        break;
+                    }
+                }
+            });
+            drop(folder);
+        });
+        drop(TemporaryFolder::create_in(base.path(), "scratch-").unwrap());
+        assert_eq!(names(base.path()), [""; 0]);
     }
 
     #[test]
