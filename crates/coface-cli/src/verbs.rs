@@ -8,6 +8,7 @@ use crate::remarks::say_read;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
+use coface::io::check_output;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -193,6 +194,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn serve(arguments: &Arguments) -> Result<(), Failure> {
     let common = &arguments.common;
+    if let Some(output) = &common.output {
+        // Before the work, not after it.
+        check_output(output)?;
+    }
     match &arguments.verb {
         Verb::Info(verb) => verb.run(common),
         Verb::Homology(verb) => verb.run(common),

@@ -1,5 +1,6 @@
 //! Faults of the library as exceptions of Python.
 
+use coface::algebra::escaped;
 use coface::{Error, ErrorKind};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -52,7 +53,7 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
     let Some(classes) = CLASSES.get(py) else { return Ok(()) };
     let Some(class) = classes.bind(py).get_item("AssumptionWarning")? else { return Ok(()) };
-    PyErr::warn(py, &class, &CString::new(message.replace('\0', " "))?, 1)
+    PyErr::warn(py, &class, &CString::new(escaped(message).into_owned())?, 1)
 }
 
 fn class_name(kind: ErrorKind) -> &'static str {

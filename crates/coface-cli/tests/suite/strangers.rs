@@ -151,6 +151,28 @@ fn other_files_that_files_name_are_beside_them() {
     assert!(generate(&scene("pipe"), &[]).fails_with(1).contains("regular file"));
 }
 
+#[test]
+fn a_folder_of_shards_has_no_pipes() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.json"), "[[0,1,2],[1,2,3]]").unwrap();
+    let made = coface_in(folder.path(), &["shard", "a.json", "--parts", "2", "-o", "shards"]);
+    assert_eq!(made.status, 0, "{}", made.stderr);
+    let shards = folder.path().join("shards");
+    for (name, arguments) in [
+        ("part-000001.shard", &["reduce", "shards"][..]),
+        ("part-000001.shard", &["reduce", "shards/part-000001.shard"]),
+        ("shards.json", &["merge", "shards"]),
+    ] {
+        let kept = fs::read(shards.join(name)).unwrap();
+        fs::remove_file(shards.join(name)).unwrap();
+        pipe(&shards.join(name));
+        let run = coface_in(folder.path(), arguments);
+        assert!(run.fails_with(1).contains("regular file"), "{arguments:?}: {}", run.stderr);
+        fs::remove_file(shards.join(name)).unwrap();
+        fs::write(shards.join(name), kept).unwrap();
+    }
+}
+
 /// A name with an end of line, an escape sequence of terminals, a mark that turns text around, and what HTML would
 /// take for an element.
 const EVIL: &str = "a\n\u{1b}[31mred\u{202e}\u{9b}1m<img src=x onerror=alert(1)>.json";

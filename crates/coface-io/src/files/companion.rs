@@ -42,7 +42,9 @@ impl Companions {
         match (self.folder.canonicalize(), path.canonicalize()) {
             (Ok(folder), Ok(path)) if path.starts_with(&folder) => open_regular(&path),
             (Ok(_), Ok(_)) => Err(outside()),
-            (Err(error), _) | (_, Err(error)) => Err(unopened(&error)),
+            (Err(error), _) | (_, Err(error)) => {
+                Err(unopened(&error, "put it beside the file that names it"))
+            }
         }
     }
 
@@ -83,10 +85,9 @@ fn outside() -> Error {
         .with_cure("copy it into that folder, or allow it by --allow-outside if you trust the file")
 }
 
-fn unopened(error: &io::Error) -> Error {
+fn unopened(error: &io::Error, cure: &str) -> Error {
     match error.kind() {
-        io::ErrorKind::NotFound => Error::new(ErrorKind::Io, "there is no such file")
-            .with_cure("put it beside the file that names it"),
+        io::ErrorKind::NotFound => Error::new(ErrorKind::Io, "there is no such file").with_cure(cure),
         io::ErrorKind::PermissionDenied => Error::new(ErrorKind::Io, "the file may not be read")
             .with_cure("change its permissions, or copy it"),
         _ => Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}"))
@@ -98,10 +99,11 @@ fn unopened(error: &io::Error) -> Error {
 /// taken the place of a file.
 ///
 /// # Errors
-/// As of [`Companions::open`].
-fn open_regular(path: &Path) -> Result<File, Error> {
+/// [`ErrorKind::InvalidInput`] for what is no regular file; [`ErrorKind::Io`] for one that is not there or may not be read.
+/// They do not name the file.
+pub fn open_regular(path: &Path) -> Result<File, Error> {
     let no_file = || Error::invalid("is no regular file").with_cure("name a regular file there");
-    if !fs::metadata(path).map_err(|error| unopened(&error))?.is_file() {
+    if !fs::metadata(path).map_err(|error| unopened(&error, "check the path"))?.is_file() {
         return Err(no_file());
     }
     let mut options = File::options();
@@ -112,8 +114,12 @@ fn open_regular(path: &Path) -> Result<File, Error> {
         let flags = OFlag::O_NONBLOCK | OFlag::O_NOCTTY;
         std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, flags.bits());
     }
-    let file = options.open(path).map_err(|error| unopened(&error))?;
-    if file.metadata().map_err(|error| unopened(&error))?.is_file() { Ok(file) } else { Err(no_file()) }
+    let file = options.open(path).map_err(|error| unopened(&error, "check the path"))?;
+    if file.metadata().map_err(|error| unopened(&error, "check the path"))?.is_file() {
+        Ok(file)
+    } else {
+        Err(no_file())
+    }
 }
 
 #[cfg(test)]

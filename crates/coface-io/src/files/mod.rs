@@ -16,6 +16,7 @@ mod output;
 mod temporary;
 
 pub(crate) use companion::Companions;
+pub use companion::open_regular;
 pub use lock::FolderLock;
-pub use output::{replace_file, replace_files};
+pub use output::{check_output, replace_file, replace_files};
 pub use temporary::{MadeFolders, TemporaryFolder, abandon_files};

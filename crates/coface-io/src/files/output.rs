@@ -73,18 +73,7 @@ impl Staged {
         }
         let target = followed(path)?;
         if let Some(old) = &old {
-            let may_not = || {
-                Error::new(ErrorKind::Io, "the file may not be written, so it is not replaced")
-                    .with_cure("change its permissions, or name another file")
-            };
-            if old.permissions().readonly() {
-                return Err(may_not());
-            }
-            // Who may write in the folder could replace the file all the same: its permissions say what is meant.
-            OpenOptions::new().append(true).open(&target).map_err(|error| match error.kind() {
-                io::ErrorKind::PermissionDenied => may_not(),
-                _ => error.into(),
-            })?;
+            check_permissions(&target, old)?;
         }
         if target.file_name().is_none() {
             return Err(Error::new(ErrorKind::Io, "names no file to write"));
@@ -106,6 +95,35 @@ impl Staged {
         }
         Ok(())
     }
+}
+
+/// Looks whether a file that is there may be replaced: to be asked before long work whose result it is to hold.
+///
+/// # Errors
+/// [`ErrorKind::Io`] with the path when it is there, and may not be written.
+pub fn check_output(path: &Path) -> Result<(), Error> {
+    match fs::metadata(path) {
+        Ok(old) if old.is_file() && !is_stream(path) => {
+            check_permissions(path, &old).map_err(|error| error.in_file(path.display().to_string()))
+        }
+        // What is wrong with others is said when they are written.
+        _ => Ok(()),
+    }
+}
+
+/// Who may write in a folder could replace every file in it: the permissions of the file say what is meant.
+fn check_permissions(target: &Path, old: &fs::Metadata) -> Result<(), Error> {
+    let may_not = || {
+        Error::new(ErrorKind::Io, "the file may not be written, so it is not replaced")
+            .with_cure("change its permissions, or name another file")
+    };
+    if old.permissions().readonly() {
+        return Err(may_not());
+    }
+    OpenOptions::new().append(true).open(target).map(drop).map_err(|error| match error.kind() {
+        io::ErrorKind::PermissionDenied => may_not(),
+        _ => error.into(),
+    })
 }
 
 fn write_all(

@@ -191,10 +191,10 @@ impl Journal {
                 error
             }
             count if error.kind() == ErrorKind::Io => {
-                let cure = error.cure().map_or_else(String::new, |cure| format!("{cure}; "));
+                let cure = error.cure().unwrap_or("make room").to_owned();
                 let rows = if count == 1 { "row is" } else { "rows are" };
                 error.with_cure(format!(
-                    "{cure}run it again when there is room: {count} finished {rows} kept beside the output"
+                    "{cure}, then run it again: {count} finished {rows} kept beside the output"
                 ))
             }
             _ => error,

@@ -152,6 +152,7 @@ impl Batch {
     /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) when the output or its journal cannot be written, or another run is writing it; those of
     /// [`WorkerPool::run`].
     pub fn write(&self, pool: &WorkerPool, out: &Path, format: TableFormat) -> Result<Summary, Error> {
+        coface_io::check_output(out)?;
         let (mut journal, refused) = Journal::open(out, &self.options(pool), &self.files, self.restart)?;
         let left: Vec<usize> = (0..self.files.len()).filter(|&place| !journal.has(place)).collect();
         let resumed = self.files.len() - left.len();

@@ -7,10 +7,10 @@ use super::reduced::{ReducedSummary, merge, reduce, root_homology, summary};
 use coface_algebra::progress;
 use coface_algebra::{Error, ErrorKind};
 use coface_io::container::{Kind, checksum_of_header};
-use coface_io::{FolderLock, MadeFolders, replace_file};
+use coface_io::{FolderLock, MadeFolders, open_regular, replace_file};
 use coface_topology::Homology;
 use rayon::prelude::*;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -169,22 +169,19 @@ fn in_file(path: &Path) -> impl Fn(Error) -> Error + '_ {
 ///
 /// They are copied and not mapped: the folder is open to other programs, and a copy keeps its checksum whatever becomes of the file.
 fn bytes_of(path: &Path) -> Result<Vec<u8>, Error> {
-    let fault = |error: std::io::Error| {
-        let error = match error.kind() {
-            std::io::ErrorKind::NotFound => {
-                Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
-            }
-            _ => Error::from(error),
-        };
-        in_file(path)(error)
+    let read = || {
+        let mut bytes = Vec::new();
+        // A folder of shards may come from elsewhere: a pipe in it is not waited for.
+        open_regular(path)?.read_to_end(&mut bytes)?;
+        Ok(bytes)
     };
-    fs::read(path).map_err(fault)
+    read().map_err(in_file(path))
 }
 
 /// The checksum that a container says it has.
 fn stated_checksum(path: &Path, kind: Kind) -> Result<u64, Error> {
     let mut start = Vec::new();
-    let file = File::open(path).map_err(Error::from)?;
+    let file = open_regular(path)?;
     let length = file.metadata()?.len();
     file.take(64).read_to_end(&mut start)?;
     match checksum_of_header(&start, length)? {
@@ -745,7 +742,8 @@ impl ShardFolder {
 }
 
 fn read_manifest(list: &Path) -> Result<ShardManifest, Error> {
-    let text = fs::read_to_string(list).map_err(|error| in_file(list)(error.into()))?;
+    let text = String::from_utf8(bytes_of(list)?);
+    let text = text.map_err(|_| in_file(list)(Error::parse("the list of shards is no text")))?;
     ShardManifest::from_json(&text).map_err(in_file(list))
 }
 
