@@ -1,12 +1,14 @@
 //! Developer tasks: `cargo xtask test` checks everything, `cargo xtask bench` measures.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a developer tool talks to a terminal")]
 
+mod advisories;
 mod answers;
 mod api;
 #[cfg(test)]
 mod house;
 mod packages;
 mod python;
+mod soak;
 mod tally;
 mod test;
 mod tokens;
@@ -25,6 +27,10 @@ const USAGE: &str = "usage:
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask wild DIR..      runs `coface info` on every file below the folders; counts what is read, and why the rest is refused
+  cargo xtask soak [--minutes N]
+                              asks the program and the Python package the same again and again; answers, files and memory must stay
+  cargo xtask advisories [DIR]
+                              says which packages have known faults, by the snapshot in xtask/advisories.txt; DIR makes it anew
   cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
   cargo xtask types [--write] says whether the viewer has the types of docs/answers.schema.json; writes them
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
@@ -39,6 +45,8 @@ fn main() -> ExitCode {
         Some("viewer") if words.len() == 1 => viewer::run(),
         Some("python") if words.len() == 1 => python::run(),
         Some("answers") => answers::answers(&words[1..]),
+        Some("advisories") => advisories::advisories(&words[1..]),
+        Some("soak") => soak::soak(&words[1..]),
         Some("wild") => wild::wild(&words[1..]),
         Some("api") => api::api(&words[1..]),
         Some("types") => typescript::types(&words[1..]),

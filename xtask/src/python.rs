@@ -145,6 +145,11 @@ fn install(requirements: &str, record: &str) -> io::Result<()> {
 }
 
 /// Python of the environment, in the folder of the package.
+/// The interpreter that has the package, where [`python`] has made it.
+pub(crate) fn with_package() -> Option<Command> {
+    program().is_file().then(|| interpreter(&[]))
+}
+
 fn interpreter(words: &[&str]) -> Command {
     let mut command = Command::new(program());
     command.args(words).current_dir(root().join(PACKAGE)).env("PYTHONPATH", site());

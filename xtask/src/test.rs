@@ -33,6 +33,7 @@ pub(crate) fn run() -> ExitCode {
         let mut tally = Tally::default();
         viewer(&mut tally);
         packages(&mut tally);
+        crate::advisories::check(&mut tally);
         // With the same features as the tests: with others everything would be built again.
         let lints = [
             &["clippy", "--quiet", "--workspace", "--all-targets"],

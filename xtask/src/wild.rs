@@ -83,7 +83,7 @@ fn parse(words: &[String]) -> Option<Request> {
 }
 
 /// Builds the program; gives its path.
-fn build() -> Option<PathBuf> {
+pub(crate) fn build() -> Option<PathBuf> {
     let words = ["build", "--quiet", "--package", "coface-cli"];
     if !crate::cargo(&words).status().is_ok_and(|status| status.success()) {
         return None;

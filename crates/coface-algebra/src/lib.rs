@@ -54,6 +54,7 @@ mod escapes;
 mod ids;
 mod integers;
 mod matrices;
+pub mod memory;
 mod normal_forms;
 pub mod progress;
 #[cfg(any(test, feature = "samples"))]

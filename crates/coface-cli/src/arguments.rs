@@ -3,9 +3,11 @@
 use clap::Args;
 use coface::complexes::cubical::CubicalVolume;
 use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
+use coface::scale::workers::{parse_bytes, parse_duration};
 use coface::topology::Coefficients;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// Options that every verb takes.
 #[derive(Args)]
@@ -30,6 +32,12 @@ pub(crate) struct Common {
     #[arg(long, value_name = "LENGTH", global = true, help_heading = "Common options",
           allow_negative_numbers = true, value_parser = flatness)]
     pub(crate) flatten: Option<f64>,
+    /// The most memory that the program may hold: 500M, 2G, or none
+    #[arg(long, value_name = "SIZE", global = true, help_heading = "Common options", value_parser = memory_limit)]
+    pub(crate) memory: Option<Limit<u64>>,
+    /// The longest that the program may take: 500ms, 60s, 5m, 2h, or none
+    #[arg(long, value_name = "TIME", global = true, help_heading = "Common options", value_parser = time_limit)]
+    pub(crate) time_limit: Option<Limit<Duration>>,
     /// Make everything that a reader assumes an error: a face that repeats a vertex, counts that differ, ..
     #[arg(long, global = true, help_heading = "Common options")]
     pub(crate) strict: bool,
@@ -66,6 +74,27 @@ pub(crate) struct VoxelArguments {
     /// Axes of a volume whose last voxels meet the first: x, y, z or numbers from 0, with commas between them
     #[arg(long, value_name = "AXES", global = true, help_heading = "Volumes", value_parser = periodic_axes)]
     periodic: Option<PeriodicAxes>,
+}
+
+/// A limit that may be none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Limit<T>(pub(crate) Option<T>);
+
+/// A duration with its unit, or `none`.
+pub(crate) fn time_limit(text: &str) -> Result<Limit<Duration>, String> {
+    limit(text, parse_duration)
+}
+
+/// An amount of memory with its unit, or `none`.
+pub(crate) fn memory_limit(text: &str) -> Result<Limit<u64>, String> {
+    limit(text, parse_bytes)
+}
+
+fn limit<T>(text: &str, parse: fn(&str) -> Result<T, coface::Error>) -> Result<Limit<T>, String> {
+    if text == "none" {
+        return Ok(Limit(None));
+    }
+    parse(text).map(|value| Limit(Some(value))).map_err(|error| error.to_string())
 }
 
 /// Which axes are periodic.

@@ -1,6 +1,6 @@
 //! What the verbs on fundamental groups share: asking, closed paths in files, and lines for people.
 
-use crate::arguments::Common;
+use crate::arguments::{Common, Limit, time_limit};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{is_json, write_json};
@@ -106,10 +106,10 @@ pub(crate) fn walks_in(path: &Path) -> Result<GivenWalks, Failure> {
     Ok(GivenWalks { place, walks })
 }
 
-/// A duration of the command line.
-pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text.parse().map_err(|_| "not a number of seconds".to_owned())?;
-    Duration::try_from_secs_f64(seconds).map_err(|error| error.to_string())
+/// How long simplifying may take.
+pub(crate) fn effort(text: &str) -> Result<Limit<Duration>, String> {
+    // No time at all is a sensible request: simplify nothing.
+    if text.trim() == "0" { Ok(Limit(Some(Duration::ZERO))) } else { time_limit(text) }
 }
 
 /// What is known of walks, and of all pairs of them up to `limit`.

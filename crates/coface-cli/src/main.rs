@@ -11,6 +11,7 @@ mod failure;
 mod filtration;
 mod groups;
 mod input;
+mod limits;
 mod output;
 mod progress;
 mod remarks;
@@ -27,7 +28,8 @@ use verbs::Arguments;
 fn main() -> ExitCode {
     let arguments = Arguments::of_command_line();
     progress::end_on_signals();
-    match start_threads(&arguments).and_then(|()| progress::watched(|| verbs::run(&arguments))) {
+    let started = limits::keep(&arguments).and_then(|()| start_threads(&arguments));
+    match started.and_then(|()| progress::watched(|| verbs::run(&arguments))) {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -209,23 +209,31 @@ pub(crate) fn end_on_signals() {
     let _ = ctrlc::set_handler(|| end(INTERRUPTED));
 }
 
-fn end(status: i32) -> ! {
+/// Ends the program before its work is done: no temporary file stays, and no half a line.
+pub(crate) fn end(status: i32) -> ! {
     coface::io::abandon_files();
+    clear_line();
     let mut out = std::io::stderr();
-    if IS_SHOWN.load(Ordering::Relaxed) {
-        // Back to the start of the line of progress, and away with it.
-        let _ = out.write_all(b"\r\x1b[2K");
-    }
     if out.is_terminal() {
-        let _ = out.write_all(if status == INTERRUPTED { &b"interrupted\n"[..] } else { b"terminated\n" });
+        let _ = match status {
+            INTERRUPTED => out.write_all(b"interrupted\n"),
+            TERMINATED => out.write_all(b"terminated\n"),
+            _ => Ok(()),
+        };
     }
     std::process::exit(status)
+}
+
+/// Back to the start of the line of progress, and away with it.
+pub(crate) fn clear_line() {
+    if IS_SHOWN.swap(false, Ordering::Relaxed) {
+        let _ = std::io::stderr().write_all(b"\r\x1b[2K");
+    }
 }
 
 /// The exit status of what ended on an interrupt, as shells have it.
 const INTERRUPTED: i32 = 130;
 /// The exit status of what the system asked to end.
-#[cfg(unix)]
 const TERMINATED: i32 = 143;
 
 #[cfg(test)]

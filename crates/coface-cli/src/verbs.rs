@@ -11,6 +11,7 @@ use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
 use coface::io::check_output;
 use std::ffi::OsString;
 use std::path::Path;
+use std::time::Duration;
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -51,6 +52,22 @@ impl Arguments {
         let words = std::env::args().skip(1);
         let verb = words.into_iter().find_map(|word| whole.find_subcommand(&word).cloned());
         verb.unwrap_or(whole)
+    }
+
+    /// The most memory that this process may hold. The verbs that share memory out to workers keep the limit there.
+    pub(crate) fn memory_of_program(&self) -> Option<u64> {
+        match self.verb {
+            Verb::Homology(_) | Verb::Batch(_) | Verb::Worker(_) => None,
+            _ => self.common.memory.and_then(|limit| limit.0),
+        }
+    }
+
+    /// The longest that this process may take. The verbs that simplify groups say after this time what is known then.
+    pub(crate) fn time_of_program(&self) -> Option<Duration> {
+        match self.verb {
+            Verb::Pi1(_) | Verb::Subgroups(_) => None,
+            _ => self.common.time_limit.and_then(|limit| limit.0),
+        }
     }
 
     /// The command line with the options that a verb cannot use left out of its help. It takes them all the same.

@@ -93,6 +93,23 @@ impl Format {
         Self::Points,
     ];
 
+    /// Whether a file is lines of text without a mark at its end, so that a cut within the last line can look like a whole file.
+    pub(crate) const fn is_lines_of_text(self) -> bool {
+        matches!(
+            self,
+            Self::Off
+                | Self::Obj
+                | Self::Ply
+                | Self::Vtk
+                | Self::Lines
+                | Self::Dat
+                | Self::Isosig
+                | Self::Abaqus
+                | Self::TetGen
+                | Self::Points
+        )
+    }
+
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
     /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`, `npy`, `nrrd`, `nii`,
     /// `cfc`, `gltf`, `3mf`, `dae`, `inp`, `node`, `xyz`.

@@ -8,13 +8,11 @@
 //! R. F. Boisvert, R. Pozo, K. A. Remington, *The Matrix Market exchange formats: initial design* (1996).
 
 use super::decimal::push_natural;
+use super::json::most_cells;
 use super::scanner::{Scanner, parse_i64, quoted};
 use coface_algebra::SparseMatrix;
 use coface_algebra::{Error, ErrorKind};
 use std::io::{BufWriter, Read, Write};
-
-/// A matrix without many entries may still have so many rows and columns.
-const FREE_COUNT: u64 = 1 << 24;
 
 /// What stands in a Matrix Market file for each entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -118,8 +116,7 @@ pub fn read(input: impl Read) -> Result<SparseMatrix, Error> {
         ))
         .at_line(scanner.line_number()));
     }
-    let limit = FREE_COUNT.max(16 * entries.len() as u64);
-    if rows.max(columns) > limit {
+    if rows.max(columns) > most_cells(entries.len() as u64) {
         return Err(Error::new(
             ErrorKind::TooLarge,
             format!("the matrix has {rows} rows and {columns} columns, but only {} entries", entries.len()),
@@ -127,7 +124,7 @@ pub fn read(input: impl Read) -> Result<SparseMatrix, Error> {
         .at_line(limit_line)
         .with_cure("check the counts"));
     }
-    // Both counts are at most 2^36 here, and triples are within them.
+    // Both counts are at most 2^37 here, and triples are within them.
     SparseMatrix::from_entries(rows as usize, columns as usize, entries)
 }
 

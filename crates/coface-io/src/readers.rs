@@ -3,6 +3,7 @@
 use super::counted_stream::{CountedStream, name_of, reading};
 use super::files::{Companions, replace_file};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
+use super::tail::Tail;
 use super::unpacking::{Packing, unpacked};
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, collada, container, detection,
@@ -785,13 +786,26 @@ fn read_format(
     (format, path): (Format, Option<&Path>),
     options: &ReadOptions,
 ) -> Result<Model, Error> {
-    let flatten = options.flatten;
     detection::check_stated(format, start, whole)?;
     let rest = rest.take(if whole { 0 } else { u64::MAX });
-    let mut input = detection::without_mark(start).chain(rest);
-    let input: &mut dyn Read = &mut input;
+    let mut input = Tail::new(detection::without_mark(start).chain(rest));
+    let mut model = read_mesh(&mut input, (format, path), options)?;
+    if format.is_lines_of_text() {
+        model.remarks.extend(input.remark());
+    }
+    options.accept(model.remarks())?;
+    Ok(model.with_format(format))
+}
+
+/// Reads what is no volume.
+fn read_mesh(
+    input: &mut dyn Read,
+    (format, path): (Format, Option<&Path>),
+    options: &ReadOptions,
+) -> Result<Model, Error> {
+    let flatten = options.flatten;
     let companions = path.map(|path| Companions::of(path, options.allow_outside));
-    let model = match format {
+    Ok(match format {
         Format::Off => match path.filter(|path| path.is_file()) {
             Some(path) => off::read_file(input, path, options)?,
             None => off::read_with(input, options)?,
@@ -818,9 +832,7 @@ fn read_format(
         Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,
         Format::Npy | Format::Nrrd | Format::Nifti => {
-            return volume_model(VolumeStream::new(input, format)?, options, format);
+            volume_model(VolumeStream::new(input, format)?, options, format)?
         }
-    };
-    options.accept(model.remarks())?;
-    Ok(model.with_format(format))
+    })
 }

@@ -27,8 +27,10 @@ export function neighborhoodOf(complex: Complex, selection: CellSet, word: Neigh
   }
 }
 
-export function cellText(cell: Cell): string {
-  return `{${cell.vertices.join(", ")}}`;
+/** A cell by the numbers that the model gives its vertices. */
+export function cellText(cell: Cell, model: Scene): string {
+  const numbers = cell.vertices.map((vertex) => model.vertexNumbers[vertex] ?? vertex);
+  return `{${numbers.join(", ")}}`;
 }
 
 /** What is known of a top cell: its number, its note, and its boundary as a chain. */
@@ -83,7 +85,7 @@ export class NeighborhoodPanel {
       );
     }
     const cells = drawn?.list() ?? [];
-    const text = cells.slice(0, MOST).map(cellText).join(" ") + (cells.length > MOST ? " ..." : "");
+    const text = cells.slice(0, MOST).map((cell) => cellText(cell, this.model)).join(" ") + (cells.length > MOST ? " ..." : "");
     this.root.append(row, list, element("div", { class: "cells", "data-cells": shown }, text));
     const chosen = selection.list();
     const facts = chosen.length === 1 ? cellFacts(chosen[0], this.complex, this.model) : [];

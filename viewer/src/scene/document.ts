@@ -60,6 +60,8 @@ export interface SceneText {
   /** What was taken from all positions before they were rounded to 32 bits. */
   origin: [number, number, number];
   positions: string;
+  /** The number of each vertex in the model; absent where vertices are numbered as here. */
+  vertexNumbers?: string;
   polygons: RaggedText;
   /** Walks around polygons beyond the first, with the polygon of each. */
   rims: RaggedText;
@@ -105,6 +107,8 @@ export interface Scene {
   dimension: 2 | 3;
   origin: [number, number, number];
   positions: Float32Array;
+  /** The number of each vertex in the model; empty where vertices are numbered as here. */
+  vertexNumbers: Uint32Array;
   polygons: Ragged;
   rims: Ragged;
   polygonsOfRims: Uint32Array;
@@ -182,6 +186,7 @@ export function readScene(text: SceneText): Scene {
     dimension: text.dimension,
     origin: text.origin,
     positions,
+    vertexNumbers: numbers(text.vertexNumbers),
     polygons,
     rims: lists(text.rims),
     polygonsOfRims: numbers(text.polygonsOfRims),

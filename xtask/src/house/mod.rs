@@ -34,6 +34,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     ("coface-pictures", &["coface-algebra", "coface-geometry", "coface-yin", "coface-io", "coface-answers"]),
     ("coface-mapped", &[]),
+    ("coface-allocator", &[]),
     (
         "coface-scale",
         &[

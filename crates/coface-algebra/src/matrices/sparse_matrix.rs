@@ -707,7 +707,9 @@ pub(super) fn factor_fault(column_count: usize, row_count: usize, other_column_c
 fn too_wide(row: u32, column: u32, value: &impl fmt::Display) -> Error {
     Error::new(
         ErrorKind::TooLarge,
-        format!("the entry at row {row}, column {column} is {value}; the limit is 32 bits"),
+        format!(
+            "the entry at row {row}, column {column} is {value}, beyond the limits of -2147483647 and 2147483647"
+        ),
     )
 }
 
@@ -827,11 +829,17 @@ mod tests {
     #[test]
     fn entries_beyond_32_bits_are_named() {
         let error = SparseMatrix::from_entries(1, 1, [(0, 0, 1 << 40)]).unwrap_err();
-        assert_eq!(error.message(), "the entry at row 0, column 0 is 1099511627776; the limit is 32 bits");
+        assert_eq!(
+            error.message(),
+            "the entry at row 0, column 0 is 1099511627776, beyond the limits of -2147483647 and 2147483647"
+        );
         let wide =
             WideMatrix::from_integer_columns(3, [vec![], vec![(2, Integer::from(1i64 << 31))]]).unwrap();
         let error = wide.to_narrow().unwrap_err();
-        assert_eq!(error.message(), "the entry at row 2, column 1 is 2147483648; the limit is 32 bits");
+        assert_eq!(
+            error.message(),
+            "the entry at row 2, column 1 is 2147483648, beyond the limits of -2147483647 and 2147483647"
+        );
         assert!(SparseMatrix::from_entries(1, 1, [(1, 0, 1)]).is_err());
         assert!(WideMatrix::from_integer_columns(1, [vec![(1, Integer::ONE)]]).is_err());
     }

@@ -1,6 +1,6 @@
 //! `coface batch`: the report over many files.
 
-use crate::arguments::Common;
+use crate::arguments::{Common, Limit, memory_limit, time_limit};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
@@ -11,7 +11,7 @@ use coface::algebra::escaped;
 use coface::answers::answer::{BatchAnswer, Remark, RemarkCode};
 use coface::io::entry_of;
 use coface::scale::batch::{Batch as Files, Reading, TableFormat, find_files};
-use coface::scale::workers::{Limits, parse_bytes, parse_duration};
+use coface::scale::workers::Limits;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -41,7 +41,7 @@ pub(crate) struct Batch {
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = time_limit)]
     timeout: Limit<Duration>,
     /// The most memory that one file may take: 500M, 2G, or none
-    #[arg(long, value_name = "SIZE", default_value = if cfg!(unix) { "2G" } else { "none" }, value_parser = memory_limit)]
+    #[arg(long, value_name = "SIZE", default_value = if cfg!(unix) { "2G" } else { "none" }, value_parser = worker_memory)]
     memory: Limit<u64>,
     /// Do not take rows that an earlier run finished
     #[arg(long)]
@@ -57,16 +57,9 @@ pub(crate) struct Batch {
     all: bool,
 }
 
-/// A limit that may be none.
-#[derive(Clone, Copy)]
-struct Limit<T>(Option<T>);
-
-fn time_limit(text: &str) -> Result<Limit<Duration>, String> {
-    limit(text, parse_duration)
-}
-
-fn memory_limit(text: &str) -> Result<Limit<u64>, String> {
-    let limit = limit(text, parse_bytes)?;
+/// The memory of a worker.
+fn worker_memory(text: &str) -> Result<Limit<u64>, String> {
+    let limit = memory_limit(text)?;
     match limit.0 {
         Some(bytes) if bytes < LEAST => Err("a worker needs 64M to start".to_owned()),
         _ => Ok(limit),
@@ -75,13 +68,6 @@ fn memory_limit(text: &str) -> Result<Limit<u64>, String> {
 
 /// Below this no worker starts.
 const LEAST: u64 = 64 << 20;
-
-fn limit<T>(text: &str, parse: fn(&str) -> Result<T, coface::Error>) -> Result<Limit<T>, String> {
-    if text == "none" {
-        return Ok(Limit(None));
-    }
-    parse(text).map(|value| Limit(Some(value))).map_err(|error| error.to_string())
-}
 
 impl Batch {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {

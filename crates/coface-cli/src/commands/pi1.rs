@@ -1,6 +1,6 @@
 //! `coface pi1`: fundamental groups.
 
-use crate::arguments::Common;
+use crate::arguments::{Common, Limit};
 use crate::failure::Failure;
 use crate::groups::{self, Asked, FEW};
 use crate::output::give;
@@ -57,9 +57,10 @@ pub(crate) struct Pi1 {
     /// Print every component and every pair of walks, not just the first few
     #[arg(long)]
     all: bool,
-    /// Stop simplifying after so many seconds; without it, results do not depend on the machine
-    #[arg(long, value_name = "SECONDS", value_parser = groups::seconds)]
-    time_limit: Option<Duration>,
+    /// Stop simplifying after this time (500ms, 60s, 5m; a number alone is seconds) and say what is known then; without it, results do
+    /// not depend on the machine
+    #[arg(long, value_name = "TIME", value_parser = groups::effort)]
+    time_limit: Option<Limit<Duration>>,
 }
 
 /// Which closed paths are to be short.
@@ -95,7 +96,7 @@ impl Pi1 {
             .simplified(self.simplify)
             .base(self.base)
             .subgroups(self.subgroups.map(usize::from))
-            .time_limit(self.time_limit)
+            .time_limit(self.time_limit.and_then(|limit| limit.0))
             .loops(self.loops.is_some())
             .surface_loops(match (self.canonical, self.shortest) {
                 (true, _) => SurfaceLoops::Canonical,

@@ -9,7 +9,7 @@ use crate::remarks::take;
 use clap::{Args, ValueEnum};
 use coface::algebra::escaped;
 use coface::answers::answer::ShardAnswer;
-use coface::io::{Structure, format_of_path};
+use coface::io::{Structure, content_hash, format_of_path};
 use coface::scale::shards::{
     GridSort, Owners, ShardFolder, ShardRequest, shard_grid, shard_mesh_file, shard_model, shard_volume,
     shard_volume_file,
@@ -121,22 +121,29 @@ fn owners(how: &Path) -> Result<Owners, Failure> {
     Ok(Owners::Listed(list))
 }
 
-/// Something that changes with a file and how it is cut.
+/// Something that changes with the content of a file and how it is cut; nothing for what cannot be read twice.
 pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
+    let hash = |path: &Path| content_hash(path).ok().map(|hash| format!("{hash:032x}"));
     let content = match cut.grid.name() {
         Some(name) => name,
-        None => {
-            let Ok(metadata) = std::fs::metadata(input) else { return String::new() };
-            let changed =
-                metadata.modified().ok().and_then(|time| time.duration_since(std::time::UNIX_EPOCH).ok());
-            let Some(changed) = changed.filter(|_| metadata.is_file()) else { return String::new() };
-            format!("{} bytes of {}.{:09}", metadata.len(), changed.as_secs(), changed.subsec_nanos())
-        }
+        None => match hash(input) {
+            Some(hash) => format!("{} {hash}", input.file_name().unwrap_or_default().display()),
+            None => return String::new(),
+        },
     };
-    let owners = cut.owners.as_deref().map_or(String::new(), |how| how.display().to_string());
+    let owners = cut
+        .owners
+        .as_deref()
+        .map_or_else(String::new, |how| hash(how).unwrap_or_else(|| how.display().to_string()));
     format!(
-        "{content}, {} by {} {owners} {:?} {:?} {:?} {:?}",
-        cut.parts, cut.fan_in, cut.grid.simplicial, common.format, common.flatten, common.voxels
+        "{content}, {} by {} {owners} {:?} {:?} {:?} {:?} {}",
+        cut.parts,
+        cut.fan_in,
+        cut.grid.simplicial,
+        common.format,
+        common.flatten,
+        common.voxels,
+        common.partial
     )
 }
 

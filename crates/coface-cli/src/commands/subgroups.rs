@@ -1,6 +1,6 @@
 //! `coface subgroups`: subgroups of the fundamental group counted.
 
-use crate::arguments::Common;
+use crate::arguments::{Common, Limit};
 use crate::commands::pi1::facts_of_counts;
 use crate::failure::Failure;
 use crate::groups::{self, Asked, FEW};
@@ -29,9 +29,10 @@ pub(crate) struct Subgroups {
     /// Print every component, not just the first few
     #[arg(long)]
     all: bool,
-    /// Stop simplifying after so many seconds; without it, results do not depend on the machine
-    #[arg(long, value_name = "SECONDS", value_parser = groups::seconds)]
-    time_limit: Option<Duration>,
+    /// Stop simplifying after this time (500ms, 60s, 5m; a number alone is seconds) and say what is known then; without it, results do
+    /// not depend on the machine
+    #[arg(long, value_name = "TIME", value_parser = groups::effort)]
+    time_limit: Option<Limit<Duration>>,
 }
 
 impl Subgroups {
@@ -41,7 +42,7 @@ impl Subgroups {
             .simplified(true)
             .base(self.base)
             .subgroups(Some(usize::from(self.index)))
-            .time_limit(self.time_limit);
+            .time_limit(self.time_limit.and_then(|limit| limit.0));
         let asked = Asked::of(&self.input, &request, None, common, &progress)?;
         drop(progress);
         let Some(answer) = asked.found.subgroups_answer(&asked.name) else { return Ok(()) };

@@ -234,15 +234,19 @@ fn what_never_ends_costs_its_row_alone() {
 fn what_takes_all_memory_costs_its_row_alone() {
     let folder = folder();
     let (models, out) = (folder.path().join("models"), folder.path().join("out.jsonl"));
-    // A simplex of dimension 25 has 67 million faces.
-    let vertices: Vec<String> = (0..26).map(|vertex| vertex.to_string()).collect();
-    fs::write(models.join("huge.json"), format!("[[{}]]", vertices.join(","))).unwrap();
+    // Each simplex of dimension 19 has a million faces; one of dimension 25 has too many for what is free, and is refused at once.
+    let many: Vec<Vec<u32>> = (0..10).map(|i| (20 * i..20 * i + 20).collect()).collect();
+    fs::write(models.join("many.json"), json!(many).to_string()).unwrap();
+    fs::write(models.join("huge.json"), json!([Vec::from_iter(0..26)]).to_string()).unwrap();
     let words =
         ["batch", argument(&models), "-o", argument(&out), "--json", "--timeout", "none", "--memory", "512M"];
     let summary = coface(&words).json();
     assert_eq!(summary["errors"]["memory"], 1, "{summary}");
     let memory = json!({"kind": "memory", "message": "needed more than 512 MiB of memory", "cure": "allow more memory"});
-    assert_eq!(row_of(&out, &models.join("huge.json"))["error"], memory);
+    assert_eq!(row_of(&out, &models.join("many.json"))["error"], memory);
+    let huge = row_of(&out, &models.join("huge.json"))["error"].clone();
+    assert_eq!(huge["kind"], "too_large");
+    assert!(huge["message"].as_str().unwrap().contains("67108863 faces"), "{huge}");
     assert_eq!(row_of(&out, &models.join("klein.obj"))["name"], "Klein bottle");
 }
 

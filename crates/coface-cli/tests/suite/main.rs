@@ -11,6 +11,7 @@ mod generate;
 mod homology;
 mod incidence;
 mod info;
+mod limits;
 mod manifest;
 mod manners;
 mod mass;

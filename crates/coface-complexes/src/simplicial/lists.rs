@@ -5,7 +5,7 @@
 
 use super::simplex::repeated;
 use super::tree::CALL_LIMIT;
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::{Error, ErrorKind, memory};
 
 /// Ends each list of [`Lists`]; the numbers before it are smaller.
 pub(super) const END: u32 = u32::MAX;
@@ -44,7 +44,7 @@ impl Lists {
                 return Err(Error::invalid(format!("list {position} has no vertex"))
                     .with_cure("name at least one vertex in each simplex"));
             };
-            if 1 << list.len().min(63) > CALL_LIMIT {
+            if list.len() > LARGE {
                 check_face_count(list.len(), list.len())?;
             }
             greatest = greatest.max(last);
@@ -145,7 +145,7 @@ pub(super) fn in_list(error: &Error, position: usize) -> Error {
 /// The number of faces of a simplex that have at most `limit` vertices.
 ///
 /// # Errors
-/// [`ErrorKind::TooLarge`] if they are more than one call may add.
+/// [`ErrorKind::TooLarge`] if they are more than one call may add, or than memory holds.
 pub(super) fn check_face_count(vertex_count: usize, limit: usize) -> Result<usize, Error> {
     let (mut total, mut binomial) = (0u128, 1u128);
     for k in 1..=limit.min(vertex_count) {
@@ -163,8 +163,16 @@ pub(super) fn check_face_count(vertex_count: usize, limit: usize) -> Result<usiz
             .with_cure("insert its skeleton of lower dimension (insert_skeleton)"));
         }
     }
+    let what = || format!("a simplex of dimension {}, which has {total} faces,", vertex_count - 1);
+    memory::require(total as u64 * FACE_BYTES, what)?;
     Ok(total as usize)
 }
+
+/// Simplices of more vertices have so many faces that memory may not suffice for one.
+const LARGE: usize = 20;
+
+/// What a face takes while a complex and its boundary matrices are made, measured on single simplices of 18 to 22 vertices.
+const FACE_BYTES: u64 = 145;
 
 /// Lists that are looked at together are freed of repetitions when they are more than this.
 const CROWD: usize = 64;

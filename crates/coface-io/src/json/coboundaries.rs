@@ -2,7 +2,7 @@
 
 use super::facets::Number;
 use super::faults::Faults;
-use super::matrices::{Entry, EntryList, most_cells};
+use super::matrices::{Budget, Entry, EntryList};
 use coface_algebra::SparseMatrix;
 use coface_algebra::{Error, ErrorKind};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -104,8 +104,9 @@ pub(super) fn boundaries(
             .with_cure("give the coboundary matrices of all degrees from 0"));
     }
     let matrices: Vec<Coboundary> = matrices.into_iter().map(|(_, matrix)| matrix).collect();
+    let budget = Budget::default();
     let counts: Vec<u32> = (0..=matrices.len())
-        .map(|degree| cell_count(&matrices, degree, point_count.filter(|_| degree == 0)))
+        .map(|degree| cell_count(&matrices, degree, point_count.filter(|_| degree == 0), &budget))
         .collect::<Result<_, Error>>()?;
     matrices
         .iter()
@@ -122,7 +123,12 @@ pub(super) fn boundaries(
 }
 
 /// The number of cells of a degree.
-fn cell_count(matrices: &[Coboundary], degree: usize, points: Option<usize>) -> Result<u32, Error> {
+fn cell_count(
+    matrices: &[Coboundary],
+    degree: usize,
+    points: Option<usize>,
+    budget: &Budget,
+) -> Result<u32, Error> {
     let below = degree.checked_sub(1).map(|below| &matrices[below]);
     let above = matrices.get(degree);
     let points = match points.map(u32::try_from).transpose() {
@@ -144,14 +150,14 @@ fn cell_count(matrices: &[Coboundary], degree: usize, points: Option<usize>) -> 
             .with_cure(format!("both are the number of {degree}-cells: make them equal")));
         }
         if points.is_none() {
-            check_count(count, degree, below, above)?;
+            check_count(count, degree, below, above, budget)?;
         }
         return Ok(count);
     }
     let rows = below.into_iter().flat_map(|matrix| matrix.entries.iter().map(|&(row, ..)| row));
     let columns = above.into_iter().flat_map(|matrix| matrix.entries.iter().map(|&(_, column, _)| column));
     let count = rows.chain(columns).max().map_or(0, |largest| largest.saturating_add(1));
-    check_count(count, degree, below, above)?;
+    check_count(count, degree, below, above, budget)?;
     Ok(count)
 }
 
@@ -161,9 +167,10 @@ fn check_count(
     degree: usize,
     below: Option<&Coboundary>,
     above: Option<&Coboundary>,
+    budget: &Budget,
 ) -> Result<(), Error> {
     let entries: usize = below.into_iter().chain(above).map(|matrix| matrix.entries.len()).sum();
-    if count <= most_cells(entries) {
+    if budget.grants(count.into(), entries) {
         return Ok(());
     }
     Err(Error::new(

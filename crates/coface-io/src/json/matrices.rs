@@ -5,10 +5,11 @@ use super::faults::Faults;
 use coface_algebra::SparseMatrix;
 use coface_algebra::{Error, ErrorKind};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use std::cell::Cell;
 use std::fmt;
 
-/// A matrix without many entries may still have so many rows and columns.
-const FREE_COUNT: u32 = 1 << 24;
+/// The matrices of a file may have so many rows and columns in all, whatever their entries.
+const FREE_COUNT: u64 = 1 << 20;
 
 /// A list of boundary matrices, of degrees 1, 2, ...
 pub(super) struct MatrixList<'a>(pub(super) &'a Faults);
@@ -30,8 +31,9 @@ impl<'de> Visitor<'de> for MatrixList<'_> {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
         let mut matrices = Vec::new();
+        let budget = Budget::default();
         while let Some(matrix) =
-            list.next_element_seed(Matrix { degree: matrices.len() + 1, faults: self.0 })?
+            list.next_element_seed(Matrix { degree: matrices.len() + 1, faults: self.0, budget: &budget })?
         {
             matrices.push(matrix);
         }
@@ -43,6 +45,23 @@ impl<'de> Visitor<'de> for MatrixList<'_> {
 struct Matrix<'a> {
     degree: usize,
     faults: &'a Faults,
+    budget: &'a Budget,
+}
+
+/// What the matrices of a file claim, and what they hold.
+#[derive(Default)]
+pub(super) struct Budget {
+    cells: Cell<u64>,
+    entries: Cell<u64>,
+}
+
+impl Budget {
+    /// Counts more cells and the entries that speak of them; the result says whether the file holds enough for so many.
+    pub(super) fn grants(&self, cells: u64, entries: usize) -> bool {
+        self.cells.set(self.cells.get().saturating_add(cells));
+        self.entries.set(self.entries.get() + entries as u64);
+        self.cells.get() <= most_cells(self.entries.get())
+    }
 }
 
 impl Matrix<'_> {
@@ -90,7 +109,8 @@ impl<'de> Visitor<'de> for Matrix<'_> {
                 "give \"rows\", \"cols\" and \"entries\"",
             ));
         };
-        if rows.max(columns) > most_cells(entries.len()) {
+        // The rows are the columns of the degree below.
+        if !self.budget.grants(u64::from(rows.max(columns)), entries.len()) {
             let message =
                 format!("has {rows} rows and {columns} columns, but only {} entries", entries.len());
             return Err(self.raise(ErrorKind::TooLarge, &message, "check the counts"));
@@ -112,9 +132,9 @@ impl<'de> Visitor<'de> for Matrix<'_> {
 /// Row, column and value.
 pub(super) type Entry = (u32, u32, i64);
 
-/// The most rows or columns of a matrix with so many entries: what a file merely claims takes no memory.
-pub(super) fn most_cells(entry_count: usize) -> u32 {
-    FREE_COUNT.max(u32::try_from(entry_count.saturating_mul(16)).unwrap_or(u32::MAX))
+/// The most cells in all that so many entries may speak of: what a file merely claims takes no memory.
+pub(crate) fn most_cells(entry_count: u64) -> u64 {
+    FREE_COUNT + 16 * entry_count
 }
 
 /// The triples (row, column, value) of the matrix that is called so.
@@ -205,6 +225,15 @@ impl<'de> DeserializeSeed<'de> for Value<'_> {
     }
 }
 
+impl Value<'_> {
+    fn too_large<E: serde::de::Error>(&self, value: &dyn fmt::Display) -> E {
+        let name = self.0.name();
+        let message =
+            format!("the value of {name} is {value}, beyond the limits of -2147483647 and 2147483647");
+        self.0.faults.raise(Error::new(ErrorKind::TooLarge, message))
+    }
+}
+
 impl Visitor<'_> for Value<'_> {
     type Value = i64;
 
@@ -213,17 +242,17 @@ impl Visitor<'_> for Value<'_> {
     }
 
     fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<i64, E> {
-        if i32::try_from(value).is_err() {
-            return Err(self.0.faults.raise(Error::new(
-                ErrorKind::TooLarge,
-                format!("the value of {} is {value}; the limit is 32 bits", self.0.name()),
-            )));
+        match i32::try_from(value) {
+            Ok(narrow) if narrow > i32::MIN => Ok(value),
+            _ => Err(self.too_large(&value)),
         }
-        Ok(value)
     }
 
     fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<i64, E> {
-        self.visit_i64(i64::try_from(value).unwrap_or(i64::MAX))
+        match i32::try_from(value) {
+            Ok(narrow) => Ok(narrow.into()),
+            Err(_) => Err(self.too_large(&value)),
+        }
     }
 
     fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<i64, E> {

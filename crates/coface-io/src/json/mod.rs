@@ -18,8 +18,8 @@
 //! * several of these: a list of such objects and lists of facets, or one after the other, such as one a line (JSON lines). [`read`]
 //!   takes the first, and [`read_entry`] the one of a `"name"` or at a place.
 //!
-//! Points under `"vertices"` can stand beside `"boundaries"` too. A matrix of few entries has at most 2^24 rows and columns, any
-//! other at most 16 times as many as entries: an index that a file merely names takes no memory.
+//! Points under `"vertices"` can stand beside `"boundaries"` too. All matrices together have at
+//! most 2^20 rows and columns, and 16 more for each entry: an index that a file merely names takes no memory.
 //!
 //! Other keys are passed over. Reading is a stream: memory is what the model takes.
 
@@ -38,6 +38,7 @@ mod tests;
 mod writing;
 
 pub(crate) use faults::Faults;
+pub(crate) use matrices::most_cells;
 pub(crate) use outline::outline;
 pub use reading::{read, read_entry};
 pub(crate) use reading::{read_boundary, read_with};

@@ -5,6 +5,10 @@ use coface_arrange::boolean::InsideRule;
 
 /// More chords than these for one curve are refused.
 const MOST_CHORDS: f64 = 1e6;
+/// More for one element are refused too.
+const MOST_IN_ALL: usize = 1 << 22;
+/// A number on the way is beyond the largest that there is.
+const BEYOND: &str = "a curve goes beyond the numbers of double precision";
 
 /// Arcs that are kept as cubics are within this part of their longer half axis of them.
 const ARC_PRECISION: f64 = 1e-9;
@@ -69,11 +73,21 @@ pub(super) struct Pen {
     pub(super) at: [f64; 2],
     start: [f64; 2],
     is_drawing: bool,
+    /// The chords of its curves.
+    chord_count: usize,
 }
 
 impl Pen {
     pub(super) fn new(map: Transformation, curves: Curves) -> Self {
-        Self { map, curves, subpaths: Vec::new(), at: [0.0; 2], start: [0.0; 2], is_drawing: false }
+        Self {
+            map,
+            curves,
+            subpaths: Vec::new(),
+            at: [0.0; 2],
+            start: [0.0; 2],
+            is_drawing: false,
+            chord_count: 0,
+        }
     }
 
     /// Lifts the pen and puts it down here.
@@ -173,8 +187,10 @@ impl Pen {
             bend(0).hypot(bend(1))
         });
         let degree = controls.len() as f64;
-        let bend = degree * (degree - 1.0) * bends.fold(0.0, f64::max);
-        let count = self.chord_count(bend)?;
+        let bend = degree
+            * (degree - 1.0)
+            * bends.fold(0.0, |most: f64, bend| if bend <= most { most } else { bend });
+        let count = self.chords(bend)?;
         self.begin();
         for i in 1..count {
             let t = i as f64 / count as f64;
@@ -194,13 +210,20 @@ impl Pen {
     }
 
     /// How many chords of equal steps from 0 to 1 are near enough to a curve with at most this second derivative.
-    fn chord_count(&self, bend: f64) -> Result<usize, String> {
+    fn chords(&mut self, bend: f64) -> Result<usize, String> {
         let Curves::Chords(tolerance) = self.curves else { return Ok(1) };
-        let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
-        if count <= MOST_CHORDS {
-            return Ok(count as usize);
+        if !bend.is_finite() || !tolerance.is_finite() {
+            return Err(BEYOND.to_owned());
         }
-        Err(format!("a curve takes {count:.0} chords to be within {tolerance}"))
+        let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
+        if count > MOST_CHORDS {
+            return Err(format!("a curve takes {count:.0} chords to be within {tolerance}"));
+        }
+        self.chord_count += count as usize;
+        if self.chord_count > MOST_IN_ALL {
+            return Err(format!("the curves take more than {MOST_IN_ALL} chords to be within {tolerance}"));
+        }
+        Ok(count as usize)
     }
 
     /// The part of an ellipse with this center and half axes from one angle (of the circle that it is the image of) to another.
@@ -214,15 +237,25 @@ impl Pen {
     ) -> Result<(), String> {
         let [u, v] = axes.map(|axis| self.map.direction(axis));
         // The square of the longest half axis of the image is the larger eigenvalue of the products of these two.
-        let product = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
+        let largest = [u, v].as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let product = |p: [f64; 2], q: [f64; 2]| {
+            (p[0] / largest) * (q[0] / largest) + (p[1] / largest) * (q[1] / largest)
+        };
         let (uu, vv, uv) = (product(u, u), product(v, v), product(u, v));
-        let reach = f64::midpoint(uu + vv, (uu - vv).hypot(2.0 * uv)).sqrt();
+        let reach = match largest > 0.0 {
+            true => largest * f64::midpoint(uu + vv, (uu - vv).hypot(2.0 * uv)).sqrt(),
+            false => 0.0,
+        };
+        let numbers = [from, sweep, reach].into_iter().chain(u).chain(v).chain(self.map.point(center));
+        if !numbers.into_iter().all(f64::is_finite) {
+            return Err(BEYOND.to_owned());
+        }
         let least = if to.is_none() { 3 } else { 1 };
         if self.curves == Curves::Kept {
             self.cubic_arcs(self.map.point(center), [u, v], reach, [from, sweep], to);
             return Ok(());
         }
-        let count = self.chord_count(reach * sweep * sweep)?.max(least);
+        let count = self.chords(reach * sweep * sweep)?.max(least);
         let center = self.map.point(center);
         let place = |i: usize| {
             let (sine, cosine) = (from + sweep * i as f64 / count as f64).sin_cos();
@@ -348,6 +381,9 @@ impl Pen {
         }
         // On the unit circle: the chord's half, and the distance of its middle from the center.
         let [p, q] = [x / rx, y / ry];
+        if !p.is_finite() || !q.is_finite() {
+            return Err(BEYOND.to_owned());
+        }
         let half = p.hypot(q).min(1.0);
         let height = ((1.0 - half) * (1.0 + half)).max(0.0).sqrt();
         let side = if is_large == is_positive { -1.0 } else { 1.0 };

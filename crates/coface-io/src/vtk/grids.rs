@@ -7,6 +7,8 @@ use std::io::Read;
 
 /// Uniform and rectilinear grids may have so many points: they are not in the file, so it cannot vouch for them.
 const MOST_POINTS: u64 = 1 << 24;
+/// A grid has at most so many points and eight for each byte of the file.
+const FREE_POINTS: u64 = 1 << 18;
 
 /// Reads what follows one of the keywords of a grid.
 pub(super) fn read_line<R: Read>(reader: &mut Reader<R>, keyword: &[u8]) -> Result<(), Error> {
@@ -73,6 +75,18 @@ pub(super) fn finish<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
             .with_cure("the product of the dimensions is the count of points"));
         }
     } else {
+        // Eight points a byte: a grid with values, packed as tightly as bits, has room for more.
+        let byte_count = reader.values.scanner.byte_offset();
+        if point_count > FREE_POINTS + 8 * byte_count {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!(
+                    "the grid has {} x {} x {} points, but the file has only {byte_count} bytes",
+                    dimensions[0], dimensions[1], dimensions[2]
+                ),
+            )
+            .with_cure("check the dimensions, or give the grid the values at its points"));
+        }
         if point_count > MOST_POINTS {
             return Err(Error::new(
                 ErrorKind::TooLarge,

@@ -103,6 +103,7 @@ impl Storage<'_> {
     }
 
     fn numbers(&self, node: Node<'_, '_>, count: u64, number: NumberType) -> Result<Numbers, Error> {
+        let expected = count.saturating_mul(number.size() as u64);
         let bytes = match node.attribute("format").unwrap_or("ascii") {
             "ascii" => {
                 let text = text_of(node);
@@ -116,7 +117,7 @@ impl Storage<'_> {
             }
             // Empty arrays have lengths, or not.
             "binary" | "appended" if count == 0 => Vec::new(),
-            "binary" => self.bytes(&mut Stream::Base64(Base64::new(text_of(node).as_bytes())))?,
+            "binary" => self.bytes(&mut Stream::Base64(Base64::new(text_of(node).as_bytes())), expected)?,
             "appended" => {
                 let offset = natural(node, "offset", None)?;
                 let behind = |bytes: &[u8]| {
@@ -133,30 +134,34 @@ impl Storage<'_> {
                     Appended::Raw(bytes) => Stream::Raw(&bytes[behind(bytes)?..]),
                     Appended::Base64(text) => Stream::Base64(Base64::new(&text[behind(text)?..])),
                 };
-                self.bytes(&mut stream)?
+                self.bytes(&mut stream, expected)?
             }
             other => {
                 let message = format!("\"{}\" is no format of an array", other.escape_debug());
                 return Err(Error::parse(message).with_cure("write it as ascii, binary or appended"));
             }
         };
-        let expected = count.saturating_mul(number.size() as u64);
-        if bytes.len() as u64 != expected {
-            let message = format!("there are {} bytes where {count} numbers have {expected}", bytes.len());
-            return Err(
-                Error::parse(message).with_cure("check the counts of the piece and the number of components")
-            );
-        }
         Values::new(Scanner::new(&bytes[..]), self.encoding).numbers(count, number, "a number")
     }
 
-    /// The bytes of an array behind their length, or of its compressed blocks behind theirs.
-    fn bytes(&self, stream: &mut Stream<'_>) -> Result<Vec<u8>, Error> {
+    /// The bytes of an array behind their length, or of its compressed blocks behind theirs. No memory is taken for an array that promises
+    /// another length than `expected`.
+    fn bytes(&self, stream: &mut Stream<'_>, expected: u64) -> Result<Vec<u8>, Error> {
+        let check = |promised: u64| {
+            let fault = || {
+                Error::parse(format!("there are {promised} bytes where the numbers have {expected}"))
+                    .with_cure("check the counts of the piece and the number of components")
+            };
+            if promised == expected { Ok(()) } else { Err(fault()) }
+        };
         let first = self.length(stream)?;
         if !self.is_compressed {
+            check(first)?;
             return Ok(stream.take(first)?.into_owned());
         }
         let [size, last_size] = [self.length(stream)?, self.length(stream)?];
+        let is_short = u64::from(first > 0 && last_size > 0);
+        check((first - is_short).saturating_mul(size).saturating_add(is_short * last_size))?;
         if first > stream.left() {
             return Err(cut_short());
         }

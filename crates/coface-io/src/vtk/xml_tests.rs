@@ -183,15 +183,23 @@ fn arrays_of_several_blocks_are_unpacked() {
     let model = read_xml(polys(&lengths, &blocks).as_bytes()).unwrap();
     assert_eq!(model.polygons().iter().collect::<Vec<_>>(), [[0, 1, 2], [0, 2, 3]]);
     for (at, value, message) in [
-        (4, 6, "block 0 has more bytes, not 6"),
-        (4, 8, "block 0 has only 7 bytes, not 8"),
-        (8, 2, "block 3 has more bytes, not 2"),
-        (3, 255, "the bytes end too early"),
+        (4, 6, "there are 21 bytes where the numbers have 24"),
+        (4, 8, "there are 27 bytes where the numbers have 24"),
+        (8, 2, "there are 23 bytes where the numbers have 24"),
+        (3, 255, "bytes where the numbers have 24"),
         (12, 2, "block 0 cannot be unpacked"),
     ] {
         let mut lengths = lengths.clone();
         lengths[at] = value;
         let text = fault(&polys(&lengths, &blocks));
+        assert!(text.contains(message), "{text}");
+    }
+    for (count, message) in [(6, "block 0 has only 6 bytes, not 7"), (8, "block 0 has more bytes, not 7")] {
+        let wrong = packed(&bytes[..count]);
+        let mut lengths = lengths.clone();
+        let behind = &blocks[usize::from(lengths[12])..];
+        lengths[12] = wrong.len() as u8;
+        let text = fault(&polys(&lengths, &[&wrong[..], behind].concat()));
         assert!(text.contains(message), "{text}");
     }
 }

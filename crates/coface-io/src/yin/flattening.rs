@@ -42,9 +42,11 @@ pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Err
             let bend = |axis: usize| p[0][axis] - 2.0 * p[1][axis] + p[2][axis];
             bend(0).hypot(bend(1))
         });
-        let bend = degree * (degree - 1.0) * bends.fold(0.0, f64::max);
+        let bend = degree
+            * (degree - 1.0)
+            * bends.fold(0.0, |most: f64, bend| if bend <= most { most } else { bend });
         let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
-        if count > MOST_CHORDS {
+        if count > MOST_CHORDS || !bend.is_finite() {
             return Err(Error::new(
                 ErrorKind::TooLarge,
                 format!("piece {piece} takes {count:.3e} chords to be within {tolerance:e}"),

@@ -28,20 +28,20 @@ impl Scene {
                 layer.lines.push(walk);
                 // In the plane everybody sees where the faces end.
                 layer.is_on = self.dimension == 3;
-                self.push_layer(layer);
+                self.add_layer(layer);
             }
         } else {
             let mut layer = Layer::new("boundary", format!("{} boundary loops", loops.len()));
             layer.detail = edges(loose.len());
             layer.lines = RaggedArray::from_lists(loops);
             layer.is_on = true;
-            self.push_layer(layer);
+            self.add_layer(layer);
         }
         let mut layer = Layer::new("witness", "edges in three or more faces");
         layer.detail = edges(branched.len());
         layer.lines = RaggedArray::from_lists(branched);
         layer.is_on = true;
-        self.push_layer(layer);
+        self.add_layer(layer);
         self
     }
 

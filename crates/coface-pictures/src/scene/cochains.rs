@@ -1,5 +1,6 @@
 //! Cochains on edges: arrows, and lines of equal potential.
 
+use super::numbering::Numbering;
 use super::values::{array, vertices};
 use super::{Layer, Scene};
 use serde_json::Value;
@@ -16,8 +17,10 @@ struct Form {
 }
 
 impl Form {
-    fn new(terms: impl Iterator<Item = (Vec<u32>, f64)>) -> Self {
+    /// The form with these values on edges, whose ends have the numbers of the model.
+    fn new(terms: impl Iterator<Item = (Vec<u32>, f64)>, numbering: &Numbering) -> Self {
         let mut values: Vec<([u32; 2], f64)> = terms
+            .map(|(ends, value)| (ends.iter().map(|&end| numbering.of(end)).collect::<Vec<u32>>(), value))
             .filter_map(|(ends, value)| match *ends {
                 [a, b] if a <= b => Some(([a, b], value)),
                 [a, b] => Some(([b, a], -value)),
@@ -59,11 +62,12 @@ impl Scene {
         let with_values = array(result, "harmonic").iter().filter_map(|form| {
             let values = form["values"].as_array().filter(|values| values.len() == edges.len())?;
             let terms = edges.iter().cloned().zip(values.iter().map(|value| value.as_f64().unwrap_or(0.0)));
-            Some(Form::new(terms))
+            Some(Form::new(terms, &self.numbering))
         });
         let with_chains = result["harmonic"][1].as_array().into_iter().flatten().filter_map(|form| {
             let terms = form["chain"].as_array()?.iter();
-            Some(Form::new(terms.map(|term| (vertices(&term[1]), term[0].as_f64().unwrap_or(0.0)))))
+            let terms = terms.map(|term| (vertices(&term[1]), term[0].as_f64().unwrap_or(0.0)));
+            Some(Form::new(terms, &self.numbering))
         });
         let mut layers = Vec::new();
         for (number, form) in with_values.chain(with_chains).enumerate() {

@@ -35,6 +35,9 @@ pub struct SceneDocument {
     pub origin: [f64; 3],
     /// Three numbers a vertex.
     pub positions: String,
+    /// The number of each vertex in the model; absent where vertices are numbered as here.
+    #[serde(rename = "vertexNumbers", default, skip_serializing_if = "Option::is_none")]
+    pub vertex_numbers: Option<String>,
     /// The polygons by the first walk around each.
     pub polygons: PackedLists,
     /// Walks around polygons beyond the first.
@@ -189,6 +192,9 @@ impl Scene {
             dimension: self.dimension,
             origin: self.origin,
             positions: reals(self.positions.iter().flat_map(shifted)),
+            vertex_numbers: Some(&self.numbering.numbers)
+                .filter(|list| !list.is_empty())
+                .map(|list| numbers(list.iter().copied())),
             polygons: packed(&self.parts.polygons),
             rims: packed(&self.parts.rims),
             polygons_of_rims: numbers(self.parts.polygon_of_rim.iter().copied()),

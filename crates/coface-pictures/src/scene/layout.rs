@@ -2,13 +2,15 @@
 
 use coface_algebra::UnionFind;
 
-/// How often neighbors are averaged.
-const ROUNDS: usize = 300;
+/// How often neighbors are averaged at most, and at least.
+const ROUNDS: [usize; 2] = [300, 10];
+/// How many pairs of neighbors are averaged for an axis: what is beyond a few seconds would not be looked at either.
+const WORK: usize = 30_000_000;
 
 /// Positions in space for the vertices of a graph: each component by the three slowest waves on it, components side by side.
 ///
 /// The waves are eigenvectors of the lazy random walk, found by iteration from fixed starts: the same graph has the same
-/// picture. $O(E)$ a round for E edges, with a fixed number of rounds.
+/// picture. $O(E)$ a round for E edges, in 300 rounds, or fewer for more than 100,000 edges.
 pub(super) fn laid_out(vertex_count: usize, edges: &[[u32; 2]]) -> Vec<[f64; 3]> {
     let mut components = UnionFind::new(vertex_count);
     let mut degrees = vec![0.0f64; vertex_count];
@@ -30,10 +32,11 @@ pub(super) fn laid_out(vertex_count: usize, edges: &[[u32; 2]]) -> Vec<[f64; 3]>
         let mixed = (vertex as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(17 * axis as u32 + 5);
         (mixed.wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
+    let rounds = (WORK / edges.len().max(1)).clamp(ROUNDS[1], ROUNDS[0]);
     let mut waves: Vec<Vec<f64>> = Vec::new();
     for axis in 0..3 {
         let mut wave: Vec<f64> = (0..vertex_count).map(|vertex| start(vertex, axis)).collect();
-        for _ in 0..ROUNDS {
+        for _ in 0..rounds {
             let mut sums = vec![0.0; vertex_count];
             for &[a, b] in edges {
                 sums[a as usize] += wave[b as usize];

@@ -21,6 +21,7 @@ mod hidden;
 mod layers;
 mod layout;
 mod model;
+mod numbering;
 mod parts;
 mod persistence;
 mod regions;

@@ -1,6 +1,7 @@
 //! The scene of a model.
 
 use super::hidden::{Hidden, drawable};
+use super::numbering::Numbering;
 use super::parts::{Parts, common_width};
 use super::regions::region_layers;
 use super::shading::shaded;
@@ -33,6 +34,7 @@ pub struct Scene {
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) parts: Parts,
     pub(super) hidden: Hidden,
+    pub(super) numbering: Numbering,
     /// What is known of each 3-cell, or of each polygon where there are none; else empty.
     pub(super) notes: Vec<String>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -49,7 +51,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`] for models without cells that could be seen; [`ErrorKind::InvalidInput`] if no vertex has
-    /// finite coordinates; those of [`triangulated`].
+    /// finite coordinates; [`ErrorKind::TooLarge`] for facets with more than $2^{22}$ edges; those of [`triangulated`].
     pub fn of(title: &str, model: &Model) -> Result<Self, Error> {
         let subdivided;
         let model = match model.structure() {
@@ -83,7 +85,13 @@ impl Scene {
             None => (model, Hidden::default()),
         };
         let mut parts = Parts::default();
-        parts.add(model);
+        parts.add(model)?;
+        let numbering = match model.structure() {
+            Some(Structure::Facets(_)) if model.positions().is_empty() => {
+                Numbering::compact([&mut parts.polygons, &mut parts.simplices])
+            }
+            _ => Numbering::default(),
+        };
         let positions = match model.positions() {
             positions if !positions.is_empty() => {
                 let at = |vertex: usize| {
@@ -97,11 +105,11 @@ impl Scene {
                 layout::laid_out(count, &parts.edges())
             }
         };
-        let mut scene = Self { hidden, ..Self::flat(title, positions, parts) };
+        let mut scene = Self { hidden, numbering, ..Self::flat(title, positions, parts) };
         scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
         scene.shade();
         for layer in region_layers(model, &scene.positions) {
-            scene.push_layer(layer);
+            scene.add_layer(layer);
         }
         Ok(scene)
     }
@@ -116,6 +124,7 @@ impl Scene {
             positions,
             parts,
             hidden: Hidden::default(),
+            numbering: Numbering::default(),
             notes: Vec::new(),
             triangles: Vec::new(),
             polygon_of_triangle: Vec::new(),
@@ -155,8 +164,14 @@ impl Scene {
         self
     }
 
-    /// Adds a layer, if there is something to be seen of it and its points are there; without what is at vertices that are left out.
+    /// Adds a layer, if there is something to be seen of it and its points are there; without what is at vertices that are left out. Its
+    /// vertices have the numbers of the model.
     pub fn push_layer(&mut self, layer: Layer) {
+        self.add_layer(self.numbering.of_layer(layer));
+    }
+
+    /// The same for a layer whose vertices have the numbers of the scene.
+    pub(super) fn add_layer(&mut self, layer: Layer) {
         let layer = self.hidden.seen_of(layer);
         let count = layer.positions.as_ref().unwrap_or(&self.positions).len();
         if !layer.is_empty() && layer.last_point().is_none_or(|last| (last as usize) < count) {
@@ -182,7 +197,7 @@ impl Scene {
     /// # Ok(()) }
     /// ```
     pub fn remarks(&self) -> Vec<Remark> {
-        self.hidden.remark().into_iter().collect()
+        [self.hidden.remark(), self.parts.remark()].into_iter().flatten().collect()
     }
 
     /// Whether this vertex of the model is left out.
@@ -195,7 +210,7 @@ impl Scene {
         &self.title
     }
 
-    /// The positions of the vertices.
+    /// The positions of the vertices. The vertices of a facet list are those that lie in a facet, in the order of their numbers.
     pub fn positions(&self) -> &[[f64; 3]] {
         &self.positions
     }

@@ -1,7 +1,8 @@
 //! The cells of a model for drawing.
 
-use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
+use coface_algebra::{Error, ErrorKind, RaggedArray};
+use coface_answers::answer::{Remark, RemarkCode};
 use coface_io::{Model, Structure};
 
 /// The cells of a model for drawing.
@@ -18,7 +19,14 @@ pub(super) struct Parts {
     pub(super) cells: RaggedArray,
     /// Whether a 3-cell has its polygon with a minus, for chain complexes; else empty.
     pub(super) cell_signs: Vec<bool>,
+    /// How many simplices have edges only, because their triangles are too many.
+    pub(super) edges_alone: usize,
 }
+
+/// Triangles of larger simplices are not drawn: each hides all others.
+const MOST_CORNERS: usize = 16;
+/// Simplices with more edges in all are not drawn.
+const MOST_EDGES: usize = 1 << 22;
 
 impl Parts {
     /// The sides of polygons and the edges of simplices, rising and each once.
@@ -38,7 +46,9 @@ impl Parts {
         edges
     }
 
-    pub(super) fn add(&mut self, model: &Model) {
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] for facets with more than $2^{22}$ edges.
+    pub(super) fn add(&mut self, model: &Model) -> Result<(), Error> {
         for polygon in model.polygons().iter() {
             self.polygons.push(polygon);
         }
@@ -49,23 +59,33 @@ impl Parts {
             self.simplices.push(&[point.to_u32()]);
         }
         if let Some(Structure::Facets(facets)) = model.structure() {
-            self.add_facets(facets);
+            self.add_facets(facets)?;
         }
         if let Some(Structure::Chains(complex)) = model.structure() {
             self.add_chains(complex);
         }
         self.add_cells(model);
+        Ok(())
     }
 
     /// Facets: triangles are polygons, and so are the triangles of higher simplices, each once; tetrahedra are 3-cells.
-    fn add_facets(&mut self, facets: &RaggedArray) {
+    fn add_facets(&mut self, facets: &RaggedArray) -> Result<(), Error> {
+        let edge_count: usize =
+            facets.iter().map(|facet| facet.len() * facet.len().saturating_sub(1) / 2).sum();
+        if edge_count > MOST_EDGES {
+            let message = format!("the simplices have {edge_count} edges, too many to draw");
+            return Err(Error::new(ErrorKind::TooLarge, message)
+                .with_cure("draw a part of them, such as a link or a star"));
+        }
         let mut triangles: Vec<[u32; 3]> = Vec::new();
         let mut tetrahedra: Vec<[u32; 4]> = Vec::new();
         for facet in facets.iter() {
             let mut sorted = facet.to_vec();
             sorted.sort_unstable();
-            for (i, &a) in sorted.iter().enumerate() {
-                for (j, &b) in sorted.iter().enumerate().skip(i + 1) {
+            let cornered = if sorted.len() <= MOST_CORNERS { &sorted[..] } else { &[] };
+            self.edges_alone += usize::from(sorted.len() > MOST_CORNERS);
+            for (i, &a) in cornered.iter().enumerate() {
+                for (j, &b) in cornered.iter().enumerate().skip(i + 1) {
                     triangles.extend(sorted.iter().skip(j + 1).map(|&c| [a, b, c]));
                 }
             }
@@ -84,6 +104,7 @@ impl Parts {
             let polygon = |side: &[u32; 3]| (first + triangles.partition_point(|other| other < side)) as u32;
             self.cells.push(&sides.each_ref().map(polygon));
         }
+        Ok(())
     }
 
     /// 3-cells by their polygons; a polygon between two cells, or in the list of polygons too, is one.
@@ -175,9 +196,22 @@ impl Parts {
         }
     }
 
+    /// What is said of the simplices that have edges only; `None` if there are none.
+    pub(super) fn remark(&self) -> Option<Remark> {
+        let word = if self.edges_alone == 1 { "simplex" } else { "simplices" };
+        let message = format!(
+            "not drawn: the triangles of {} {word} of more than {MOST_CORNERS} vertices, but their edges",
+            self.edges_alone
+        );
+        let remark = || Remark::new(RemarkCode::NotDrawn, message).at(self.edges_alone, []);
+        (self.edges_alone > 0).then(remark)
+    }
+
     pub(super) fn vertex_count(&self, model: &Model) -> usize {
         let used = self.polygons.items().iter().chain(self.simplices.items());
-        used.max().map_or(0, |&last| last as usize + 1).max(model.vertex_count())
+        let abstract_count =
+            if matches!(model.structure(), Some(Structure::Facets(_))) { 0 } else { model.vertex_count() };
+        used.max().map_or(0, |&last| last as usize + 1).max(abstract_count)
     }
 }
 
@@ -232,7 +266,9 @@ mod tests {
     #[test]
     fn tetrahedra_share_triangles() {
         let mut parts = Parts::default();
-        parts.add_facets(&RaggedArray::from_lists([&[3, 0, 1, 2][..], &[1, 2, 3, 4], &[7, 8], &[0, 5, 6]]));
+        parts
+            .add_facets(&RaggedArray::from_lists([&[3, 0, 1, 2][..], &[1, 2, 3, 4], &[7, 8], &[0, 5, 6]]))
+            .unwrap();
         assert_eq!((parts.polygons.len(), parts.simplices.len()), (8, 1));
         let walks = |cell: usize| -> Vec<&[u32]> {
             parts.cells.list(cell).iter().map(|&polygon| parts.polygons.list(polygon as usize)).collect()

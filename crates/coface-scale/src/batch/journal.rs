@@ -34,6 +34,37 @@ impl Stamp {
     }
 }
 
+/// The state of a file with its content: a file may change and have the same size and time.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Seal {
+    pub(crate) stamp: Stamp,
+    /// The hash of the content; none where it could not be read.
+    content: Option<String>,
+}
+
+/// Seals files. The entries of one file, one after the other, read it once.
+#[derive(Default)]
+pub(crate) struct Sealer {
+    last: Option<(PathBuf, Seal)>,
+}
+
+impl Sealer {
+    pub(crate) fn seal(&mut self, path: &Path) -> Seal {
+        let stamp = Stamp::of(path);
+        let file =
+            if path.exists() { path } else { coface_io::entry_of(path).map_or(path, |(file, _)| file) };
+        match &self.last {
+            Some((last, seal)) if last == file && seal.stamp == stamp => seal.clone(),
+            _ => {
+                let content = coface_io::content_hash(file).ok().map(|hash| format!("{hash:032x}"));
+                let seal = Seal { stamp, content };
+                self.last = Some((file.to_path_buf(), seal.clone()));
+                seal
+            }
+        }
+    }
+}
+
 /// The rows of a batch that are finished.
 pub(crate) struct Journal {
     path: PathBuf,
@@ -102,6 +133,7 @@ impl Journal {
         }
         let places: HashMap<&Path, usize> =
             files.iter().enumerate().map(|(place, file)| (file.as_path(), place)).collect();
+        let mut sealer = Sealer::default();
         let mut start = line.len() as u64;
         loop {
             line.clear();
@@ -109,9 +141,10 @@ impl Journal {
             if count == 0 {
                 break;
             }
-            if let Some((path, stamp)) = unsealed(&line).and_then(about)
+            if let Some((path, Some(seal))) = unsealed(&line).and_then(about)
                 && let Some(&place) = places.get(path.as_path())
-                && Some(Stamp::of(&path)) == stamp
+                && Stamp::of(&path) == seal.stamp
+                && sealer.seal(&path) == seal
             {
                 self.lines[place] = Some(start);
             }
@@ -131,14 +164,14 @@ impl Journal {
     }
 
     /// Adds the row of a file.
-    pub(crate) fn add(&mut self, place: usize, stamp: &Stamp, row: &Row) -> Result<(), Error> {
-        let is_lasting = stamp.bytes().is_some() && row.error_kind().as_deref() != Some("killed");
+    pub(crate) fn add(&mut self, place: usize, seal: &Seal, row: &Row) -> Result<(), Error> {
+        let is_lasting = seal.content.is_some() && row.error_kind().as_deref() != Some("killed");
         let about = About {
             path: self.names[place].clone(),
             head: row.head.clone(),
             microseconds: row.microseconds,
             // What may be otherwise next time fits no file then.
-            stamp: is_lasting.then(|| stamp.clone()),
+            seal: is_lasting.then(|| seal.clone()),
         };
         let about = serde_json::to_string(&about).expect("lines have texts as keys");
         let start = self.append(&format!("{about}\t{}", row.answer));
@@ -251,13 +284,13 @@ struct About {
     head: String,
     microseconds: Option<u64>,
     /// The state of the file then; none where the row may be otherwise next time.
-    stamp: Option<Stamp>,
+    seal: Option<Seal>,
 }
 
 /// The file that a line is about, and its state then.
-fn about(text: &str) -> Option<(PathBuf, Option<Stamp>)> {
+fn about(text: &str) -> Option<(PathBuf, Option<Seal>)> {
     let about: About = serde_json::from_str(text.split_once('\t')?.0).ok()?;
-    Some((about.path.into_path(), about.stamp))
+    Some((about.path.into_path(), about.seal))
 }
 
 fn row_of(text: &str) -> Option<Row> {
@@ -288,7 +321,7 @@ mod tests {
         let (mut journal, refused) = Journal::open(&out, "options", &files, false).unwrap();
         assert_eq!(refused, None);
         for place in (0..count).rev() {
-            journal.add(place, &Stamp::of(&files[place]), &row(&files[place], place)).unwrap();
+            journal.add(place, &Sealer::default().seal(&files[place]), &row(&files[place], place)).unwrap();
         }
         (folder, files, out)
     }
@@ -320,6 +353,13 @@ mod tests {
         let (folder, mut files, out) = finished(3);
         fs::write(&files[1], "OFF longer").unwrap();
         assert_eq!(taken(&out, "options", &files), [true, false, true]);
+        // The same size and time.
+        let changed = fs::metadata(&files[2]).unwrap().modified().unwrap();
+        fs::write(&files[2], "off").unwrap();
+        File::options().write(true).open(&files[2]).unwrap().set_modified(changed).unwrap();
+        assert_eq!(taken(&out, "options", &files), [true, false, false]);
+        fs::write(&files[2], "OFF").unwrap();
+        File::options().write(true).open(&files[2]).unwrap().set_modified(changed).unwrap();
         files.swap(0, 2);
         files.push(folder.path().join("new.off"));
         assert_eq!(taken(&out, "options", &files), [true, false, true, false]);
@@ -341,7 +381,9 @@ mod tests {
         {
             let (mut journal, _) = Journal::open(&out, "options", &files, true).unwrap();
             let loss = crate::workers::Loss::Killed { signal: "SIGKILL".into(), attempts: 3 };
-            journal.add(0, &Stamp::of(&files[0]), &Row::new(&files[0], Some(3), Err(loss))).unwrap();
+            journal
+                .add(0, &Sealer::default().seal(&files[0]), &Row::new(&files[0], Some(3), Err(loss)))
+                .unwrap();
             assert!(journal.has(0));
         }
         assert_eq!(taken(&out, "options", &files), [false]);
@@ -360,7 +402,7 @@ mod tests {
             assert_eq!(has.len(), lines.saturating_sub(1), "{length}");
             for (place, file) in files.iter().enumerate() {
                 if !journal.has(place) {
-                    journal.add(place, &Stamp::of(file), &row(file, place)).unwrap();
+                    journal.add(place, &Sealer::default().seal(file), &row(file, place)).unwrap();
                 }
             }
             let mut found = Vec::new();

@@ -21,7 +21,7 @@ use crate::workers::{Outcome, WorkerPool};
 use coface_algebra::Error;
 use examination::ReadingText;
 use flat::Columns;
-use journal::{Journal, Stamp};
+use journal::{Journal, Sealer, Stamp};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -175,13 +175,14 @@ impl Batch {
         summary: &mut Summary,
         (out, format): (&Path, TableFormat),
     ) -> Result<(), Error> {
+        let mut sealer = Sealer::default();
         pool.run(
             STAGE,
             left.len(),
             |i| self.request(left[i]),
             |i, outcome| {
-                let stamp = Stamp::of(&self.files[left[i]]);
-                journal.add(left[i], &stamp, &self.row(left[i], &stamp, outcome))
+                let seal = sealer.seal(&self.files[left[i]]);
+                journal.add(left[i], &seal, &self.row(left[i], &seal.stamp, outcome))
             },
         )?;
         let mut columns = Columns::default();
@@ -220,7 +221,7 @@ impl Batch {
         let limits = pool.limits();
         let milliseconds = limits.time.map(|time| time.as_millis() as u64);
         let options = Options {
-            journal: 2,
+            journal: 3,
             program: env!("CARGO_PKG_VERSION"),
             reading: ReadingText::of(self.reading),
             memory: limits.memory,

@@ -2,7 +2,7 @@
 //!
 //! The process that was called reads no model and no shard: it hands out requests, one a line, and shows what comes back.
 
-use crate::arguments::{Common, VoxelArguments};
+use crate::arguments::{Common, Limit, VoxelArguments, memory_limit};
 use crate::commands::merge::{Answer, Question};
 use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerprint};
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use coface::Error;
 use coface::answers::answer::HomologyAnswer;
 use coface::io::{FolderLock, MadeFolders, TemporaryFolder};
 use coface::scale::shards::ShardFolder;
-use coface::scale::workers::{Limits, Loss, bytes_text, parse_bytes};
+use coface::scale::workers::{Limits, Loss, bytes_text};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -26,8 +26,8 @@ pub(super) struct PartsOptions {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), help_heading = "In parts")]
     parts: Option<u32>,
     /// The memory of all worker processes together, as in 500M or 2G; what needs more is an error
-    #[arg(long, value_name = "SIZE", value_parser = memory, help_heading = "In parts")]
-    memory: Option<u64>,
+    #[arg(long, value_name = "SIZE", value_parser = memory_limit, help_heading = "In parts")]
+    memory: Option<Limit<u64>>,
     /// Keep shards and what is left of them in this folder, and go on with what is finished there
     #[arg(long, value_name = "FOLDER", help_heading = "In parts")]
     work: Option<PathBuf>,
@@ -41,10 +41,6 @@ pub(super) struct PartsOptions {
     grid: GridArguments,
 }
 
-fn memory(text: &str) -> Result<u64, String> {
-    parse_bytes(text).map_err(|error| error.to_string())
-}
-
 /// A worker that does anything at all takes so much.
 const LEAST: u64 = 64 << 20;
 /// Workers are not started for less each, as long as one can do the work.
@@ -54,13 +50,18 @@ impl PartsOptions {
     /// Whether work in parts is asked for.
     pub(super) fn are_given(&self) -> bool {
         let has_grid = self.grid.grid.is_some() || self.grid.simplicial;
-        self.parts.is_some() || self.memory.is_some() || self.work.is_some() || has_grid
+        self.parts.is_some() || self.memory().is_some() || self.work.is_some() || has_grid
+    }
+
+    /// The memory of all worker processes together, if it is limited.
+    fn memory(&self) -> Option<u64> {
+        self.memory.and_then(|limit| limit.0)
     }
 
     /// Answers the question about an input.
     pub(super) fn run(&self, input: &Path, question: &Question, common: &Common) -> Result<(), Failure> {
         question.check()?;
-        if let Some(memory) = self.memory.filter(|&memory| memory < LEAST) {
+        if let Some(memory) = self.memory().filter(|&memory| memory < LEAST) {
             return Err(Failure::new(format!(
                 "{} of memory is too little for any part; give --memory {} or more",
                 bytes_text(memory),
@@ -207,7 +208,7 @@ struct Runner<'a> {
 impl<'a> Runner<'a> {
     fn new(options: &'a PartsOptions, common: &Common, folder: &'a Path) -> Result<Self, Failure> {
         let threads = common.threads.map_or_else(core_count, usize::from);
-        let fit = options.memory.map_or(usize::MAX, |memory| (memory / COMFORT).max(1) as usize);
+        let fit = options.memory().map_or(usize::MAX, |memory| (memory / COMFORT).max(1) as usize);
         Ok(Self { options, folder, folder_text: text(folder)?, workers: threads.min(fit) })
     }
 
@@ -232,7 +233,7 @@ impl<'a> Runner<'a> {
             input: text(input)?,
             name: name.map(str::to_owned),
             parts: self.options.parts,
-            memory: self.options.memory.map(|memory| memory / self.workers as u64),
+            memory: self.options.memory().map(|memory| memory / self.workers as u64),
             fan_in: self.options.fan_in,
             owners: self.options.owners.as_deref().map(text).transpose()?,
             format: common.format.map(|format| format.name().to_owned()),
@@ -359,7 +360,8 @@ impl<'a> Runner<'a> {
         request: impl Fn(usize) -> String + Sync,
     ) -> Result<Vec<Result<Reply, Loss>>, Failure> {
         let workers = workers.min(count).max(1);
-        let limits = Limits { time: None, memory: self.options.memory.map(|memory| memory / workers as u64) };
+        let limits =
+            Limits { time: None, memory: self.options.memory().map(|memory| memory / workers as u64) };
         let mut answers = Vec::with_capacity(count);
         pool(Task::Shards, workers, 1, limits)?.run_in_order(stage, count, request, |_, outcome| {
             answers.push(match outcome {
@@ -429,6 +431,8 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
     let common = Common {
         json: true,
         quiet: true,
+        memory: None,
+        time_limit: None,
         threads: None,
         output: None,
         format,

@@ -3,6 +3,8 @@
 use super::{Case, Files};
 
 const BOOK: Files = &[("book.json", "[[0,1,2],[0,1,3],[0,1,4]]")];
+/// A simplex with half a million faces.
+const LARGE: Files = &[("large.json", "[[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18]]")];
 const TRIANGLE: Files = &[("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")];
 /// The boundary of a tetrahedron.
 const SPHERE: Files = &[("sphere.json", "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]")];
@@ -52,6 +54,14 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("scene.json", "[{\"shape\":\"torus\",\"holes\":3}]")])
         .refused("coface generate assembly scene.json --to off")
         .cured(&[&["coface generate torus --help"]]),
+    Case::new("cli/src/limits.rs", "takes longer than {}; allow more by --time-limit")
+        .files(LARGE)
+        .refused("coface homology large.json --time-limit 1ms")
+        .cured(&[&["coface homology large.json --time-limit 10m"]]),
+    Case::new("cli/src/limits.rs", "needs more than {} of memory (the last piece asked for: {asked})")
+        .files(LARGE)
+        .refused("coface info large.json --memory 8M")
+        .cured(&[&["coface info large.json --memory 2G"]]),
     Case::new("homology/mod.rs", "--cycle \"{argument}\"")
         .files(BOOK)
         .refused("coface homology book.json --cycle '0 1'")
