@@ -22,6 +22,7 @@ function grid(n: number): Scene {
   const none = { starts: new Uint32Array(1), items: new Uint32Array(0) };
   const simplices = { starts: Uint32Array.from([0, 2, 4]), items: Uint32Array.from([0, 1, 0, 2 * n + 2]) };
   return {
+    vertexNumbers: new Uint32Array(0),
     title: "grid", report: null, dimension: 3, origin: [0, 0, 0], positions: Float32Array.from(positions), polygons: { starts, items },
     rims: none, polygonsOfRims: new Uint32Array(0), simplices, cells: none, signs: new Uint32Array(0), notes: [], triangles: items,
     polygonOfTriangle: null, cellOfTriangle: new Uint32Array(0), layers: [], panes: [],

@@ -24,6 +24,10 @@
 //! assert!(ALLOCATOR.peak() >= before + 1000);
 //! ```
 
+mod system;
+
+pub use system::free_memory;
+
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::progress;
 use crate::verbs::{Arguments, Verb};
 use coface::scale::workers::{bytes_text, seconds_text};
-use coface_allocator::{CountingAllocator, Shortage};
+use coface_allocator::{CountingAllocator, Shortage, free_memory};
 use std::thread;
 use std::time::Duration;
 
@@ -18,6 +18,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 
 /// Keeps the limits of the command line.
 pub(crate) fn keep(arguments: &Arguments) -> Result<(), Failure> {
+    coface::algebra::memory::measure_by(free_memory);
     // A worker is watched by the process that started it, which says what became of it.
     if matches!(arguments.verb, Verb::Worker(_)) {
         return Ok(());

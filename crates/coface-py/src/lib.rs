@@ -38,6 +38,7 @@ use pyo3::prelude::*;
 #[pymodule]
 fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     work::remember_process();
+    coface::algebra::memory::measure_by(coface_allocator::free_memory);
     errors::add(module)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<memory::Memory>()?;

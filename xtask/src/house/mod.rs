@@ -62,8 +62,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-scale",
         ],
     ),
-    ("coface-cli", &["coface"]),
-    ("coface-py", &["coface"]),
+    ("coface-cli", &["coface", "coface-allocator"]),
+    ("coface-py", &["coface", "coface-allocator"]),
     ("coface-bench", &["coface"]),
 ];
 

@@ -45,7 +45,7 @@ fn numbers_of_vertices_cost_nothing() {
             coface_in(folder.path(), &line).stderr
         );
     }
-    let page = std::fs::read_to_string(folder.path().join("b.html")).unwrap();
+    let page = std::fs::read_to_string(folder.path().join("a.html")).unwrap();
     assert!(page.contains("vertexNumbers"));
 }
 
