@@ -29,7 +29,6 @@ mod entries;
 mod feature_table;
 mod features;
 mod files;
-mod fingerprint;
 mod foreign;
 mod format;
 mod generated;
@@ -83,8 +82,7 @@ pub use entries::{FileEntries, entries_of_path};
 pub use feature_table::FeatureTable;
 #[doc(hidden)]
 pub use files::{FolderLock, MadeFolders, TemporaryFolder, check_output, open_regular, replace_files};
-pub use files::{abandon_files, replace_file};
-pub use fingerprint::content_hash;
+pub use files::{abandon_files, content_hash, replace_file};
 pub use format::Format;
 pub use group::{Group, GroupKind};
 pub use model::repeated_vertex;

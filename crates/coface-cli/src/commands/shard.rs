@@ -123,7 +123,7 @@ fn owners(how: &Path) -> Result<Owners, Failure> {
 
 /// Something that changes with the content of a file and how it is cut; nothing for what cannot be read twice.
 pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
-    let hash = |path: &Path| content_hash(path).ok().map(|hash| format!("{hash:032x}"));
+    let hash = |path: &Path| content_hash(path, &common.reading()).ok().map(|hash| format!("{hash:032x}"));
     let content = match cut.grid.name() {
         Some(name) => name,
         None => match hash(input) {

@@ -1,9 +1,8 @@
 //! Whether a file still has the content that it had.
 
-use crate::volume::VolumeStream;
-use crate::{Format, entry_of};
-use coface_algebra::{Error, ErrorKind};
-use std::fs::File;
+use super::open_regular;
+use crate::{Format, ReadOptions, VolumeStream, entry_of};
+use coface_algebra::Error;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use xxhash_rust::xxh3::Xxh3;
@@ -14,7 +13,8 @@ use xxhash_rust::xxh3::Xxh3;
 /// It tells whether results that are kept are still those of the file; it is no protection against somebody who wants to deceive.
 ///
 /// # Errors
-/// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) where a file cannot be read, or is no regular file.
+/// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) where a file cannot be read;
+/// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for what is no regular file.
 ///
 /// # Complexity
 /// Linear in the bytes of the files, at the speed of reading; 256 KiB of memory.
@@ -27,25 +27,21 @@ use xxhash_rust::xxh3::Xxh3;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let path = std::env::temp_dir().join("coface-content-hash.off");
 /// std::fs::write(&path, "OFF")?;
-/// let before = coface_io::content_hash(&path)?;
+/// let options = coface_io::ReadOptions::new();
+/// let before = coface_io::content_hash(&path, &options)?;
 /// std::fs::write(&path, "off")?;
-/// assert_ne!(coface_io::content_hash(&path)?, before);
+/// assert_ne!(coface_io::content_hash(&path, &options)?, before);
 /// # std::fs::remove_file(&path)?;
 /// # Ok(()) }
 /// ```
-pub fn content_hash(path: impl AsRef<Path>) -> Result<u128, Error> {
+pub fn content_hash(path: impl AsRef<Path>, options: &ReadOptions) -> Result<u128, Error> {
     let path = path.as_ref();
     let whole = if path.exists() { path } else { entry_of(path).map_or(path, |(file, _)| file) };
     let mut hash = Xxh3::new();
     let mut bytes = vec![0; 1 << 18];
-    for file in files_read(whole) {
+    for file in files_read(whole, options) {
         let in_file = |error: std::io::Error| Error::from(error).in_file(file.display().to_string());
-        // Opening a pipe would wait for who writes to it.
-        if !std::fs::metadata(&file).map_err(in_file)?.is_file() {
-            let fault = Error::new(ErrorKind::Io, "is no regular file, whose content stays");
-            return Err(fault.in_file(file.display().to_string()));
-        }
-        let mut input = File::open(&file).map_err(in_file)?;
+        let mut input = open_regular(&file).map_err(|error| error.in_file(file.display().to_string()))?;
         loop {
             match input.read(&mut bytes).map_err(in_file)? {
                 0 => break,
@@ -59,7 +55,7 @@ pub fn content_hash(path: impl AsRef<Path>) -> Result<u128, Error> {
 }
 
 /// The file, and those that are read with it.
-fn files_read(path: &Path) -> Vec<PathBuf> {
+fn files_read(path: &Path, options: &ReadOptions) -> Vec<PathBuf> {
     let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
     let format = match extension.as_deref().and_then(|extension| extension.to_str()) {
         Some("nhdr" | "nrrd") => Format::Nrrd,
@@ -71,7 +67,7 @@ fn files_read(path: &Path) -> Vec<PathBuf> {
         }
         _ => return vec![path.to_owned()],
     };
-    match VolumeStream::open(path, format) {
+    match VolumeStream::open_with(path, format, options.allow_outside) {
         Ok(stream) => stream.files().to_vec(),
         // What is wrong with it is said where it is read.
         Err(_) => vec![path.to_owned()],
@@ -80,8 +76,13 @@ fn files_read(path: &Path) -> Vec<PathBuf> {
 
 #[cfg(test)]
 mod tests {
-    use super::content_hash;
+    use crate::ReadOptions;
     use std::fs;
+    use std::path::Path;
+
+    fn content_hash(path: impl AsRef<Path>) -> Result<u128, coface_algebra::Error> {
+        super::content_hash(path, &ReadOptions::new())
+    }
 
     #[test]
     fn companions_count() {

@@ -10,6 +10,7 @@
 //!   the file that names it, unless the caller says otherwise.
 
 mod companion;
+mod fingerprint;
 mod hold;
 mod lock;
 mod output;
@@ -17,6 +18,7 @@ mod temporary;
 
 pub(crate) use companion::Companions;
 pub use companion::open_regular;
+pub use fingerprint::content_hash;
 pub use lock::FolderLock;
 pub use output::{check_output, replace_file, replace_files};
 pub use temporary::{MadeFolders, TemporaryFolder, abandon_files};

@@ -52,7 +52,7 @@ pub struct Reading {
 const PLACES: usize = 100;
 
 impl Reading {
-    fn options(self) -> ReadOptions {
+    pub(crate) fn options(self) -> ReadOptions {
         let options = ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume);
         options.strict(self.strict).partial(self.partial).allow_outside(self.allow_outside)
     }

@@ -6,6 +6,7 @@
 use super::Row;
 use crate::batch::examination::PathText;
 use coface_algebra::{Error, ErrorKind};
+use coface_io::ReadOptions;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -45,10 +46,15 @@ pub(crate) struct Seal {
 /// Seals files. The entries of one file, one after the other, read it once.
 #[derive(Default)]
 pub(crate) struct Sealer {
+    options: ReadOptions,
     last: Option<(PathBuf, Seal)>,
 }
 
 impl Sealer {
+    pub(crate) fn new(options: ReadOptions) -> Self {
+        Self { options, last: None }
+    }
+
     pub(crate) fn seal(&mut self, path: &Path) -> Seal {
         let stamp = Stamp::of(path);
         let file =
@@ -56,7 +62,8 @@ impl Sealer {
         match &self.last {
             Some((last, seal)) if last == file && seal.stamp == stamp => seal.clone(),
             _ => {
-                let content = coface_io::content_hash(file).ok().map(|hash| format!("{hash:032x}"));
+                let content =
+                    coface_io::content_hash(file, &self.options).ok().map(|hash| format!("{hash:032x}"));
                 let seal = Seal { stamp, content };
                 self.last = Some((file.to_path_buf(), seal.clone()));
                 seal
@@ -84,6 +91,7 @@ impl Journal {
         options: &str,
         files: &[PathBuf],
         restart: bool,
+        sealer: &mut Sealer,
     ) -> Result<(Self, Option<String>), Error> {
         let path = beside(out)?;
         let in_path = |error: Error| error.in_file(path.display().to_string());
@@ -110,14 +118,20 @@ impl Journal {
         let file = open().map_err(in_path)?;
         let names = files.iter().map(|file| PathText::of(file)).collect();
         let mut journal = Self { path: path.clone(), file, length: 0, lines: vec![None; files.len()], names };
-        match journal.take(options, files, restart) {
+        match journal.take(options, files, restart, sealer) {
             Ok(refused) => Ok((journal, refused)),
             Err(error) => Err(journal.given_up(in_path(error))),
         }
     }
 
     /// Takes what is there, or begins anew.
-    fn take(&mut self, options: &str, files: &[PathBuf], restart: bool) -> Result<Option<String>, Error> {
+    fn take(
+        &mut self,
+        options: &str,
+        files: &[PathBuf],
+        restart: bool,
+        sealer: &mut Sealer,
+    ) -> Result<Option<String>, Error> {
         let mut input = BufReader::new(&self.file);
         let mut line = Vec::new();
         input.read_until(b'\n', &mut line)?;
@@ -133,7 +147,6 @@ impl Journal {
         }
         let places: HashMap<&Path, usize> =
             files.iter().enumerate().map(|(place, file)| (file.as_path(), place)).collect();
-        let mut sealer = Sealer::default();
         let mut start = line.len() as u64;
         loop {
             line.clear();
@@ -318,7 +331,8 @@ mod tests {
             fs::write(file, "OFF").unwrap();
         }
         let out = folder.path().join("out.jsonl");
-        let (mut journal, refused) = Journal::open(&out, "options", &files, false).unwrap();
+        let (mut journal, refused) =
+            Journal::open(&out, "options", &files, false, &mut Sealer::default()).unwrap();
         assert_eq!(refused, None);
         for place in (0..count).rev() {
             journal.add(place, &Sealer::default().seal(&files[place]), &row(&files[place], place)).unwrap();
@@ -327,14 +341,14 @@ mod tests {
     }
 
     fn taken(out: &Path, options: &str, files: &[PathBuf]) -> Vec<bool> {
-        let (journal, _) = Journal::open(out, options, files, false).unwrap();
+        let (journal, _) = Journal::open(out, options, files, false, &mut Sealer::default()).unwrap();
         (0..files.len()).map(|place| journal.has(place)).collect()
     }
 
     #[test]
     fn rows_come_back_in_the_order_of_the_files() {
         let (_folder, files, out) = finished(3);
-        let (journal, _) = Journal::open(&out, "options", &files, false).unwrap();
+        let (journal, _) = Journal::open(&out, "options", &files, false, &mut Sealer::default()).unwrap();
         let mut found = Vec::new();
         journal
             .each(|row| {
@@ -363,7 +377,7 @@ mod tests {
         files.swap(0, 2);
         files.push(folder.path().join("new.off"));
         assert_eq!(taken(&out, "options", &files), [true, false, true, false]);
-        let (_, refused) = Journal::open(&out, "others", &files, false).unwrap();
+        let (_, refused) = Journal::open(&out, "others", &files, false, &mut Sealer::default()).unwrap();
         assert!(refused.unwrap().contains("other options"));
         assert_eq!(taken(&out, "others", &files), [false; 4]);
     }
@@ -371,7 +385,8 @@ mod tests {
     #[test]
     fn nothing_is_taken_of_a_restart() {
         let (_folder, files, out) = finished(2);
-        let (journal, refused) = Journal::open(&out, "options", &files, true).unwrap();
+        let (journal, refused) =
+            Journal::open(&out, "options", &files, true, &mut Sealer::default()).unwrap();
         assert_eq!((journal.has(0), refused), (false, None));
     }
 
@@ -379,7 +394,8 @@ mod tests {
     fn what_is_killed_may_be_otherwise_next_time() {
         let (_folder, files, out) = finished(1);
         {
-            let (mut journal, _) = Journal::open(&out, "options", &files, true).unwrap();
+            let (mut journal, _) =
+                Journal::open(&out, "options", &files, true, &mut Sealer::default()).unwrap();
             let loss = crate::workers::Loss::Killed { signal: "SIGKILL".into(), attempts: 3 };
             journal
                 .add(0, &Sealer::default().seal(&files[0]), &Row::new(&files[0], Some(3), Err(loss)))
@@ -396,7 +412,8 @@ mod tests {
         let whole = fs::read(&path).unwrap();
         for length in 0..whole.len() {
             fs::write(&path, &whole[..length]).unwrap();
-            let (mut journal, _) = Journal::open(&out, "options", &files, false).unwrap();
+            let (mut journal, _) =
+                Journal::open(&out, "options", &files, false, &mut Sealer::default()).unwrap();
             let lines = whole[..length].iter().filter(|&&byte| byte == b'\n').count();
             let has: Vec<usize> = (0..3).filter(|&place| journal.has(place)).collect();
             assert_eq!(has.len(), lines.saturating_sub(1), "{length}");
@@ -432,11 +449,12 @@ mod tests {
     #[test]
     fn two_runs_do_not_write_one_output() {
         let (_folder, files, out) = finished(1);
-        let (journal, _) = Journal::open(&out, "options", &files, false).unwrap();
-        let error = Journal::open(&out, "options", &files, false).map(drop).unwrap_err();
+        let (journal, _) = Journal::open(&out, "options", &files, false, &mut Sealer::default()).unwrap();
+        let error =
+            Journal::open(&out, "options", &files, false, &mut Sealer::default()).map(drop).unwrap_err();
         assert!(error.to_string().contains("another run"), "{error}");
         drop(journal);
         let nowhere = out.with_file_name("no").join("out.csv");
-        assert!(Journal::open(&nowhere, "options", &files, false).map(drop).is_err());
+        assert!(Journal::open(&nowhere, "options", &files, false, &mut Sealer::default()).map(drop).is_err());
     }
 }

@@ -153,11 +153,13 @@ impl Batch {
     /// [`WorkerPool::run`].
     pub fn write(&self, pool: &WorkerPool, out: &Path, format: TableFormat) -> Result<Summary, Error> {
         coface_io::check_output(out)?;
-        let (mut journal, refused) = Journal::open(out, &self.options(pool), &self.files, self.restart)?;
+        let mut sealer = Sealer::new(self.reading.options());
+        let (mut journal, refused) =
+            Journal::open(out, &self.options(pool), &self.files, self.restart, &mut sealer)?;
         let left: Vec<usize> = (0..self.files.len()).filter(|&place| !journal.has(place)).collect();
         let resumed = self.files.len() - left.len();
         let mut summary = Summary { resumed, refused, ..Summary::default() };
-        match self.finish(pool, &mut journal, &left, &mut summary, (out, format)) {
+        match self.finish(pool, (&mut journal, &mut sealer), &left, &mut summary, (out, format)) {
             Ok(()) => {
                 journal.remove();
                 Ok(summary)
@@ -170,12 +172,11 @@ impl Batch {
     fn finish(
         &self,
         pool: &WorkerPool,
-        journal: &mut Journal,
+        (journal, sealer): (&mut Journal, &mut Sealer),
         left: &[usize],
         summary: &mut Summary,
         (out, format): (&Path, TableFormat),
     ) -> Result<(), Error> {
-        let mut sealer = Sealer::default();
         pool.run(
             STAGE,
             left.len(),
