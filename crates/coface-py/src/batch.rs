@@ -106,6 +106,13 @@ pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timing
     run(py, None, || coface::scale::batch::csv_of_lines(&lines, &out, timings))
 }
 
+/// Calls a function while no other run has the lock of this name in a folder.
+#[pyfunction]
+pub(crate) fn _locked(py: Python<'_>, folder: PathBuf, name: &str, work: Py<PyAny>) -> PyResult<Py<PyAny>> {
+    let _lock = coface::io::FolderLock::take(&folder, name).or_raise(py)?;
+    work.call0(py)
+}
+
 /// Writes a file that appears whole or not at all.
 #[pyfunction]
 pub(crate) fn _replace_file(py: Python<'_>, path: PathBuf, data: &Bound<'_, PyBytes>) -> PyResult<()> {

@@ -94,6 +94,19 @@ def test_tables_by_arrow_appear_whole_or_not_at_all(tmp_path: Path) -> None:
     assert sorted(os.listdir(tmp_path)) == ["a.json", "rows.parquet"]
 
 
+def test_two_calls_do_not_write_one_table_by_arrow(tmp_path: Path) -> None:
+    import fcntl
+
+    pytest.importorskip("pyarrow")
+    (tmp_path / "a.json").write_text(SPHERE)
+    with (tmp_path / ".rows.parquet.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        with pytest.raises(coface.FileError, match="another run works in this folder"):
+            coface.batch(tmp_path / "a.json", tmp_path / "rows.parquet")
+    coface.batch(tmp_path / "a.json", tmp_path / "rows.parquet")
+    assert sorted(os.listdir(tmp_path)) == ["a.json", "rows.parquet"]
+
+
 def test_numbers_beyond_int32_are_not_negative_ones() -> None:
     model = coface.Model.from_bytes("[[0,1,2147483647],[1,2,3]]")
     assert model.facets.max() == 2**31 - 1

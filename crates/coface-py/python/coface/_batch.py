@@ -153,11 +153,17 @@ def batch(
         return _summary(_coface._batch_write(files, target, options, progress))
     _pyarrow()
     lines = target.with_name(f".{target.name}.jsonl")
-    summary = _summary(_coface._batch_write(files, lines, options, progress))
-    try:
-        write_parquet(lines, target, timings)
-    finally:
-        lines.unlink()
+
+    def write() -> BatchSummary:
+        summary = _summary(_coface._batch_write(files, lines, options, progress))
+        try:
+            write_parquet(lines, target, timings)
+        finally:
+            lines.unlink()
+        return summary
+
+    # The rows have no lock of their own once they are all there.
+    summary: BatchSummary = _coface._locked(target.absolute().parent, f".{target.name}.lock", write)
     return summary
 
 
