@@ -4,6 +4,7 @@
 mod advisories;
 mod answers;
 mod api;
+mod fuzz;
 #[cfg(test)]
 mod house;
 mod packages;
@@ -33,6 +34,8 @@ const USAGE: &str = "usage:
                               says which packages have known faults, by the snapshot in xtask/advisories.txt; DIR makes it anew
   cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
   cargo xtask types [--write] says whether the viewer has the types of docs/answers.schema.json; writes them
+  cargo xtask fuzz --minutes N [--target NAME] [--jobs N]
+                              runs the fuzz targets for so long together and prints what each has executed, reached and found
   cargo xtask bench [ARGS]    builds for release and runs coface-bench (`cargo xtask bench list` says what there is)";
 
 fn main() -> ExitCode {
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Some("wild") => wild::wild(&words[1..]),
         Some("api") => api::api(&words[1..]),
         Some("types") => typescript::types(&words[1..]),
+        Some("fuzz") => fuzz::fuzz(&words[1..]),
         Some("bench") => bench(&words[1..]),
         Some("help" | "-h" | "--help") => {
             println!("{USAGE}");

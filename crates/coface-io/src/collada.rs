@@ -73,7 +73,7 @@ mod reading {
             }
             meshes.insert(geometry.id(), mesh.welded());
         }
-        let mut scene = Scene::new();
+        let mut scene = Scene::of_size(text.len());
         let start = elements().find(|node| node.has_tag_name_of("instance_visual_scene"));
         let start = start
             .and_then(|node| target(node, "url", &ids))

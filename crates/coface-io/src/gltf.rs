@@ -52,11 +52,25 @@ mod reading {
     use std::io::Read;
     use std::path::Path;
 
+    /// Beyond so many, all primitives together may have `RATIO` numbers for each byte of the buffers: they may share them.
+    const FREE: usize = 1 << 22;
+    const RATIO: usize = 64;
+
+    /// Where numbers come from, and how many may still be read.
+    struct Numbers<'b> {
+        buffers: &'b [Vec<u8>],
+        left: usize,
+    }
+
     /// Reads a file whose other files lie in this folder or below.
     pub(crate) fn read_in(mut input: impl Read, companions: Option<&Companions>) -> Result<Model, Error> {
         let mut bytes = Vec::new();
         input.read_to_end(&mut bytes)?;
-        let file = gltf::Gltf::from_slice(&bytes).map_err(|error| {
+        check_accessors(&bytes)?;
+        let file = gltf::Gltf::from_slice(&bytes);
+        // A scene without nodes need not list them, and the parser asks for the list.
+        let listed = if file.is_err() { with_lists_of_nodes(&bytes) } else { None };
+        let file = listed.map_or(file, |listed| gltf::Gltf::from_slice(&listed)).map_err(|error| {
             let message: String =
                 error.to_string().chars().take(200).flat_map(char::escape_default).collect();
             Error::parse(format!("this is no sound glTF: {message}")).with_cure("export the file again")
@@ -69,11 +83,13 @@ mod reading {
                 Source::Uri(uri) => bytes_of(uri, companions)?,
             });
         }
+        let size: usize = buffers.iter().map(Vec::len).sum();
+        let mut source = Numbers { buffers: &buffers, left: FREE.max(size.saturating_mul(RATIO)) };
         let mut meshes = Vec::new();
         for mesh in document.meshes() {
-            meshes.push(loose_mesh(&mesh, &buffers)?.welded());
+            meshes.push(loose_mesh(&mesh, &mut source)?.welded());
         }
-        let mut scene = Scene::new();
+        let mut scene = Scene::of_size(bytes.len().saturating_add(size));
         match document.default_scene().or_else(|| document.scenes().next()) {
             Some(start) => {
                 for node in start.nodes() {
@@ -88,6 +104,72 @@ mod reading {
             }
         }
         scene.finish()
+    }
+
+    /// The bytes before the first chunk of a GLB, and those before its data.
+    const HEADER: usize = 12;
+    const CHUNK: usize = 8;
+
+    /// Where the JSON of a file stands: all of a `.gltf`, the first chunk of a GLB.
+    fn json_range(bytes: &[u8]) -> Option<std::ops::Range<usize>> {
+        if !bytes.starts_with(b"glTF") {
+            return Some(0..bytes.len());
+        }
+        let start = HEADER + CHUNK;
+        let length = u32::from_le_bytes(bytes.get(HEADER..HEADER + 4)?.try_into().ok()?);
+        let end = start.checked_add(usize::try_from(length).ok()?)?;
+        Some(start..end).filter(|range| range.end <= bytes.len())
+    }
+
+    /// Refuses primitives whose positions are an accessor that is not there: the parser takes it to be there before it looks. What is no JSON is
+    /// left to the parser.
+    fn check_accessors(bytes: &[u8]) -> Result<(), Error> {
+        let text = json_range(bytes).map(|range| &bytes[range]);
+        let Some(root) =
+            text.and_then(|text| gltf::json::deserialize::from_slice::<gltf::json::Root>(text).ok())
+        else {
+            return Ok(());
+        };
+        let count = root.accessors.len();
+        let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+        let mut accessors = primitives.flat_map(|primitive| primitive.attributes.values());
+        match accessors.find(|accessor| accessor.value() >= count) {
+            Some(accessor) => Err(Error::invalid(format!(
+                "a mesh names accessor {}, but there are {count}, numbered from 0",
+                accessor.value()
+            ))
+            .with_cure("export the file again")),
+            None => Ok(()),
+        }
+    }
+
+    /// The same file with an empty list of nodes in each scene that has none; `None` if there is no such scene.
+    fn with_lists_of_nodes(bytes: &[u8]) -> Option<Vec<u8>> {
+        let is_binary = bytes.starts_with(b"glTF");
+        let std::ops::Range { start, end } = json_range(bytes)?;
+        let mut root: serde_json::Value = serde_json::from_slice(&bytes[start..end]).ok()?;
+        let mut is_changed = false;
+        for scene in
+            root.get_mut("scenes")?.as_array_mut()?.iter_mut().filter_map(|scene| scene.as_object_mut())
+        {
+            scene.entry("nodes").or_insert_with(|| {
+                is_changed = true;
+                serde_json::Value::Array(Vec::new())
+            });
+        }
+        let mut text = serde_json::to_vec(&root).ok().filter(|_| is_changed)?;
+        if !is_binary {
+            return Some(text);
+        }
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let rest = &bytes[end..];
+        let length = u32::try_from(start + text.len() + rest.len()).ok()?;
+        let mut whole = bytes[..start].to_vec();
+        whole[8..12].copy_from_slice(&length.to_le_bytes());
+        whole[HEADER..HEADER + 4].copy_from_slice(&u32::try_from(text.len()).ok()?.to_le_bytes());
+        whole.extend_from_slice(&text);
+        whole.extend_from_slice(rest);
+        Some(whole)
     }
 
     fn place(
@@ -160,18 +242,18 @@ mod reading {
         String::from_utf8_lossy(&bytes).into_owned()
     }
 
-    fn loose_mesh(mesh: &gltf::Mesh<'_>, buffers: &[Vec<u8>]) -> Result<LooseMesh, Error> {
+    fn loose_mesh(mesh: &gltf::Mesh<'_>, source: &mut Numbers<'_>) -> Result<LooseMesh, Error> {
         let mut loose = LooseMesh::default();
         for primitive in mesh.primitives() {
             let first = loose.points.len() as u32;
             if let Some(positions) = primitive.get(&gltf::Semantic::Positions) {
-                let numbers = numbers(&positions, 3, buffers)?;
+                let numbers = numbers(&positions, 3, source)?;
                 loose.points.extend(numbers.chunks_exact(3).map(|point| [point[0], point[1], point[2]]));
             }
             let count = loose.points.len() as u32 - first;
             let corners: Vec<u32> = match primitive.indices() {
                 Some(indices) => {
-                    numbers(&indices, 1, buffers)?.into_iter().map(|index| index as u32).collect()
+                    numbers(&indices, 1, source)?.into_iter().map(|index| index as u32).collect()
                 }
                 None => (0..count).collect(),
             };
@@ -210,14 +292,19 @@ mod reading {
     fn numbers(
         accessor: &gltf::Accessor<'_>,
         components: usize,
-        buffers: &[Vec<u8>],
+        source: &mut Numbers<'_>,
     ) -> Result<Vec<f64>, Error> {
+        let buffers = source.buffers;
         let expected = if components == 3 { Dimensions::Vec3 } else { Dimensions::Scalar };
         if accessor.dimensions() != expected {
             return Err(Error::invalid("an accessor has another number of components than its use asks for")
                 .with_cure("export the file again"));
         }
         let (kind, count) = (accessor.data_type(), accessor.count());
+        source.left = source.left.checked_sub(count.saturating_mul(components)).ok_or_else(|| {
+            Error::new(ErrorKind::TooLarge, "the meshes have far more numbers than the buffers")
+                .with_cure("export the file again, with fewer primitives that share their positions")
+        })?;
         let mut values = match accessor.view() {
             Some(view) => {
                 let row = components * kind.size();

@@ -44,6 +44,10 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         }
         let mut words: Vec<&[u8]> =
             line.split(|byte| is_separator(*byte)).filter(|word| !word.is_empty()).collect();
+        // Tables end in rows of nothing but separators.
+        if words.is_empty() {
+            continue;
+        }
         let is_number = |word: &&[u8]| parse_coordinate(word, "").is_ok();
         if count == 0 && names.is_none() {
             if words.len() == 1 && !has_count && words[0].iter().all(u8::is_ascii_digit) {
@@ -163,6 +167,7 @@ mod tests {
             ("2\nwater\nO 0 0 0\nH 1 0 0\n", 3, 2),
             ("3\n0 0 0\n1 0 0\n0 1 0\n", 3, 3),
             ("\"X\",\"Y\"\r\n1,2\r\n", 2, 1),
+            (";;\n1;2\n;;\n", 2, 1),
         ] {
             let model = read(text.as_bytes()).unwrap();
             assert_eq!((model.positions().dimension(), model.points().len()), (dimension, count), "{text}");

@@ -8,8 +8,9 @@ use std::collections::{BTreeMap, HashMap};
 
 /// More meshes than this are not placed: few bytes can place a mesh very often.
 const MOST_PLACED: usize = 1 << 16;
-/// Placed more than once, meshes have at most so many vertices in all.
-const MOST_VERTICES: usize = 1 << 26;
+/// Beyond so many, what is placed has at most `RATIO` coordinates and corners for each byte of the file.
+const FREE: usize = 1 << 22;
+const RATIO: usize = 64;
 /// Nodes that contain nodes are followed so deep.
 const DEEPEST: usize = 64;
 
@@ -64,6 +65,12 @@ pub(crate) struct LooseMesh {
 }
 
 impl LooseMesh {
+    /// How many coordinates, corners and lists there are: what a copy costs.
+    fn number_count(&self) -> usize {
+        let lists = self.polygons.iter().chain(&self.lines);
+        3 * self.points.len() + self.singles.len() + lists.map(|list| list.len() + 1).sum::<usize>()
+    }
+
     /// The mesh whose points at one place are one: formats that have normals and texture coordinates split them.
     pub(crate) fn welded(mut self) -> Self {
         let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(self.points.len());
@@ -92,6 +99,8 @@ impl LooseMesh {
 pub(crate) struct Scene {
     assembly: Assembly,
     placed: usize,
+    /// How many coordinates and corners may still be placed.
+    left: usize,
     steps: usize,
     welded: usize,
     /// The numbers of the groups by their names.
@@ -99,8 +108,16 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    pub(crate) fn new() -> Self {
-        Self { assembly: Assembly::new(3), placed: 0, steps: 0, welded: 0, groups: BTreeMap::new() }
+    /// An empty scene of a file of so many bytes, those of its buffers and those that are unpacked included.
+    pub(crate) fn of_size(bytes: usize) -> Self {
+        Self {
+            assembly: Assembly::new(3),
+            placed: 0,
+            left: FREE.max(bytes.saturating_mul(RATIO)),
+            steps: 0,
+            welded: 0,
+            groups: BTreeMap::new(),
+        }
     }
 
     /// Takes one step on the way through the nodes of the file: few bytes can make a way without end.
@@ -121,10 +138,12 @@ impl Scene {
     pub(crate) fn place(&mut self, mesh: &LooseMesh, placement: Placement, name: &str) -> Result<(), Error> {
         self.placed += 1;
         let first = self.assembly.vertex_count();
-        if self.placed > MOST_PLACED || (self.placed > 1 && first + mesh.points.len() > MOST_VERTICES) {
+        let left = self.left.checked_sub(mesh.number_count());
+        let Some(left) = left.filter(|_| self.placed <= MOST_PLACED) else {
             return Err(Error::new(ErrorKind::TooLarge, "the file places its meshes too often")
                 .with_cure("export fewer copies of them"));
-        }
+        };
+        self.left = left;
         for &point in &mesh.points {
             let point = placement.apply(point);
             if point.iter().any(|x| !x.is_finite()) {
@@ -194,6 +213,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn few_bytes_cannot_place_much() {
+        // Three points, of which many triangles are made: copies are counted by their triangles too.
+        let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let mesh = LooseMesh { points, polygons: vec![vec![0, 1, 2]; 1000], ..LooseMesh::default() };
+        let copies = |bytes: usize| {
+            let mut scene = Scene::of_size(bytes);
+            (0..).take_while(|_| scene.place(&mesh, Placement::IDENTITY, "").is_ok()).count()
+        };
+        assert_eq!(copies(50_000), FREE / 4009);
+        assert_eq!(copies(300_000), RATIO * 300_000 / 4009);
+    }
+
+    #[test]
     fn placements_follow_each_other_and_mirrors_turn_faces() {
         let shift = Placement([[1.0, 0.0, 0.0, 5.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
         let mirror = Placement([[-2.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
@@ -204,7 +236,7 @@ mod tests {
             polygons: vec![vec![3, 1, 2], vec![0, 3, 1]],
             ..LooseMesh::default()
         };
-        let mut scene = Scene::new();
+        let mut scene = Scene::of_size(0);
         scene.place(&mesh.clone().welded(), Placement::IDENTITY, "a").unwrap();
         scene.place(&mesh, mirror, "a").unwrap();
         let model = scene.finish().unwrap();

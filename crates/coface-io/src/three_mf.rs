@@ -46,13 +46,14 @@ mod reading {
     use std::collections::BTreeMap;
     use std::io::{Cursor, Read};
 
-    /// Beyond this size a part may be `RATIO` times as large as in the archive.
+    /// Beyond this size all parts together may be `RATIO` times as large as the archive: parts may share their bytes in it.
     const FREE: u64 = 1 << 26;
     const RATIO: u64 = 1100;
 
     pub(super) fn read(mut input: impl Read) -> Result<Model, Error> {
         let mut bytes = Vec::new();
         input.read_to_end(&mut bytes)?;
+        let mut left = FREE.max((bytes.len() as u64).saturating_mul(RATIO));
         let damaged = |error: zip::result::ZipError| {
             Error::parse(format!("the ZIP archive is damaged: {error}")).with_cure("write it again")
         };
@@ -61,16 +62,15 @@ mod reading {
         let mut parts: BTreeMap<String, String> = BTreeMap::new();
         for name in names.iter().filter(|name| name.to_ascii_lowercase().ends_with(".model")) {
             let part = archive.by_name(name).map_err(damaged)?;
-            let most = FREE.max(part.compressed_size().saturating_mul(RATIO));
             let mut text = String::new();
-            part.take(most + 1).read_to_string(&mut text).map_err(|error| {
+            part.take(left + 1).read_to_string(&mut text).map_err(|error| {
                 Error::parse(format!("the part {} cannot be read: {error}", name.escape_debug()))
                     .with_cure("write the file again")
             })?;
-            if text.len() as u64 > most {
-                return Err(Error::new(ErrorKind::TooLarge, "a part is far larger than its compressed form")
-                    .with_cure("the file is no model: check where it comes from"));
-            }
+            left = left.checked_sub(text.len() as u64).ok_or_else(|| {
+                Error::new(ErrorKind::TooLarge, "the parts are far larger than the archive")
+                    .with_cure("the file is no model: check where it comes from")
+            })?;
             parts.insert(name.trim_start_matches('/').to_owned(), text);
         }
         let root =
@@ -101,7 +101,7 @@ mod reading {
             let meshes = objects.iter().filter(|(_, object)| !object.mesh.polygons.is_empty());
             items = meshes.map(|(key, _)| (key.clone(), Placement::IDENTITY)).collect();
         }
-        let mut scene = Scene::new();
+        let mut scene = Scene::of_size(parts.values().map(String::len).sum());
         for (key, placement) in &items {
             place(&objects, key, *placement, 0, &mut scene)?;
         }

@@ -133,7 +133,8 @@ impl RawCurve {
             }
         };
         let count = points.len();
-        if count < 2 {
+        // A curve by its pieces may be one arc that comes back to where it began.
+        if count < if self.controls.is_some() && degree > 1 { 1 } else { 2 } {
             return Err(Error::invalid(format!("curve {number} has {count} points, and bounds nothing"))
                 .with_cure("give a closed curve at least three points"));
         }
@@ -172,6 +173,8 @@ impl RawCurve {
             controls.push(controls[0]);
             let knots = match self.knots {
                 Some(knots) => knots,
+                // One arc that comes back has no chord.
+                None if count == 1 => vec![0.0, 1.0],
                 None => {
                     let mut closed = curve.points().to_vec();
                     closed.push(closed[0]);

@@ -46,7 +46,7 @@ impl ElementTags {
             self.is_sorted = true;
         }
         let run = &self.runs[self.runs.partition_point(|run| run.tag <= tag).checked_sub(1)?];
-        let ahead = u32::try_from(tag - run.tag).ok().filter(|&ahead| ahead < run.count)?;
+        let ahead = u32::try_from(tag.checked_sub(run.tag)?).ok().filter(|&ahead| ahead < run.count)?;
         Some((run.kind, run.member + ahead))
     }
 }
@@ -75,7 +75,9 @@ fn read_rows<R: Read>(reader: &mut Reader<R>, is_of_nodes: bool) -> Result<(), E
     scanner.next_line()?;
     let mut name = String::new();
     for i in 0..string_count {
-        let line = scanner.next_line()?.unwrap_or_default();
+        let Some(line) = scanner.next_line()? else {
+            return Err(scanner.error(format!("the file ends after {i} of {string_count} string tags")));
+        };
         if i == 0 {
             name = String::from_utf8_lossy(line).trim().trim_matches('"').to_owned();
         }

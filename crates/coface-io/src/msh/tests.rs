@@ -214,3 +214,21 @@ proptest! {
         }
     }
 }
+
+/// Found by fuzzing: a count of string tags beyond the end of the file was counted to its end, which takes 10^18 steps.
+#[test]
+fn counts_of_tags_beyond_the_file_end_with_it() {
+    let elements = "$Elements\n1\n1 4 2 0 1 1 2 5 9\n$EndElements\n";
+    let text = format!(
+        "{NODES_2}{elements}$ElementData\n9223372036854775807\n\"x\"\n1\n0\n3\n0\n1\n1\n1 4\n$EndElementData\n"
+    );
+    let remarks = read(text.as_bytes()).unwrap().remarks().to_vec();
+    assert!(remarks[0].message.contains("the file ends after 9 of"), "{}", remarks[0].message);
+    // Tags that lie as far apart as numbers can.
+    let elements = "$Elements\n1\n-9223372036854775808 4 2 0 1 1 2 5 9\n$EndElements\n";
+    let text = format!(
+        "{NODES_2}{elements}$ElementData\n1\n\"x\"\n1\n0\n3\n0\n1\n1\n9223372036854775807 4\n$EndElementData\n"
+    );
+    let remarks = read(text.as_bytes()).unwrap().remarks().to_vec();
+    assert_eq!(remarks[0].code, crate::RemarkCode::DataLeftOut);
+}

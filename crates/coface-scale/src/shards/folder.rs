@@ -551,15 +551,14 @@ impl ShardFolder {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn reduced_shards(&self) -> Result<Vec<ReducedStep>, Error> {
-        let steps = progress::stage("looking at reduced parts", self.manifest.part_count as usize);
-        let found: Vec<Option<ReducedStep>> = (0..self.manifest.part_count)
-            .into_par_iter()
-            .map(|number| {
+        // A list may say more parts than any folder has files: only those that are there are looked at.
+        let numbers = self.reduced_numbers()?;
+        let steps = progress::stage("looking at reduced parts", numbers.len());
+        let found: Vec<Option<ReducedStep>> = numbers
+            .par_iter()
+            .map(|&number| {
                 steps.advance(1);
                 let (shard, path) = (self.shard_path(number), self.reduced_path(0, number));
-                if !path.exists() {
-                    return Ok(None);
-                }
                 let summary = summary(&bytes_of(&path)?).map_err(|error| {
                     in_file(&path)(error.with_cure(format!("coface reduce {}", shard.display())))
                 })?;
@@ -571,22 +570,42 @@ impl ShardFolder {
                 Ok(is_current.then_some(step))
             })
             .collect::<Result<_, Error>>()?;
-        let missing: Vec<u32> =
-            (0..self.manifest.part_count).filter(|&number| found[number as usize].is_none()).collect();
-        if missing.is_empty() {
+        let current: Vec<u32> = numbers
+            .iter()
+            .zip(&found)
+            .filter(|(_, step)| step.is_some())
+            .map(|(&number, _)| number)
+            .collect();
+        let missing_count = self.manifest.part_count as usize - current.len();
+        if missing_count == 0 {
             return Ok(found.into_iter().flatten().collect());
         }
+        let missing = (0..self.manifest.part_count).filter(|number| current.binary_search(number).is_err());
         let some: Vec<String> =
-            missing.iter().take(3).map(|&number| self.shard_path(number).display().to_string()).collect();
-        let more = if missing.len() > 3 { " ..." } else { "" };
+            missing.take(3).map(|number| self.shard_path(number).display().to_string()).collect();
+        let more = if missing_count > 3 { " ..." } else { "" };
         Err(in_file(&self.path)(
             Error::invalid(format!(
                 "{} of {} parts are not reduced, or not from the shards that stand there",
-                missing.len(),
-                self.manifest.part_count
+                missing_count, self.manifest.part_count
             ))
             .with_cure(format!("coface reduce {}{more}", some.join(" "))),
         ))
+    }
+
+    /// The numbers of the reduced shards of the first level that are there, rising.
+    fn reduced_numbers(&self) -> Result<Vec<u32>, Error> {
+        let mut numbers = Vec::new();
+        for entry in fs::read_dir(&self.path).map_err(|error| in_file(&self.path)(error.into()))? {
+            let name = entry.map_err(|error| in_file(&self.path)(error.into()))?.file_name();
+            let digits = name.to_str().and_then(|name| name.strip_prefix("part-")?.strip_suffix(".reduced"));
+            let number = digits.and_then(|digits| digits.parse().ok());
+            numbers.extend(number.filter(|&number| {
+                number < self.manifest.part_count && self.reduced_path(0, number).file_name() == Some(&name)
+            }));
+        }
+        numbers.sort_unstable();
+        Ok(numbers)
     }
 
     /// Merges all levels, as far as they are not merged, and says what the whole is.

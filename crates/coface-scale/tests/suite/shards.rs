@@ -513,3 +513,24 @@ fn owners_are_those_asked_for() {
     let random: usize = (0..3).map(|part| edges(&Owners::Random, part).len()).sum();
     assert_eq!(random, 8);
 }
+
+/// Found by fuzzing: a list that says 4,294,967,295 parts took memory and time for each of them.
+#[test]
+fn a_list_of_more_parts_than_files_is_answered_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], Format::Json).unwrap();
+    let shards = shard_model(model, &folder.path().join("s"), &ShardRequest::new("sphere", 3)).unwrap();
+    shards.reduce(1, false).unwrap();
+    let list = shards.path().join("shards.json");
+    let text = fs::read_to_string(&list).unwrap();
+    fs::write(&list, text.replace("\"parts\": 3", "\"parts\": 4294967295")).unwrap();
+    fs::write(shards.path().join("part-1.reduced"), "is no name of a part").unwrap();
+    let shards = ShardFolder::open(shards.path()).unwrap();
+    assert_eq!(shards.manifest().part_count, u32::MAX);
+    // The reduced part is of a complex of three.
+    assert!(shards.reduced_shards().is_err());
+    fs::remove_file(shards.reduced_path(0, 1)).unwrap();
+    let error = shards.merge_all(false).unwrap_err();
+    assert!(error.to_string().contains("4294967295 of 4294967295 parts are not reduced"), "{error}");
+    assert!(error.cure().is_some_and(|cure| cure.ends_with("part-000002.shard ...")), "{error}");
+}

@@ -1,0 +1,2 @@
+eLPkbcddddcwjb
+bkaaid

@@ -1,0 +1,2 @@
+# names
+bkaaid sphere
