@@ -200,7 +200,7 @@ impl Parts {
     pub(super) fn remark(&self) -> Option<Remark> {
         let word = if self.edges_alone == 1 { "simplex" } else { "simplices" };
         let message = format!(
-            "not drawn: the triangles of {} {word} of more than {MOST_CORNERS} vertices, but their edges",
+            "not drawn: the triangles of {} {word} of more than {MOST_CORNERS} vertices; their edges are drawn",
             self.edges_alone
         );
         let remark = || Remark::new(RemarkCode::NotDrawn, message).at(self.edges_alone, []);
