@@ -11,7 +11,7 @@ folder = Path(tempfile.mkdtemp())
 for family in ["torus", "klein", "csaszar", "sphere"]:
     coface.generate(family).write(folder / f"{family}.off")
 (folder / "damaged.off").write_text("OFF\n1 0 0\n0 0 oops\n")
-(folder / "huge.json").write_text(str([list(range(26))]))
+(folder / "huge.json").write_text(str([list(range(20 * i, 20 * i + 20)) for i in range(12)]))
 
 # %% Rows as dictionaries: what a file costs is limited, and what it costs too much it costs alone
 rows = {Path(row["path"]).stem: row for row in coface.batch(folder, memory=1 << 30, timeout=600.0)}
