@@ -29,8 +29,8 @@ for line in sys.stdin:
     path = line.rstrip("\n")
     try:
         model = coface.read(path)
-        answer = [model.homology(), model.f_vector]
-    except coface.CofaceError as error:
+        answer = [str(coface.homology(model)), list(model.f_vector)]
+    except coface.Error as error:
         answer = str(error)
     print(resident(), repr(answer), sep="\t", flush=True)
 "#;
@@ -152,7 +152,7 @@ impl Soak {
         let out = self.folder.join("out/rows.jsonl");
         let mut batch = self.command(&["batch", "-q", "-j", "2", "--no-timings", "-o"]);
         batch.arg(&out).args(&self.inputs);
-        let status = batch.status()?;
+        let status = batch.stdout(Stdio::null()).status()?;
         let rows = fs::read_to_string(&out)?;
         fs::remove_file(&out)?;
         self.requests += self.inputs.len();
