@@ -1,6 +1,6 @@
 //! What all fuzz targets share: the memory that one input may take, one thread, and the call of a check of `coface_fuzz_checks`.
 
-use std::alloc::System;
+use coface_allocator::CountingAllocator;
 
 #[doc(hidden)]
 pub use {coface_fuzz_checks as checks, libfuzzer_sys};
@@ -9,12 +9,12 @@ pub use {coface_fuzz_checks as checks, libfuzzer_sys};
 const MOST_BYTES: usize = 512 << 20;
 
 #[global_allocator]
-static ALLOCATOR: cap::Cap<System> = cap::Cap::new(System, usize::MAX);
+static ALLOCATOR: CountingAllocator = CountingAllocator::new();
 
 /// Called once before the first input: sets the limit of memory, and lets all parallel work run on the thread that asks for it, so that runs
 /// repeat and no time goes into waking threads.
 pub fn prepare() {
-    ALLOCATOR.set_limit(MOST_BYTES).expect("little is in use at the start");
+    ALLOCATOR.limit_to(MOST_BYTES);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread();
     pool.build_global().expect("nothing has run in parallel yet");
 }

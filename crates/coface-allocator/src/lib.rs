@@ -71,10 +71,23 @@ impl CountingAllocator {
     /// assert_eq!(coface_allocator::CountingAllocator::new().held(), 0);
     /// ```
     pub const fn new() -> Self {
+        Self::limited(usize::MAX)
+    }
+
+    /// An allocator that lets no more than so many bytes be held at once, from the start of the program.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_allocator::CountingAllocator;
+    /// #[global_allocator]
+    /// static ALLOCATOR: CountingAllocator = CountingAllocator::limited(64 << 20);
+    /// assert!(Vec::<u8>::new().try_reserve(65 << 20).is_err());
+    /// ```
+    pub const fn limited(bytes: usize) -> Self {
         Self {
             held: AtomicUsize::new(0),
             peak: AtomicUsize::new(0),
-            limit: AtomicUsize::new(usize::MAX),
+            limit: AtomicUsize::new(bytes),
             at_shortage: OnceLock::new(),
             is_ending: AtomicBool::new(false),
         }

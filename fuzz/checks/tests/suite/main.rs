@@ -3,8 +3,8 @@
 
 mod mutations;
 
+use coface_allocator::CountingAllocator;
 use coface_fuzz_checks::{CHECKS, Check};
-use std::alloc::System;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
@@ -17,7 +17,7 @@ const MOST_TIME: Duration = Duration::from_secs(60);
 const MOST_LENGTH: u64 = 64 << 10;
 
 #[global_allocator]
-static ALLOCATOR: cap::Cap<System> = cap::Cap::new(System, MOST_BYTES);
+static ALLOCATOR: CountingAllocator = CountingAllocator::limited(MOST_BYTES);
 
 fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
