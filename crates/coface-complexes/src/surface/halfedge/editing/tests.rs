@@ -208,16 +208,16 @@ fn are_isomorphic(mesh: &HalfedgeMesh, other: &HalfedgeMesh) -> bool {
     if count != other.halfedge_count() || mesh.f_vector() != other.f_vector() {
         return false;
     }
-    let mut image = vec![NONE; count];
-    let mut is_taken = vec![false; count];
+    // A component may cover a smaller one, so the way back is kept as well.
+    let (mut image, mut source) = (vec![NONE; count], vec![NONE; count]);
     'components: while let Some(start) = (0..count).find(|&h| image[h] == NONE) {
         'starts: for target in 0..count {
-            if is_taken[target] {
+            if source[target] != NONE {
                 continue;
             }
-            let mut trial = image.clone();
+            let (mut trial, mut back) = (image.clone(), source.clone());
             let mut members = vec![start];
-            trial[start] = target;
+            (trial[start], back[target]) = (target, start);
             let mut at = 0;
             while at < members.len() {
                 let h = members[at];
@@ -228,21 +228,28 @@ fn are_isomorphic(mesh: &HalfedgeMesh, other: &HalfedgeMesh) -> bool {
                 }
                 let steps = [(h ^ 1, trial[h] ^ 1), (mesh.next[h] as usize, other.next[trial[h]] as usize)];
                 for (to, wanted) in steps {
-                    if trial[to] == NONE {
-                        trial[to] = wanted;
+                    if trial[to] == NONE && back[wanted] == NONE {
+                        (trial[to], back[wanted]) = (wanted, to);
                         members.push(to);
                     } else if trial[to] != wanted {
                         continue 'starts;
                     }
                 }
             }
-            members.iter().for_each(|&h| is_taken[trial[h]] = true);
-            image = trial;
+            (image, source) = (trial, back);
             continue 'components;
         }
         return false;
     }
     true
+}
+
+#[test]
+fn a_component_that_covers_another_is_not_it() {
+    // A circle of two edges and one of one edge, in both orders.
+    let mesh = HalfedgeMesh::from_next(vec![2, 3, 0, 1, 4, 5]).unwrap();
+    let other = HalfedgeMesh::from_next(vec![0, 1, 4, 5, 2, 3]).unwrap();
+    assert!(are_isomorphic(&mesh, &other) && are_isomorphic(&other, &mesh));
 }
 
 proptest! {
