@@ -363,7 +363,7 @@ fn points_of_result(path: &Path) -> Result<Option<Vec<DiagramPoint>>, Failure> {
         return Ok(None);
     }
     let result = read_result(path)?;
-    if !result["diagram"].is_array() {
+    if result.get("diagram").is_none() {
         return Ok(None);
     }
     let found = Diagram::deserialize(result).map(|found| found.diagram);

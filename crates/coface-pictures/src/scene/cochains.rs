@@ -1,9 +1,8 @@
 //! Cochains on edges: arrows, and lines of equal potential.
 
 use super::numbering::Numbering;
-use super::values::{array, vertices};
+use super::shown::{Harmonic, Shown};
 use super::{Layer, Scene};
-use serde_json::Value;
 
 /// Arrows are drawn on the strongest edges, at most so many.
 const MOST_ARROWS: usize = 20_000;
@@ -18,7 +17,7 @@ struct Form {
 
 impl Form {
     /// The form with these values on edges, whose ends have the numbers of the model.
-    fn new(terms: impl Iterator<Item = (Vec<u32>, f64)>, numbering: &Numbering) -> Self {
+    fn new<'a>(terms: impl Iterator<Item = (&'a [u32], f64)>, numbering: &Numbering) -> Self {
         let mut values: Vec<([u32; 2], f64)> = terms
             .map(|(ends, value)| (ends.iter().map(|&end| numbering.of(end)).collect::<Vec<u32>>(), value))
             .filter_map(|(ends, value)| match *ends {
@@ -44,30 +43,37 @@ impl Form {
 }
 
 /// Cocycles of integers: arrows on the edges where they are not zero.
-pub(super) fn cocycle_layers(result: &Value, layers: &mut Vec<Layer>) {
-    for (number, cocycle) in array(result, "cocycles").iter().enumerate() {
+pub(super) fn cocycle_layers(result: &Shown, layers: &mut Vec<Layer>) {
+    for (number, cocycle) in result.cocycles.list().iter().enumerate() {
         let mut layer = Layer::new("cocycles", format!("cocycle {number}"));
-        let count = super::values::push_chain(&mut layer, cocycle);
-        layer.detail = format!("not zero on {count} edges");
+        cocycle.push_onto(&mut layer);
+        layer.detail = format!("not zero on {} edges", cocycle.0.len());
         layer.has_arrows = true;
-        layer.is_on = number == 0 && result["harmonic"].is_null();
+        layer.is_on = number == 0 && result.harmonic.given().is_none();
         layers.push(layer);
     }
 }
 
 impl Scene {
     /// Harmonic forms: arrows as long as they are strong, and lines of equal potential, which cross the loops that the form counts.
-    pub(super) fn harmonic_layers(&self, result: &Value) -> Vec<Layer> {
-        let edges: Vec<Vec<u32>> = array(result, "edges").iter().map(vertices).collect();
-        let with_values = array(result, "harmonic").iter().filter_map(|form| {
-            let values = form["values"].as_array().filter(|values| values.len() == edges.len())?;
-            let terms = edges.iter().cloned().zip(values.iter().map(|value| value.as_f64().unwrap_or(0.0)));
-            Some(Form::new(terms, &self.numbering))
+    pub(super) fn harmonic_layers(&self, result: &Shown) -> Vec<Layer> {
+        let edges = result.edges.list();
+        let with_values = result.harmonic.list().iter().filter_map(|form| match form {
+            Harmonic::Values(form) => {
+                let values = form.values.given().filter(|values| values.len() == edges.len())?;
+                let terms = edges.iter().zip(values).map(|(edge, value)| (&edge.0[..], value.0));
+                Some(Form::new(terms, &self.numbering))
+            }
+            Harmonic::Degree(_) => None,
         });
-        let with_chains = result["harmonic"][1].as_array().into_iter().flatten().filter_map(|form| {
-            let terms = form["chain"].as_array()?.iter();
-            let terms = terms.map(|term| (vertices(&term[1]), term[0].as_f64().unwrap_or(0.0)));
-            Some(Form::new(terms, &self.numbering))
+        // Those of degree 1 are on edges.
+        let of_edges = match result.harmonic.list().get(1) {
+            Some(Harmonic::Degree(forms)) => &forms[..],
+            _ => &[],
+        };
+        let with_chains = of_edges.iter().map(|form| {
+            let terms = form.chain.0.iter().map(|term| (&term.cell[..], term.coefficient.0));
+            Form::new(terms, &self.numbering)
         });
         let mut layers = Vec::new();
         for (number, form) in with_values.chain(with_chains).enumerate() {

@@ -3,9 +3,9 @@
 
 use super::domain::Mesh;
 use super::geodesics::Disk;
-use super::values::{array, vertices};
+use super::reading::Entries;
+use super::shown::{Letter, Shown};
 use super::{Layer, Pane};
-use serde_json::Value;
 
 /// Covers of more faces are shown by the edges between copies only.
 const MOST_FACES: usize = 100_000;
@@ -20,15 +20,20 @@ const FEW_WORDS: usize = 40;
 const CIRCLE: u32 = 256;
 
 /// The picture of a cover that has a layout.
-pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
-    let words = result["words"].as_array()?;
-    let copy = vertices(&result["copy"]);
+pub(super) fn cover_pane(result: &Shown) -> Option<Pane> {
+    let words: Vec<&[Letter]> = result.words.given()?.iter().map(Entries::list).collect();
+    let copy = &result.copy.0;
     let mesh = Mesh::of(result)?;
-    let positions: Vec<[f64; 2]> = array(result, "positions")
+    let positions: Vec<[f64; 2]> = result
+        .positions
+        .list()
         .iter()
-        .map(|point| Some([point[0].as_f64()?, point[1].as_f64()?]))
+        .map(|point| match point.list() {
+            [x, y, ..] => Some([x.0, y.0]),
+            _ => None,
+        })
         .collect::<Option<_>>()?;
-    let is_disk = match result["layout"].as_str()? {
+    let is_disk = match result.layout.0.as_deref()? {
         "disk" => true,
         "flat" => false,
         _ => return None,
@@ -45,8 +50,8 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
         for parity in 0..2 {
             let word = if parity == 0 { "even" } else { "odd" };
             let mut layer = Layer::new("cover", format!("copies at {word} distance"));
-            for (walk, &copy) in mesh.walks.iter().zip(&copy) {
-                if words[copy as usize].as_array().map_or(0, Vec::len) % 2 != parity {
+            for (walk, &copy) in mesh.walks.iter().zip(copy) {
+                if words[copy as usize].len() % 2 != parity {
                     continue;
                 }
                 let mut fan = Layer::default();
@@ -69,10 +74,12 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
     let mut sides: Vec<([u32; 2], usize)> =
         mesh.sides().map(|([a, b], face)| ([a.min(b), a.max(b)], face)).collect();
     sides.sort_unstable();
-    let mut letters: Vec<([u32; 2], usize)> = array(result, "letters")
+    let mut letters: Vec<([u32; 2], usize)> = result
+        .letters
+        .list()
         .iter()
         .enumerate()
-        .filter_map(|(letter, edge)| match vertices(edge)[..] {
+        .filter_map(|(letter, edge)| match edge.0[..] {
             [a, b] => Some(([a.min(b), a.max(b)], letter)),
             _ => None,
         })
@@ -127,7 +134,7 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
     let mut names = Layer::new("cover", "deck transformations");
     names.is_on = words.len() <= FEW_WORDS;
     for (place, word) in
-        middles(&mesh, &copy, &pane.positions, words.len()).into_iter().zip(words).take(MOST_WORDS)
+        middles(&mesh, copy, &pane.positions, words.len()).into_iter().zip(words).take(MOST_WORDS)
     {
         names.labels.push((pane.positions.len() as u32, word_text(word)));
         pane.positions.push(place);
@@ -137,10 +144,10 @@ pub(super) fn cover_pane(result: &Value) -> Option<Pane> {
 }
 
 /// The middle of the corners of the faces of each copy.
-fn middles(mesh: &Mesh, copy: &[u32], positions: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+fn middles(mesh: &Mesh<'_>, copy: &[u32], positions: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     let mut sums = vec![[0.0; 3]; count];
     for (walk, &copy) in mesh.walks.iter().zip(copy) {
-        for &vertex in walk {
+        for &vertex in *walk {
             let [x, y] = positions[vertex as usize];
             let sum = &mut sums[copy as usize];
             *sum = [sum[0] + x, sum[1] + y, sum[2] + 1.0];
@@ -158,15 +165,12 @@ fn letter_name(letter: usize) -> String {
 }
 
 /// A word of letters such as a b⁻¹; 1 if it is empty.
-fn word_text(word: &Value) -> String {
+fn word_text(word: &[Letter]) -> String {
     let letters: Vec<String> = word
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_i64)
+        .iter()
         .map(|letter| {
-            let name = letter_name(letter.unsigned_abs() as usize);
-            if letter < 0 { format!("{name}\u{207b}\u{b9}") } else { name }
+            let name = letter_name(letter.0.unsigned_abs() as usize);
+            if letter.0 < 0 { format!("{name}\u{207b}\u{b9}") } else { name }
         })
         .collect();
     if letters.is_empty() { "1".to_owned() } else { letters.join("") }
@@ -183,13 +187,13 @@ mod tests {
             "facets": [[0, 1, 2], [1, 3, 2]], "source": [0, 1, 2, 0], "copy": [0, 1], "words": [[], [-1]],
             "positions": [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5], [0.5, 0.5]], "letters": [[1, 2]], "layout": "flat",
         });
-        let pane = cover_pane(&result).unwrap();
+        let pane = cover_pane(&Shown::of("r", result.clone()).unwrap()).unwrap();
         assert_eq!(pane.name, "universal cover in the plane");
         let names = &pane.layers.last().unwrap().labels;
         assert_eq!([&names[0].1[..], &names[1].1[..]], ["1", "a\u{207b}\u{b9}"]);
         let side = pane.layers.iter().find(|layer| layer.name == "side a").unwrap();
         assert_eq!(side.lines.items(), [1, 2]);
         result["copy"] = json!([0, 7]);
-        assert!(cover_pane(&result).is_none());
+        assert!(cover_pane(&Shown::of("r", result).unwrap()).is_none());
     }
 }

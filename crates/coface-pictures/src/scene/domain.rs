@@ -1,9 +1,8 @@
 //! Fundamental domains as flat pictures, their sides in the colors of the seams.
 
-use super::values::{array, vertices};
+use super::shown::Shown;
 use super::{Layer, Pane};
 use coface_algebra::UnionFind;
-use serde_json::Value;
 
 /// Domains of more vertices are not laid out.
 const MOST_VERTICES: usize = 200_000;
@@ -12,17 +11,17 @@ const MOST_VERTICES: usize = 200_000;
 const RESIDUAL: f64 = 1e-9;
 
 /// The faces of an answer that has a mesh of its own: walks, with the vertices of the model below.
-pub(super) struct Mesh {
-    pub(super) walks: Vec<Vec<u32>>,
-    pub(super) source: Vec<u32>,
+pub(super) struct Mesh<'a> {
+    pub(super) walks: Vec<&'a [u32]>,
+    pub(super) source: &'a [u32],
 }
 
-impl Mesh {
-    pub(super) fn of(result: &Value) -> Option<Self> {
-        let source = vertices(&result["source"]);
-        let key = if result["facets"].is_array() { "facets" } else { "polygons" };
-        let walks: Vec<Vec<u32>> = array(result, key).iter().map(vertices).collect();
-        let is_fit = walks.iter().flatten().all(|&vertex| (vertex as usize) < source.len());
+impl<'a> Mesh<'a> {
+    pub(super) fn of(result: &'a Shown) -> Option<Self> {
+        let source = &result.source.0[..];
+        let faces = result.facets.given().unwrap_or_else(|| result.polygons.list());
+        let walks: Vec<&[u32]> = faces.iter().map(|face| &face.0[..]).collect();
+        let is_fit = walks.iter().copied().flatten().all(|&vertex| (vertex as usize) < source.len());
         (!walks.is_empty() && is_fit).then_some(Self { walks, source })
     }
 
@@ -41,8 +40,8 @@ impl Mesh {
 
 /// The domain of each component that was cut to a disk: its boundary is a circle, counterclockwise, with as much room for each seam, and
 /// everything inside is where springs along the edges are in balance (W. T. Tutte, *How to draw a graph*, 1963).
-pub(super) fn domain_panes(result: &Value) -> Vec<Pane> {
-    let components = array(result, "components");
+pub(super) fn domain_panes(result: &Shown) -> Vec<Pane> {
+    let components = result.components.list();
     let Some(mesh) = Mesh::of(result) else { return Vec::new() };
     if components.is_empty() || mesh.source.len() > MOST_VERTICES {
         return Vec::new();
@@ -51,15 +50,15 @@ pub(super) fn domain_panes(result: &Value) -> Vec<Pane> {
     let mut seam_edges: Vec<([u32; 2], usize, bool)> = Vec::new();
     let mut colors = Vec::new();
     for component in components {
-        for (place, seam) in array(component, "seams").iter().enumerate() {
-            for step in vertices(&seam["vertices"]).windows(2) {
+        for (place, seam) in component.seams.list().iter().enumerate() {
+            for step in seam.vertices.0.windows(2) {
                 seam_edges.push((
                     [step[0].min(step[1]), step[0].max(step[1])],
                     colors.len(),
                     step[0] > step[1],
                 ));
             }
-            colors.push((place as u32, seam["number"].as_u64().unwrap_or(place as u64 + 1)));
+            colors.push((place as u32, seam.number.as_ref().map_or(place + 1, |number| number.0)));
         }
     }
     seam_edges.sort_unstable();
@@ -91,7 +90,7 @@ struct Disk {
     rim: Vec<[u32; 2]>,
 }
 
-fn disks(mesh: &Mesh) -> Vec<Disk> {
+fn disks(mesh: &Mesh<'_>) -> Vec<Disk> {
     let mut sides: Vec<([u32; 2], [u32; 2])> =
         mesh.sides().map(|(side, _)| ([side[0].min(side[1]), side[0].max(side[1])], side)).collect();
     sides.sort_unstable();
@@ -123,7 +122,12 @@ fn disks(mesh: &Mesh) -> Vec<Disk> {
     disks.into_iter().flatten().filter(|disk| disk.rim.len() > 2).collect()
 }
 
-fn domain_pane(mesh: &Mesh, disk: &Disk, letters: &[Option<(usize, bool)>], colors: &[(u32, u64)]) -> Pane {
+fn domain_pane(
+    mesh: &Mesh<'_>,
+    disk: &Disk,
+    letters: &[Option<(usize, bool)>],
+    colors: &[(u32, usize)],
+) -> Pane {
     let count = disk.rim.len();
     // Where one letter ends and another begins.
     let begins = |i: usize| letters[i] != letters[(i + count - 1) % count];
@@ -137,7 +141,7 @@ fn domain_pane(mesh: &Mesh, disk: &Disk, letters: &[Option<(usize, bool)>], colo
         }
     }
     // The vertices that occur, renumbered.
-    let mut used: Vec<u32> = disk.faces.iter().flat_map(|&face| &mesh.walks[face]).copied().collect();
+    let mut used: Vec<u32> = disk.faces.iter().flat_map(|&face| mesh.walks[face]).copied().collect();
     used.sort_unstable();
     used.dedup();
     let number = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
@@ -164,7 +168,7 @@ fn domain_pane(mesh: &Mesh, disk: &Disk, letters: &[Option<(usize, bool)>], colo
         .faces
         .iter()
         .flat_map(|&face| {
-            let walk = &mesh.walks[face];
+            let walk = mesh.walks[face];
             (0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]].map(number))
         })
         .map(|[a, b]| [a.min(b), a.max(b)])
@@ -261,8 +265,12 @@ mod tests {
     use super::*;
     use serde_json::json;
 
+    fn shown(answer: serde_json::Value) -> Shown {
+        Shown::of("r", answer).unwrap()
+    }
+
     /// A torus of nine squares, cut along a row and a column of the grid: vertex (i, j) of the domain is over (i mod 3, j mod 3).
-    fn torus() -> Value {
+    fn torus() -> Shown {
         let vertex = |i: usize, j: usize| i + 4 * j;
         let below = |i: usize, j: usize| i % 3 + 3 * (j % 3);
         let source: Vec<usize> = (0..16).map(|v| below(v % 4, v / 4)).collect();
@@ -272,9 +280,9 @@ mod tests {
                 squares.push([vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)]);
             }
         }
-        json!({"polygons": squares, "source": source, "components": [{"seams": [
+        shown(json!({"polygons": squares, "source": source, "components": [{"seams": [
             {"number": 1, "vertices": [0, 1, 2, 0]}, {"number": 2, "vertices": [0, 3, 6, 0]},
-        ]}]})
+        ]}]}))
     }
 
     #[test]
@@ -305,9 +313,10 @@ mod tests {
     #[test]
     fn what_is_no_disk_has_no_domain() {
         let tetrahedron = json!({"facets": [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]], "source": [0, 1, 2, 3], "components": [{"seams": []}]});
-        assert!(domain_panes(&tetrahedron).is_empty());
+        assert!(domain_panes(&shown(tetrahedron)).is_empty());
         assert!(
-            domain_panes(&json!({"facets": [[0, 1, 9]], "source": [0, 1], "components": [{}]})).is_empty()
+            domain_panes(&shown(json!({"facets": [[0, 1, 9]], "source": [0, 1], "components": [{}]})))
+                .is_empty()
         );
     }
 }

@@ -9,7 +9,6 @@
 //! * Positions in the page have 32 bits; the middle of the model is taken away before, so that coordinates far from zero keep their
 //!   digits.
 
-mod answers;
 mod boundary;
 mod cochains;
 mod cover;
@@ -24,11 +23,12 @@ mod model;
 mod numbering;
 mod parts;
 mod persistence;
+mod reading;
 mod regions;
 mod results;
 mod sets;
 mod shading;
-mod values;
+mod shown;
 
 pub use document::{
     LabelDocument, LayerDocument, PackedLists, PackedTriangles, PaneDocument, SceneDocument, SceneReport,

@@ -1,14 +1,13 @@
 //! Persistence diagrams.
 
-use super::values::array;
+use super::shown::Pair;
 use super::{Layer, Pane};
 use coface_algebra::RaggedArray;
-use serde_json::Value;
 
 /// The points of a persistence diagram, with the diagonal.
-pub(super) fn diagram_pane(result: &Value) -> Option<Pane> {
-    let pairs = array(result, "diagram");
-    let values = || pairs.iter().flat_map(|pair| [pair["birth"].as_f64(), pair["death"].as_f64()]).flatten();
+pub(super) fn diagram_pane(pairs: &[Pair]) -> Option<Pane> {
+    let death = |pair: &Pair| pair.death.as_ref().map(|death| death.0);
+    let values = || pairs.iter().flat_map(|pair| [Some(pair.birth.0), death(pair)]).flatten();
     let (low, high) =
         values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     if low > high {
@@ -26,14 +25,13 @@ pub(super) fn diagram_pane(result: &Value) -> Option<Pane> {
     frame.lines = RaggedArray::from_lists([[0, 1], [2, 3]]);
     frame.labels.push((2, "never".to_owned()));
     pane.layers.push(frame);
-    let highest = pairs.iter().filter_map(|pair| pair["degree"].as_u64()).max().unwrap_or(0);
+    let highest = pairs.iter().map(|pair| pair.degree.0).max().unwrap_or(0);
     for degree in 0..=highest {
         let mut layer = Layer::new("diagram", format!("H{degree}"));
         layer.is_on = true;
-        for pair in pairs.iter().filter(|pair| pair["degree"].as_u64() == Some(degree)) {
-            let Some(birth) = pair["birth"].as_f64() else { continue };
+        for pair in pairs.iter().filter(|pair| pair.degree.0 == degree) {
             layer.points.push(pane.positions.len() as u32);
-            pane.positions.push([birth, pair["death"].as_f64().unwrap_or(top)]);
+            pane.positions.push([pair.birth.0, death(pair).unwrap_or(top)]);
         }
         if !layer.is_empty() {
             pane.layers.push(layer);
