@@ -94,6 +94,17 @@ pub(super) fn require_tetrahedra(shapes: &[CellShape]) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`ErrorKind::NotAComplex`] if a face of a member is missing: files hold complexes.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// use coface_complexes::simplicial::{Simplex, SimplexSet};
+/// let triangle = coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?;
+/// let edge: SimplexSet = [[0].into(), [1].into(), Simplex::from([0, 1])].into_iter().collect();
+/// let model = coface_answers::model_of_simplices(&edge, &triangle, true)?;
+/// assert!(matches!(model.structure(), Some(coface_io::Structure::Facets(facets)) if facets.len() == 1));
+/// # Ok(()) }
+/// ```
 pub fn model_of_simplices(set: &SimplexSet, source: &Model, as_facets: bool) -> Result<Model, Error> {
     if let Some(missing) = set.missing_faces().iter().next() {
         return Err(Error::new(

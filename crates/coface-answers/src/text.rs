@@ -23,6 +23,15 @@ const PLAIN: Emphasis = Emphasis::Plain;
 pub const FEW: usize = 5;
 
 /// The report on the file of this name and format. Of each list the first `limit` items are shown.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = &b"OFF\n3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"[..];
+/// let report = coface_answers::Report::of(coface_io::read(triangle, coface_io::Format::Off)?)?;
+/// assert!(coface_answers::text::report("t.off", "OFF", &report, 10).contains("t.off"));
+/// # Ok(()) }
+/// ```
 pub fn report(name: &str, format: &str, report: &Report, limit: usize) -> String {
     page_of(name, format, report, limit).finished()
 }
@@ -53,6 +62,13 @@ fn page_of(name: &str, format: &str, report: &Report, limit: usize) -> Page {
 }
 
 /// A list of groups for people, with a title.
+///
+/// # Examples
+/// ```
+/// use coface_topology::{AbelianGroup, Coefficients};
+/// let circle = [1, 1].map(|betti| AbelianGroup::new(betti, vec![]));
+/// assert!(coface_answers::text::groups("Homology", &circle, "H", Coefficients::Integers).contains("Z"));
+/// ```
 pub fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: Coefficients) -> String {
     let ring = match ring {
         Coefficients::Modulo(n) => format!("(Z/{n})"),
@@ -292,6 +308,11 @@ fn plural(singular: &str) -> String {
 }
 
 /// Digits in groups of three.
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_answers::text::grouped(1_234_567), "1,234,567");
+/// ```
 pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
@@ -630,6 +651,11 @@ fn named_parts(page: &mut Page, report: &Report, limit: usize) {
 }
 
 /// Six significant digits.
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_answers::text::number(0.5), "0.5");
+/// ```
 pub fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {

@@ -23,6 +23,11 @@ pub struct BatchAnswer {
 
 impl BatchAnswer {
     /// A table with no rows in this file.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::answer::BatchAnswer::new("rows.csv".to_owned()).output, "rows.csv");
+    /// ```
     pub fn new(output: String) -> Self {
         Self { output, files: 0, errors: BTreeMap::new(), resumed: 0, remarks: Vec::new() }
     }

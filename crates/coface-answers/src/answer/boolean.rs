@@ -196,6 +196,12 @@ pub struct SolidBooleanProvenance {
 
 impl BoundaryVerdict {
     /// Yes, or no.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::BoundaryVerdict;
+    /// assert_eq!(BoundaryVerdict::of(true), BoundaryVerdict::Yes);
+    /// ```
     pub fn of(is_manifold: bool) -> Self {
         if is_manifold { Self::Yes } else { Self::No }
     }

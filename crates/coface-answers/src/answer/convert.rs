@@ -204,6 +204,12 @@ pub struct CarriersAnswer {
 
 impl CarriersAnswer {
     /// These carriers.
+    ///
+    /// # Examples
+    /// ```
+    /// let answer = coface_answers::answer::CarriersAnswer::new(vec![(0, 3)]);
+    /// assert_eq!(answer.carriers, [(0, 3)]);
+    /// ```
     pub fn new(carriers: Vec<(usize, usize)>) -> Self {
         Self { carriers }
     }

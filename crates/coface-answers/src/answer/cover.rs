@@ -60,6 +60,20 @@ pub struct DoubleCoverAnswer {
 
 impl SurfaceCover<'_> {
     /// The cover as plain data, without the name of a file; with the layout if the mesh was placed.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// use coface_topology::CoverExtent;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(1), 1_000_000)?;
+    /// assert_eq!((cover.answer(None).copies, cover.answer(None).spheres), (5, vec![1, 4]));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self, placed: Option<&PlacedCover>) -> CoverAnswer {
         let cover = self.cover();
         CoverAnswer {

@@ -83,6 +83,19 @@ pub struct SeamAnswer {
 
 impl SurfaceCut<'_> {
     /// The cut as plain data, without the name of a file.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.answer().f_vector, cut.components()[0].f_vector);
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> CutAnswer {
         CutAnswer {
             file: None,

@@ -25,6 +25,13 @@ pub enum WholeNumber {
 
 impl WholeNumber {
     /// The order of an element of a group: 0 stands for infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::WholeNumber;
+    /// assert_eq!(WholeNumber::of_order(None), WholeNumber::Number(0));
+    /// assert_eq!(WholeNumber::of_order(Some(&3.into())), WholeNumber::Number(3));
+    /// ```
     pub fn of_order(order: Option<&Integer>) -> Self {
         order.map_or(Self::Number(0), Self::from)
     }
@@ -77,6 +84,13 @@ pub struct HomologyGroup {
 
 impl HomologyGroup {
     /// The groups of degrees 0, 1, ...
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::HomologyGroup;
+    /// let circle = [1, 1].map(|betti| coface_topology::AbelianGroup::new(betti, vec![]));
+    /// assert_eq!(HomologyGroup::list(&circle)[1].degree, 1);
+    /// ```
     pub fn list(groups: &[AbelianGroup]) -> Vec<Self> {
         let group = |(degree, group): (usize, &AbelianGroup)| Self {
             degree,

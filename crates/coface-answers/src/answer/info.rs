@@ -236,6 +236,15 @@ pub struct FailedInput {
 
 impl InfoAnswer {
     /// The same answer with the name and the format of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = &b"OFF\n3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"[..];
+    /// let report = coface_answers::Report::of(coface_io::read(triangle, coface_io::Format::Off)?)?;
+    /// assert_eq!(report.answer(10).of_file("t.off", "off").format.as_deref(), Some("off"));
+    /// # Ok(()) }
+    /// ```
     pub fn of_file(mut self, name: &str, format: &str) -> Self {
         self.file = Some(name.to_owned());
         self.format = Some(format.to_owned());

@@ -20,6 +20,12 @@ pub struct RenderAnswer {
 
 impl RenderAnswer {
     /// A picture of a file, of so many bytes.
+    ///
+    /// # Examples
+    /// ```
+    /// let answer = coface_answers::answer::RenderAnswer::new("a.off".to_owned(), Some("a.png".to_owned()), 7);
+    /// assert_eq!((answer.file.as_str(), answer.bytes), ("a.off", 7));
+    /// ```
     pub fn new(file: String, picture: Option<String>, bytes: usize) -> Self {
         Self { file, picture, bytes, remarks: Vec::new() }
     }

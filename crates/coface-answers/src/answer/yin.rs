@@ -163,6 +163,12 @@ pub struct YinKinkPoint {
 
 impl YinKinkPoint {
     /// The kink of this name at a knot of a curve.
+    ///
+    /// # Examples
+    /// ```
+    /// let kink = coface_answers::answer::YinKinkPoint::new(0, 1, 2, [0.5, 0.0]);
+    /// assert_eq!((kink.curve, kink.knot), (1, 2));
+    /// ```
     pub fn new(vertex: u32, curve: u32, knot: u32, point: [f64; 2]) -> Self {
         Self { vertex, curve, knot, point }
     }
@@ -223,6 +229,11 @@ pub enum CoverageAnswer {
 
 impl CoverageAnswer {
     /// The word in files.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::answer::CoverageAnswer::Full.word(), "full");
+    /// ```
     pub fn word(self) -> &'static str {
         match self {
             Self::Full => "full",

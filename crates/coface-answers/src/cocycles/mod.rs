@@ -47,6 +47,16 @@ pub struct CocyclesRequest {
 
 impl CocyclesRequest {
     /// Asks for cocycles, by crossing on surfaces and in general elsewhere.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().found(&rim)?;
+    /// assert_eq!(found.cocycles().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
@@ -95,6 +105,16 @@ impl CocyclesRequest {
     /// # Errors
     /// Those of [`Producer::two_skeleton`]; [`ErrorKind::NonManifold`] if a method of surfaces is asked for and the
     /// model is none; [`ErrorKind::UnsupportedFormat`] if harmonic forms are asked for and the model is no surface.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().found(&rim)?;
+    /// assert_eq!(found.answer("rim.json").rank, 1);
+    /// # Ok(()) }
+    /// ```
     pub fn found<'a>(&self, producer: &'a Producer) -> Result<FoundCocycles<'a>, Error> {
         let skeleton = producer.two_skeleton()?;
         let map = match (self.method, GeneralizedMap::new(skeleton)) {
@@ -227,21 +247,61 @@ impl<'a> FoundCocycles<'a> {
     }
 
     /// How the cocycles were found.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().found(&rim)?;
+    /// assert_eq!(found.method(), coface_answers::answer::CocycleBasisMethod::General);
+    /// # Ok(()) }
+    /// ```
     pub fn method(&self) -> CocycleBasisMethod {
         self.method
     }
 
     /// The cocycles.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().found(&rim)?;
+    /// assert_eq!(found.cocycles()[0].degree(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn cocycles(&self) -> &[Cochain<Integer>] {
         &self.cocycles
     }
 
     /// What was assumed on the way.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().found(&rim)?;
+    /// assert!(found.remarks().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 
     /// The answer as plain data, with this name of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CocyclesRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = CocyclesRequest::new().found(&rim)?;
+    /// assert_eq!(found.answer("rim.json").pairing.len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self, file: &str) -> CocyclesAnswer {
         let names = CellNames::of(self.producer);
         let row = |row: &Vec<Integer>| row.iter().map(WholeNumber::from).collect();

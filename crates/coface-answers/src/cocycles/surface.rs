@@ -33,6 +33,18 @@ impl SurfaceCocycles {
     ///
     /// # Errors
     /// Those of [`TreeCotree::greedy`], and of [`CocycleBasis::by_slicing`] if slicing is asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceCocycles, SurfaceModel};
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let torus = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let found = SurfaceCocycles::new(torus.map(), None, false)?;
+    /// assert_eq!(found.basis().cocycles().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn new(map: &GeneralizedMap, lengths: Option<&[f64]>, is_sliced: bool) -> Result<Self, Error> {
         let trees = match lengths {
             Some(_) => TreeCotree::greedy(map, None, lengths)?,
@@ -56,16 +68,53 @@ impl SurfaceCocycles {
     }
 
     /// The cocycles with their loops.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceCocycles, SurfaceModel};
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let torus = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let found = SurfaceCocycles::new(torus.map(), None, false)?;
+    /// assert_eq!(found.basis().cocycles().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn basis(&self) -> &CocycleBasis {
         &self.basis
     }
 
     /// Whether they were found by slicing.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceCocycles, SurfaceModel};
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let torus = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let found = SurfaceCocycles::new(torus.map(), None, false)?;
+    /// assert!(!found.is_sliced());
+    /// # Ok(()) }
+    /// ```
     pub fn is_sliced(&self) -> bool {
         self.is_sliced
     }
 
     /// The intersection numbers of the loops and their determinant, of a closed orientable surface.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceCocycles, SurfaceModel};
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let torus = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let found = SurfaceCocycles::new(torus.map(), None, false)?;
+    /// // Two loops of a torus cross once.
+    /// assert_eq!(found.intersection().map(|(crossings, _)| crossings[0][1].abs()), Some(1));
+    /// # Ok(()) }
+    /// ```
     pub fn intersection(&self) -> Option<(&[Vec<i64>], Option<&Integer>)> {
         self.intersection.as_ref().map(|(matrix, determinant)| (&matrix[..], determinant.as_ref()))
     }

@@ -54,6 +54,19 @@ impl ModelCongruence {
     ///
     /// # Complexity
     /// Near-linear in the incidences where not many vertices are within the tolerance of one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.complex().f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn of(models: Vec<(String, Model)>, request: &CongruenceRequest) -> Result<Self, Error> {
         let (mut names, mut producers, mut listed) = (Vec::new(), Vec::new(), Vec::new());
         for (name, model) in models {
@@ -78,26 +91,91 @@ impl ModelCongruence {
     }
 
     /// The numbers of cells of all models, by degree.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.f_vector_before(), [3 + 3, 3 + 3, 1 + 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector_before(&self) -> Vec<usize> {
         self.starts.iter().map(|starts| starts.last().copied().unwrap_or(0)).collect()
     }
 
     /// The quotient.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.complex().f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &ChainComplex {
         self.chains.complex()
     }
 
     /// The classes of the vertices and their positions.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.vertices().class_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn vertices(&self) -> &VertexCongruence {
         &self.vertices
     }
 
     /// The classes of the cells of each degree, and which cells collapsed or changed.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.chains().complex().f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn chains(&self) -> &ChainCongruence {
         &self.chains
     }
 
     /// The vertices of one block that became one; `None` if there are no blocks.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert!(merged.merges().is_some_and(|merges| merges.is_empty()), "a and b are the blocks");
+    /// # Ok(()) }
+    /// ```
     pub fn merges(&self) -> Option<&[BlockMerge]> {
         self.merges.as_deref()
     }
@@ -106,6 +184,19 @@ impl ModelCongruence {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] for products beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert!(merged.products_are_zero()?);
+    /// # Ok(()) }
+    /// ```
     pub fn products_are_zero(&self) -> Result<bool, Error> {
         for pair in self.complex().boundary_matrices().windows(2) {
             if !pair[0].product(&pair[1])?.is_zero() {
@@ -116,6 +207,19 @@ impl ModelCongruence {
     }
 
     /// The name of the model of a vertex, and its number there.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.vertex_source(4), ("b", 1));
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_source(&self, vertex: usize) -> (&str, usize) {
         let (model, number) = source(&self.starts[0], vertex);
         (&self.names[model], number)
@@ -125,6 +229,19 @@ impl ModelCongruence {
     ///
     /// # Errors
     /// None for a congruence that was made here.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert!(merged.to_chains()?.structure().is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn to_chains(&self) -> Result<Model, Error> {
         Model::from_chains(self.complex().clone(), self.vertices.positions().clone())
     }

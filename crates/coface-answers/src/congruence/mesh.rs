@@ -20,6 +20,19 @@ impl ModelCongruence {
     ///
     /// # Complexity
     /// Linear in the incidences.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruenceRequest, ModelCongruence};
+    /// // Two triangles with a side in common, whose corners there are 0.001 apart.
+    /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
+    /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
+    /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
+    /// assert_eq!(merged.to_mesh()?.polygons().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn to_mesh(&self) -> Result<Model, Error> {
         let complex = self.complex();
         if complex.dimension().is_some_and(|dimension| dimension > 3) {

@@ -46,6 +46,11 @@ pub struct CongruenceRequest {
 impl CongruenceRequest {
     /// Classes by chains of vertices within the tolerance, at their lowest members; each model is a block, in which vertices may
     /// become one.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::CongruenceRequest::within(1e-6).tolerance, 1e-6);
+    /// ```
     pub fn within(tolerance: f64) -> Self {
         Self {
             tolerance,

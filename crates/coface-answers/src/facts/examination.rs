@@ -31,11 +31,23 @@ impl Default for ReportRequest {
 
 impl ReportRequest {
     /// No moments, and a verdict within [`LINK_BUDGET`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::ReportRequest;
+    /// assert_eq!(ReportRequest::new(), ReportRequest::default());
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Integrates monomials $x^a y^b z^c$ with these exponents a, b, c.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::ReportRequest;
+    /// assert_ne!(ReportRequest::new().moments(vec![[2, 0, 0]]), ReportRequest::new());
+    /// ```
     #[must_use]
     pub fn moments(mut self, exponents: Vec<[u32; 3]>) -> Self {
         self.moments = exponents;
@@ -43,6 +55,12 @@ impl ReportRequest {
     }
 
     /// Whether the manifold verdict looks at all links, however many simplices they have.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::ReportRequest;
+    /// assert_ne!(ReportRequest::new().full_verdict(true), ReportRequest::new().full_verdict(false));
+    /// ```
     #[must_use]
     pub fn full_verdict(mut self, is_full: bool) -> Self {
         self.link_budget = if is_full { u64::MAX } else { LINK_BUDGET };

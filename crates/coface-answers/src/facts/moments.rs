@@ -19,18 +19,51 @@ pub struct Moment {
 
 impl Moment {
     /// The exponents a, b, c.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A tetrahedron of volume 1 with its corner at the origin.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let report = coface_answers::Report::with_moments(solid, &[[0, 0, 0]])?;
+    /// assert_eq!(report.moments()[0].exponents(), [0, 0, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn exponents(&self) -> [u32; 3] {
         self.exponents
     }
 
     /// The integral over the solid that a closed, coherently oriented surface encloses, or over the cells of a volume mesh
     /// with the signs of their volumes; `None` without a solid in space.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A tetrahedron of volume 1 with its corner at the origin.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let report = coface_answers::Report::with_moments(solid, &[[0, 0, 0]])?;
+    /// assert_eq!(report.moments()[0].volume(), Some(1.0));
+    /// # Ok(()) }
+    /// ```
     pub fn volume(&self) -> Option<f64> {
         self.volume
     }
 
     /// The integral over the faces of a surface, or over the boundary of a volume mesh, with respect to area; `None` without a
     /// surface in space.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A tetrahedron of volume 1 with its corner at the origin.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let report = coface_answers::Report::with_moments(solid, &[[0, 0, 0]])?;
+    /// assert_eq!(report.moments()[0].surface(), report.area());
+    /// # Ok(()) }
+    /// ```
     pub fn surface(&self) -> Option<f64> {
         self.surface
     }

@@ -27,6 +27,11 @@ pub enum ProblemKind {
 
 impl ProblemKind {
     /// The word for programs.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::ProblemKind::IsolatedVertex.word(), "isolated_vertex");
+    /// ```
     pub fn word(self) -> &'static str {
         match self {
             Self::NonManifoldRidge => "nonmanifold_ridge",
@@ -78,32 +83,86 @@ impl Problem {
     }
 
     /// What sort of fault it is.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = coface_io::read(&b"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n"[..], coface_io::Format::Off)?;
+    /// let report = coface_answers::Report::of(model)?;
+    /// assert_eq!(report.problems()[0].kind(), coface_answers::ProblemKind::IsolatedVertex);
+    /// # Ok(()) }
+    /// ```
     pub fn kind(&self) -> ProblemKind {
         self.kind
     }
 
     /// One sentence that says how many places have it and what it means.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = coface_io::read(&b"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n"[..], coface_io::Format::Off)?;
+    /// let report = coface_answers::Report::of(model)?;
+    /// assert_eq!(report.problems()[0].message(), "1 vertex is isolated: in no edge");
+    /// # Ok(()) }
+    /// ```
     pub fn message(&self) -> &str {
         &self.message
     }
 
     /// In how many places it is.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = coface_io::read(&b"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n"[..], coface_io::Format::Off)?;
+    /// let report = coface_answers::Report::of(model)?;
+    /// assert_eq!(report.problems()[0].count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn count(&self) -> usize {
         self.cells.len()
     }
 
     /// The cells that have it, each by its vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = coface_io::read(&b"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n"[..], coface_io::Format::Off)?;
+    /// let report = coface_answers::Report::of(model)?;
+    /// assert_eq!(report.problems()[0].cells().list(0), [3]);
+    /// # Ok(()) }
+    /// ```
     pub fn cells(&self) -> &RaggedArray {
         &self.cells
     }
 
     /// For each of the [`Self::cells`] the numbers of the top cells of the file that meet there; empty lists, or no
     /// list, when that says nothing.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = coface_io::read(&b"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n"[..], coface_io::Format::Off)?;
+    /// let report = coface_answers::Report::of(model)?;
+    /// assert!(report.problems()[0].tops().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn tops(&self) -> &RaggedArray {
         &self.tops
     }
 
     /// What the top cells are called: `"face"`, `"cell"`.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let model = coface_io::read(&b"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n"[..], coface_io::Format::Off)?;
+    /// let report = coface_answers::Report::of(model)?;
+    /// assert_eq!(report.problems()[0].top_name(), "face");
+    /// # Ok(()) }
+    /// ```
     pub fn top_name(&self) -> &'static str {
         self.top_name
     }

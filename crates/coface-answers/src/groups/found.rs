@@ -30,26 +30,74 @@ impl FoundGroups {
     }
 
     /// The presentation of the group of each component, as it was asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = GroupsRequest::new().found(&rim)?;
+    /// assert!(found.presentations().all(|group| group.relators().is_empty()));
+    /// # Ok(()) }
+    /// ```
     pub fn presentations(&self) -> impl ExactSizeIterator<Item = &Presentation> {
         self.shown.iter().map(|shown| &shown.presentation)
     }
 
     /// The generators of all components as closed paths, by the numbers of vertices in the file.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = GroupsRequest::new().loops(true).found(&rim)?;
+    /// assert_eq!(found.loops().count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn loops(&self) -> impl Iterator<Item = &[u32]> {
         self.shown.iter().flat_map(|shown| shown.loops.iter().map(Vec::as_slice))
     }
 
     /// The short closed paths, if they were asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// assert_eq!(GroupsRequest::new().found(&rim)?.short_paths(), None);
+    /// # Ok(()) }
+    /// ```
     pub fn short_paths(&self) -> Option<&[ClosedPath]> {
         self.short.as_deref()
     }
 
     /// What was assumed or left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// assert!(GroupsRequest::new().found(&rim)?.remarks().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 
     /// The answer of `pi1`, with this name of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let answer = GroupsRequest::new().found(&rim)?.answer("rim.json");
+    /// assert_eq!(answer.components[0].name.as_deref(), Some("Z"));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self, file: &str) -> Pi1Answer {
         let (walks, pairs) = self.compared.clone().unzip();
         Pi1Answer {
@@ -120,6 +168,19 @@ impl FoundGroups {
     }
 
     /// The answer of `homotopic`, with this name of the input; `None` unless walks were given.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GivenWalks, GroupsRequest, Producer};
+    /// let ring = &b"[[0,1,4],[0,4,3],[1,2,5],[1,5,4],[2,0,3],[2,3,5]]"[..];
+    /// let ring = Producer::of(coface_io::read(ring, coface_io::Format::Json)?)?;
+    /// let walks = GivenWalks { place: "walks.json".to_owned(), walks: vec![vec![0, 1, 2, 0], vec![0, 1, 4, 0]] };
+    /// let found = GroupsRequest::new().walks(Some(walks)).found(&ring)?;
+    /// let answer = found.homotopic_answer("ring.json");
+    /// assert_eq!(answer.map(|answer| answer.pairs[0].homotopic), Some(Some(false)));
+    /// # Ok(()) }
+    /// ```
     pub fn homotopic_answer(&self, file: &str) -> Option<HomotopicAnswer> {
         let (walks, pairs) = self.compared.clone()?;
         let of_component = |shown: &Shown| HomotopicComponent {
@@ -137,6 +198,16 @@ impl FoundGroups {
     }
 
     /// The answer of `subgroups`, with this name of the input; `None` unless subgroups were counted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = GroupsRequest::new().subgroups(Some(3)).found(&rim)?;
+    /// assert_eq!(found.subgroups_answer("rim.json").map(|answer| answer.highest_index), Some(3));
+    /// # Ok(()) }
+    /// ```
     pub fn subgroups_answer(&self, file: &str) -> Option<SubgroupsAnswer> {
         let highest_index = self.request.highest_index?;
         let of_component = |shown: &Shown| {

@@ -95,35 +95,96 @@ pub struct GivenWalks {
 
 impl GroupsRequest {
     /// Asks for the presentations of the groups.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// assert_eq!(GroupsRequest::new().found(&rim)?.presentations().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Whether presentations have fewer generators and shorter relators.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = GroupsRequest::new().simplified(true).found(&rim)?;
+    /// assert!(found.answer("rim.json").simplified);
+    /// # Ok(()) }
+    /// ```
     pub fn simplified(mut self, is_simplified: bool) -> Self {
         self.is_simplified = is_simplified;
         self
     }
 
     /// The base vertex of its component, by its number in the file.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = GroupsRequest::new().base(Some(2)).found(&rim)?;
+    /// assert_eq!(found.answer("rim.json").components[0].base, 2);
+    /// # Ok(()) }
+    /// ```
     pub fn base(mut self, base: Option<u32>) -> Self {
         self.base = base;
         self
     }
 
     /// Counts subgroups up to this index, and homomorphisms to some finite groups.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// // The integers have one subgroup of each index.
+    /// let found = GroupsRequest::new().subgroups(Some(3)).found(&rim)?;
+    /// let counts = found.answer("rim.json").components[0].counts.clone();
+    /// assert_eq!(counts.and_then(|counts| counts.subgroups).map(|subgroups| subgroups.len()), Some(3));
+    /// # Ok(()) }
+    /// ```
     pub fn subgroups(mut self, highest_index: Option<usize>) -> Self {
         self.highest_index = highest_index;
         self
     }
 
     /// Stops simplifying after so long.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let request = GroupsRequest::new().simplified(true).time_limit(Some(std::time::Duration::from_secs(1)));
+    /// assert_eq!(request.found(&rim)?.presentations().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn time_limit(mut self, limit: Option<Duration>) -> Self {
         self.time_limit = limit;
         self
     }
 
     /// Whether the generators are wanted as closed paths.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let found = GroupsRequest::new().loops(true).found(&rim)?;
+    /// assert_eq!(found.loops().map(|walk| walk.len()).collect::<Vec<_>>(), [4]);
+    /// # Ok(()) }
+    /// ```
     pub fn loops(mut self, has_loops: bool) -> Self {
         self.has_loops = has_loops;
         self
@@ -136,6 +197,19 @@ impl GroupsRequest {
     }
 
     /// Compares these walks on a surface.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GivenWalks, GroupsRequest, Producer};
+    /// let ring = &b"[[0,1,4],[0,4,3],[1,2,5],[1,5,4],[2,0,3],[2,3,5]]"[..];
+    /// let ring = Producer::of(coface_io::read(ring, coface_io::Format::Json)?)?;
+    /// let walks = GivenWalks { place: "walks.json".to_owned(), walks: vec![vec![0, 1, 2, 0], vec![0, 1, 4, 0]] };
+    /// let found = GroupsRequest::new().walks(Some(walks)).found(&ring)?;
+    /// let walks = found.answer("ring.json").walks.unwrap_or_default();
+    /// assert_eq!(walks.iter().map(|walk| walk.contractible).collect::<Vec<_>>(), [false, true]);
+    /// # Ok(()) }
+    /// ```
     pub fn walks(mut self, walks: Option<GivenWalks>) -> Self {
         self.walks = walks;
         self
@@ -163,6 +237,16 @@ impl GroupsRequest {
     /// # Errors
     /// Those of [`Producer::two_skeleton`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a vertex that is not there and for walks that do
     /// not close or leave the edges; [`ErrorKind::NonManifold`](coface_algebra::ErrorKind::NonManifold) if a surface is asked for and the model is none.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GroupsRequest, Producer};
+    /// let rim = Producer::of(coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?)?;
+    /// let answer = GroupsRequest::new().found(&rim)?.answer("rim.json");
+    /// assert_eq!(answer.components[0].name.as_deref(), Some("Z"));
+    /// # Ok(()) }
+    /// ```
     pub fn found(&self, producer: &Producer) -> Result<FoundGroups, Error> {
         if self.surface_loops != SurfaceLoops::Any || self.walks.is_some() || self.short.is_some() {
             return surface::found(self, producer);

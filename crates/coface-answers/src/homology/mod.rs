@@ -119,17 +119,47 @@ impl Default for HomologyRequest {
 
 impl HomologyRequest {
     /// Asks for integral homology groups.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().found("rim.json", rim)?;
+    /// assert_eq!(found.groups()[1].to_string(), "Z");
+    /// # Ok(()) }
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// The coefficients of groups, generators and products.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let request = HomologyRequest::new().coefficients(coface_topology::Coefficients::Modulo(2));
+    /// assert_eq!(request.found("rim.json", rim)?.answer().coefficients, "Z/2");
+    /// # Ok(()) }
+    /// ```
     pub fn coefficients(mut self, coefficients: Coefficients) -> Self {
         self.coefficients = coefficients;
         self
     }
 
     /// Whether cohomology is asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().cohomology(true).found("rim.json", rim)?;
+    /// assert!(found.answer().cohomology);
+    /// # Ok(()) }
+    /// ```
     pub fn cohomology(mut self, is_cohomology: bool) -> Self {
         self.is_cohomology = is_cohomology;
         self
@@ -168,12 +198,34 @@ impl HomologyRequest {
     }
 
     /// Whether the long exact sequence of the pair is wanted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// use coface_answers::RelativeTo;
+    /// let disk = coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?;
+    /// let request = HomologyRequest::new().relative(Some(RelativeTo::Boundary)).sequence(true);
+    /// assert!(request.found("disk.json", disk)?.into_answer().sequence.is_some_and(|sequence| sequence.exact));
+    /// # Ok(()) }
+    /// ```
     pub fn sequence(mut self, has_sequence: bool) -> Self {
         self.has_sequence = has_sequence;
         self
     }
 
     /// Whether generators of the groups are wanted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let answer = HomologyRequest::new().generators(true).found("rim.json", rim)?.into_answer();
+    /// assert_eq!(answer.generators.map(|degrees| degrees[1][0].chain.len()), Some(3));
+    /// # Ok(()) }
+    /// ```
     pub fn generators(mut self, has_generators: bool) -> Self {
         self.has_generators = has_generators;
         self
@@ -186,18 +238,49 @@ impl HomologyRequest {
     }
 
     /// The degrees of two bases of cohomology whose cup products are wanted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let answer = HomologyRequest::new().cup(Some([0, 1])).found("rim.json", rim)?.into_answer();
+    /// assert_eq!(answer.cup.map(|products| products.degrees), Some([0, 1]));
+    /// # Ok(()) }
+    /// ```
     pub fn cup(mut self, degrees: Option<[usize; 2]>) -> Self {
         self.cup = degrees;
         self
     }
 
     /// Whether the intersection form is wanted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let sphere = coface_io::read(&b"[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]"[..], coface_io::Format::Json)?;
+    /// let answer = HomologyRequest::new().intersection_form(true).found("sphere.json", sphere)?.into_answer();
+    /// assert_eq!(answer.intersection_form.map(|form| form.rank), Some(0));
+    /// # Ok(()) }
+    /// ```
     pub fn intersection_form(mut self, has_intersection_form: bool) -> Self {
         self.has_intersection_form = has_intersection_form;
         self
     }
 
     /// Whether harmonic cochains are wanted, dual to the free generators.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let answer = HomologyRequest::new().harmonic(true).found("rim.json", rim)?.into_answer();
+    /// assert_eq!(answer.harmonic.map(|degrees| degrees[1].len()), Some(1));
+    /// # Ok(()) }
+    /// ```
     pub fn harmonic(mut self, has_harmonic: bool) -> Self {
         self.has_harmonic = has_harmonic;
         self
@@ -253,6 +336,16 @@ impl HomologyRequest {
     /// # Errors
     /// Those of [`Producer::of`], with the name of the model; [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle)
     /// if a given cycle has a boundary; an invalid argument where the model does not have what is asked about.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().found("rim.json", rim)?;
+    /// assert_eq!(found.groups().iter().map(|group| group.betti()).collect::<Vec<_>>(), [1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn found(&self, name: &str, model: Model) -> Result<FoundHomology, Error> {
         let in_file = |error: Error| error.in_file(name);
         let answer =
@@ -335,21 +428,62 @@ pub struct FoundHomology {
 
 impl FoundHomology {
     /// The answer as plain data.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().found("rim.json", rim)?;
+    /// assert_eq!(found.answer().homology[1].betti, 1);
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> &HomologyAnswer {
         &self.answer
     }
 
     /// The answer as plain data.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let answer = HomologyRequest::new().found("rim.json", rim)?.into_answer();
+    /// assert_eq!(answer.file, "rim.json");
+    /// # Ok(()) }
+    /// ```
     pub fn into_answer(self) -> HomologyAnswer {
         self.answer
     }
 
     /// The groups of degrees 0, 1, ...
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().found("rim.json", rim)?;
+    /// assert_eq!(found.groups()[1].to_string(), "Z");
+    /// # Ok(()) }
+    /// ```
     pub fn groups(&self) -> &[AbelianGroup] {
         &self.groups
     }
 
     /// The model with the names of its cells; `None` for a volume whose groups alone were asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let rim = coface_io::read(&b"[[0,1],[1,2],[0,2]]"[..], coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().found("rim.json", rim)?;
+    /// let word = found.cell_names().map(|names| names.word(1, coface_algebra::CellId::new(0)));
+    /// assert_eq!(word.as_deref(), Some("{v0 v1}"));
+    /// # Ok(()) }
+    /// ```
     pub fn cell_names(&self) -> Option<CellNames<'_>> {
         self.producer.as_ref().map(CellNames::of)
     }

@@ -64,11 +64,31 @@ pub struct OperatorRequest {
 
 impl OperatorRequest {
     /// Asks for the counts of the entries of an operator.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{OperatorKind, OperatorRequest, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let request = OperatorRequest::new("EV".parse()?, OperatorKind::Signed);
+    /// assert_eq!(request.found(&edge)?.answer("edge.json").rows, 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new(operator: Operator, kind: OperatorKind) -> Self {
         Self { operator, kind, has_entries: false }
     }
 
     /// Whether the entries themselves are wanted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{OperatorKind, OperatorRequest, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let request = OperatorRequest::new("EV".parse()?, OperatorKind::Signed);
+    /// assert_eq!(request.entries(true).found(&edge)?.answer("edge.json").entries, Some(vec![(0, 0, -1), (0, 1, 1)]));
+    /// # Ok(()) }
+    /// ```
     pub fn entries(mut self, has_entries: bool) -> Self {
         self.has_entries = has_entries;
         self
@@ -80,6 +100,16 @@ impl OperatorRequest {
     /// Those of [`Producer::lar_model`] and [`Producer::chain_complex`];
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if signs are asked for and the degrees are no
     /// neighbors.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{OperatorKind, OperatorRequest, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let request = OperatorRequest::new("EV".parse()?, OperatorKind::Signed);
+    /// assert_eq!(request.found(&edge)?.answer("edge.json").columns, 2);
+    /// # Ok(()) }
+    /// ```
     pub fn found(&self, producer: &Producer) -> Result<FoundOperator, Error> {
         let (operator, kind) = (self.operator, self.kind);
         let found = |[rows, columns]: [usize; 2], by_rows: SparseMatrix| {
@@ -125,6 +155,16 @@ pub struct FoundOperator {
 
 impl FoundOperator {
     /// How often each entry occurs that is not zero.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{OperatorKind, OperatorRequest, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let request = OperatorRequest::new("EV".parse()?, OperatorKind::Signed);
+    /// assert_eq!(request.found(&edge)?.histogram().iter().collect::<Vec<_>>(), [(&-1, &1), (&1, &1)]);
+    /// # Ok(()) }
+    /// ```
     pub fn histogram(&self) -> &BTreeMap<i64, u64> {
         &self.histogram
     }
@@ -135,6 +175,16 @@ impl FoundOperator {
     }
 
     /// The answer as plain data, with this name of the input; with the entries if they were asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{OperatorKind, OperatorRequest, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let request = OperatorRequest::new("EV".parse()?, OperatorKind::Signed);
+    /// assert_eq!(request.found(&edge)?.answer("edge.json").file, "edge.json");
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self, file: &str) -> IncidenceAnswer {
         let entries = |by_rows: &SparseMatrix| {
             let mut list = Vec::with_capacity(by_rows.entries().len());
@@ -148,6 +198,16 @@ impl FoundOperator {
     }
 
     /// The same without the entries, for those that write them one by one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{OperatorKind, OperatorRequest, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let request = OperatorRequest::new("EV".parse()?, OperatorKind::Signed);
+    /// assert_eq!(request.entries(true).found(&edge)?.counts("edge.json").entries, None);
+    /// # Ok(()) }
+    /// ```
     pub fn counts(&self, file: &str) -> IncidenceAnswer {
         IncidenceAnswer {
             file: file.to_owned(),

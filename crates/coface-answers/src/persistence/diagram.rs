@@ -19,6 +19,12 @@ pub enum DiagramFormat {
 
 impl DiagramFormat {
     /// The format with the extension of this path: `.pers`, `.txt` (as Ripser prints) or `.csv`.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::DiagramFormat;
+    /// assert_eq!(DiagramFormat::from_path("a.pers".as_ref()), Some(DiagramFormat::Gudhi));
+    /// ```
     pub fn from_path(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "pers" => Some(Self::Gudhi),

@@ -163,11 +163,31 @@ impl Default for PersistenceRequest {
 
 impl PersistenceRequest {
     /// Asks for persistence over two elements as the model grows by height.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// // Vertex 1 is joined to vertex 0 when vertex 2 comes.
+    /// assert_eq!(PersistenceRequest::new().found("path", &path)?.answer().diagram.len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// The field of coefficients.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// let request = PersistenceRequest::new().coefficients(coface_topology::Coefficients::Modulo(3));
+    /// assert_eq!(request.found("path", &path)?.answer().field, 3);
+    /// # Ok(()) }
+    /// ```
     pub fn coefficients(mut self, coefficients: Coefficients) -> Self {
         self.coefficients = coefficients;
         self
@@ -180,6 +200,17 @@ impl PersistenceRequest {
     }
 
     /// Leaves out the pairs whose persistence is not greater; a negative number keeps all.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// // The class of vertex 1 lives from 1 to 2.
+    /// let found = PersistenceRequest::new().min_persistence(1.5).found("path", &path)?;
+    /// assert_eq!(found.answer().diagram.len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn min_persistence(mut self, least: f64) -> Self {
         self.min_persistence = least;
         self
@@ -191,6 +222,15 @@ impl PersistenceRequest {
     /// Those of [`Producer::chain_complex`] and [`VertexFunction::values`];
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a cell enters before one of its faces, or
     /// the coefficients are no prime field.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// assert_eq!(PersistenceRequest::new().found("path", &path)?.answer().betti, [1, 0]);
+    /// # Ok(()) }
+    /// ```
     pub fn found<'a>(&self, name: &str, producer: &'a Producer) -> Result<FoundDiagram<'a>, Error> {
         let complex = producer.chain_complex()?;
         let steps = stage("sorting cells", 0);
@@ -259,11 +299,31 @@ pub struct FoundDiagram<'a> {
 
 impl FoundDiagram<'_> {
     /// The diagram.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// let found = PersistenceRequest::new().found("path", &path)?;
+    /// assert_eq!(found.diagram().pairs().len(), found.answer().diagram.len());
+    /// # Ok(()) }
+    /// ```
     pub fn diagram(&self) -> &PersistenceDiagram {
         &self.diagram
     }
 
     /// The answer as plain data, with the vertices of the cells.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// let answer = PersistenceRequest::new().found("path", &path)?.answer();
+    /// assert_eq!((answer.diagram[1].birth, answer.diagram[1].death), (1.0, Some(2.0)));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> PersistenceAnswer {
         let vertices =
             |degree, cell: coface_algebra::CellId| self.producer.cell_vertices(degree, cell.index());

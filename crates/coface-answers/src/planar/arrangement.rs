@@ -69,6 +69,19 @@ impl DrawingArrangement {
     ///
     /// # Complexity
     /// That of the arrangement, and linear in the segments along all edges.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// // The line goes through the square, and beyond it at both ends.
+    /// assert_eq!(arranged.arrangement().f_vector(), [8, 9, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
         let mut arrangement =
@@ -124,16 +137,52 @@ impl DrawingArrangement {
     }
 
     /// What was drawn.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.drawing().names(), ["square", "cut"]);
+    /// # Ok(()) }
+    /// ```
     pub fn drawing(&self) -> &PlanarDrawing {
         &self.drawing
     }
 
     /// The arrangement: pruned or snapped if that was asked for. Its own segments are those of the drawing unless it is snapped.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.arrangement().face_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn arrangement(&self) -> &PlanarArrangement {
         &self.arrangement
     }
 
     /// The segments of the drawing along each edge, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.segments_of_edges().len(), arranged.arrangement().edge_count());
+    /// # Ok(()) }
+    /// ```
     pub fn segments_of_edges(&self) -> &RaggedArray {
         &self.segments_of_edge
     }
@@ -142,6 +191,19 @@ impl DrawingArrangement {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// let source = arranged.source(coface_algebra::VertexId::new(0));
+    /// assert_eq!(source, coface_arrange::planar::VertexSource::Given(0));
+    /// # Ok(()) }
+    /// ```
     pub fn source(&self, vertex: VertexId) -> VertexSource {
         self.sources[vertex.index()]
     }
@@ -150,17 +212,53 @@ impl DrawingArrangement {
     ///
     /// # Panics
     /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.regions_around(coface_algebra::FaceId::new(0)), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn regions_around(&self, face: FaceId) -> &[u32] {
         self.containment.regions.list(face.index())
     }
 
     /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert!(arranged.warnings().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn warnings(&self) -> Vec<String> {
         self.containment.warnings(&self.drawing)
     }
 
     /// The number of edges with one face on both sides that hang on the rest by one end, or by none: taken away one by one from
     /// vertices with a single edge.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.dangling_edge_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn dangling_edge_count(&self) -> usize {
         let arrangement = &self.arrangement;
         let around = |vertex: VertexId| arrangement.halfedges_around(vertex).map(|h| h.to_u32() / 2);
@@ -189,6 +287,18 @@ impl DrawingArrangement {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) if a matrix does not fit in 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert!(arranged.products_are_zero()?);
+    /// # Ok(()) }
+    /// ```
     pub fn products_are_zero(&self) -> Result<bool, Error> {
         let complex = self.arrangement.chain_complex()?;
         match (complex.boundary_matrix(1), complex.boundary_matrix(2)) {
@@ -201,6 +311,19 @@ impl DrawingArrangement {
     ///
     /// # Errors
     /// Those of [`Self::products_are_zero`] and [`PlanarArrangement::rounding_certificate`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// let answer = arranged.answer()?;
+    /// assert_eq!((answer.f_vector, answer.measures), ([8, 9, 2], vec![2.0, 2.0]));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> Result<PlanarArrangementAnswer, Error> {
         let arrangement = &self.arrangement;
         let (vertices, edges, faces) =
@@ -239,6 +362,18 @@ impl DrawingArrangement {
 
     /// Where everything comes from: of each vertex the vertex of the inputs or the two segments that cross there, of each
     /// edge the segments along it, of each face the regions around it.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.provenance().inputs, ["square", "cut"]);
+    /// # Ok(()) }
+    /// ```
     pub fn provenance(&self) -> PlanarArrangementProvenance {
         let drawing = &self.drawing;
         let segments = |segments: &[u32]| {

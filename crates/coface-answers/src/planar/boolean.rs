@@ -93,6 +93,19 @@ impl RegionBoolean {
     ///
     /// # Complexity
     /// That of the arrangement, and the faces times the length of the formula.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!((rest.area(), rest.hole_count()), (8.0, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn new(
         drawing: PlanarDrawing,
         formula: &BooleanFormula,
@@ -199,11 +212,37 @@ impl RegionBoolean {
     }
 
     /// The numbers of vertices, edges and polygons of the result.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.f_vector(), [8, 8, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> [usize; 3] {
         [self.positions.len(), self.edges.len(), self.outline.polygon_count()]
     }
 
     /// The area, in the square of the unit of the drawing.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.area(), 9.0 - 1.0);
+    /// # Ok(()) }
+    /// ```
     pub fn area(&self) -> f64 {
         let mut sum = Sum::default();
         self.areas.iter().for_each(|&area| sum.add(area));
@@ -211,21 +250,73 @@ impl RegionBoolean {
     }
 
     /// The areas of the polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.polygon_areas(), [8.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon_areas(&self) -> &[f64] {
         &self.areas
     }
 
     /// The number of parts whose inner points are connected. Parts that touch in points only are different ones.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         self.component_count
     }
 
     /// The number of holes.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.hole_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn hole_count(&self) -> usize {
         self.outline.hole_count()
     }
 
     /// The positions of the vertices of the result: each coordinate is the floating-point number nearest to the exact one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.positions().len(), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
@@ -234,11 +325,37 @@ impl RegionBoolean {
     ///
     /// # Panics
     /// If there is no such polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.rings_of_polygon(0).len(), 2, "the outer ring and the hole");
+    /// # Ok(()) }
+    /// ```
     pub fn rings_of_polygon(&self, polygon: usize) -> impl ExactSizeIterator<Item = &[u32]> {
         self.outline.rings_of(polygon)
     }
 
     /// The edges of the result by their vertices, the lower first.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.edges().len(), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
@@ -247,6 +364,19 @@ impl RegionBoolean {
     ///
     /// # Panics
     /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.segments_of_edge(0).len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn segments_of_edge(&self, edge: usize) -> &[u32] {
         self.segments_of_edge.list(edge)
     }
@@ -255,27 +385,92 @@ impl RegionBoolean {
     ///
     /// # Panics
     /// If there is no such polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.regions_of_polygon(0), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn regions_of_polygon(&self, polygon: usize) -> &[u32] {
         self.regions_of_polygon.list(polygon)
     }
 
     /// The vertices at which the boundary is no curve: more than two of its edges meet there.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert!(rest.pinches().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn pinches(&self) -> &[VertexId] {
         &self.pinches
     }
 
     /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert!(rest.warnings().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
 
     /// Whether the polygons are sound with their rounded coordinates: they have all their vertices, no two edges cross, and
     /// each edge has the result on the side that it should.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert!(rest.is_valid_when_rounded());
+    /// # Ok(()) }
+    /// ```
     pub fn is_valid_when_rounded(&self) -> bool {
         self.is_valid
     }
 
     /// The result as an answer.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!((rest.answer().measure, rest.answer().holes), (8.0, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> PlanarBooleanAnswer {
         let witness = self.pinches.first().map(|&vertex| {
             let [x, y] = [self.positions.point(vertex)[0], self.positions.point(vertex)[1]];
@@ -337,6 +532,19 @@ impl RegionBoolean {
 
     /// Where everything comes from: as [`DrawingArrangement::provenance`](crate::DrawingArrangement::provenance), edges with
     /// their ends, and for each polygon the regions that contain some of it.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// assert_eq!(rest.provenance().inputs, ["wide", "hole"]);
+    /// # Ok(()) }
+    /// ```
     pub fn provenance(&self) -> PlanarBooleanProvenance {
         let drawing = &self.drawing;
         let edge = |(&ends, segments): (&[u32; 2], &[u32])| EdgeOrigin {

@@ -130,6 +130,17 @@ impl PlanarDrawing {
     ///
     /// # Complexity
     /// Linear, and $O(n \log n)$ for the n ends of lines of models without polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.segments().len(), 4 + 1);
+    /// # Ok(()) }
+    /// ```
     pub fn new<'a>(
         models: impl IntoIterator<Item = (&'a str, &'a Model)>,
         source: RegionSource,
@@ -279,16 +290,49 @@ impl PlanarDrawing {
     }
 
     /// The names of the models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.names(), ["square", "cut"]);
+    /// # Ok(()) }
+    /// ```
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
     /// The positions of the vertices of all models, one model after the other.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.positions().len(), 4 + 2);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
 
     /// The segments of all models, one model after the other, by the positions of their ends.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.segments()[4], [4, 5]);
+    /// # Ok(()) }
+    /// ```
     pub fn segments(&self) -> &[[u32; 2]] {
         &self.segments
     }
@@ -297,6 +341,17 @@ impl PlanarDrawing {
     ///
     /// # Panics
     /// If there is no such segment.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.segment_source(4), (1, 0), "the first of the second drawing");
+    /// # Ok(()) }
+    /// ```
     pub fn segment_source(&self, segment: usize) -> (usize, usize) {
         assert!(segment < self.segments.len(), "there are {} segments", self.segments.len());
         source_in(&self.segment_starts, segment)
@@ -306,17 +361,51 @@ impl PlanarDrawing {
     ///
     /// # Panics
     /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.vertex_source(5), (1, 1), "the second of the second drawing");
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_source(&self, vertex: usize) -> (usize, usize) {
         assert!(vertex < self.positions.len(), "there are {} vertices", self.positions.len());
         source_in(&self.vertex_starts, vertex)
     }
 
     /// The names of the regions.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.region_names(), ["square", "cut"]);
+    /// # Ok(()) }
+    /// ```
     pub fn region_names(&self) -> Vec<&str> {
         self.regions.iter().map(|region| region.name.as_str()).collect()
     }
 
     /// The number of features of all models, one model after the other: 0 where none has properties.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let text = br#"{"type": "Feature", "properties": {"use": "wood"}, "geometry":
+    ///     {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 1], [0, 0]]]}}"#;
+    /// let wood = coface_io::read(&text[..], coface_io::Format::GeoJson)?;
+    /// let drawing = PlanarDrawing::new([("wood", &wood)], RegionSource::Models)?;
+    /// assert_eq!(drawing.feature_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn feature_count(&self) -> usize {
         self.features.count()
     }
@@ -325,11 +414,34 @@ impl PlanarDrawing {
     ///
     /// # Panics
     /// If there is no such feature.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let text = br#"{"type": "Feature", "properties": {"use": "wood"}, "geometry":
+    ///     {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 1], [0, 0]]]}}"#;
+    /// let wood = coface_io::read(&text[..], coface_io::Format::GeoJson)?;
+    /// let drawing = PlanarDrawing::new([("wood", &wood)], RegionSource::Models)?;
+    /// assert_eq!(drawing.properties_of_feature(0), r#"{"use":"wood"}"#);
+    /// # Ok(()) }
+    /// ```
     pub fn properties_of_feature(&self, feature: usize) -> &str {
         self.features.properties(feature as u32)
     }
 
     /// The number of segments that bound no polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// assert_eq!(drawing.unbounded_segment_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn unbounded_segment_count(&self) -> usize {
         self.ring_of_segment.iter().filter(|&&ring| ring == NO_RING).count()
     }

@@ -121,6 +121,19 @@ impl DrawingArrangement {
     ///
     /// # Panics
     /// If there is no such face and features have properties.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let text = br#"{"type": "Feature", "properties": {"use": "wood"}, "geometry":
+    ///     {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 1], [0, 0]]]}}"#;
+    /// let wood = coface_io::read(&text[..], coface_io::Format::GeoJson)?;
+    /// let drawing = PlanarDrawing::new([("wood", &wood)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.features_around(coface_algebra::FaceId::new(0)), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn features_around(&self, face: FaceId) -> &[u32] {
         match self.containment.features.is_empty() {
             true => &[],
@@ -213,6 +226,20 @@ impl RegionBoolean {
     ///
     /// # Panics
     /// If there is no such polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// let text = br#"{"type": "Feature", "properties": {"use": "wood"}, "geometry":
+    ///     {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 1], [0, 0]]]}}"#;
+    /// let wood = coface_io::read(&text[..], coface_io::Format::GeoJson)?;
+    /// let drawing = PlanarDrawing::new([("wood", &wood)], RegionSource::Models)?;
+    /// let same = RegionBoolean::new(drawing, &BooleanFormula::parse("a", &[])?, &BooleanRequest::default())?;
+    /// assert_eq!(same.features_of_polygon(0), [0]);
+    /// # Ok(()) }
+    /// ```
     pub fn features_of_polygon(&self, polygon: usize) -> &[u32] {
         self.features_of_polygon.list(polygon)
     }

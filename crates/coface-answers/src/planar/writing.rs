@@ -28,6 +28,20 @@ impl DrawingArrangement {
     ///
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the format cannot hold it; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) from the output.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// let mut text = Vec::new();
+    /// arranged.write(&mut text, coface_io::Format::Wkt)?;
+    /// assert_eq!(String::from_utf8_lossy(&text).matches("POLYGON").count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
         let arrangement = &self.arrangement;
         let positions = arrangement.positions().clone();
@@ -78,6 +92,18 @@ impl DrawingArrangement {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a face cannot be cut with rounded coordinates.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource};
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
+    /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
+    /// let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+    /// assert_eq!(arranged.to_mesh()?.polygons().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn to_mesh(&self) -> Result<Model, Error> {
         let [rings, polygons] = self.arrangement.face_polygons();
         let loose: Vec<[u32; 2]> = self.bridges().into_iter().map(|edge| self.ends(edge)).collect();
@@ -113,6 +139,21 @@ impl RegionBoolean {
     ///
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the format cannot hold it; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) from the output.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// let mut text = Vec::new();
+    /// rest.write(&mut text, coface_io::Format::Wkt)?;
+    /// assert_eq!(String::from_utf8_lossy(&text).matches("POLYGON").count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
         let positions = self.positions.clone();
         if format == Format::Lines {
@@ -136,6 +177,20 @@ impl RegionBoolean {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if a polygon cannot be cut with rounded coordinates.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
+    /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
+    /// // A polygon with a hole is cut into triangles.
+    /// assert!(rest.to_mesh()?.polygons().iter().all(|polygon| polygon.len() == 3));
+    /// # Ok(()) }
+    /// ```
     pub fn to_mesh(&self) -> Result<Model, Error> {
         mesh(&self.outline, &self.positions, &[])
     }

@@ -8,6 +8,16 @@ use std::collections::HashMap;
 impl Producer {
     /// Whether cells are told by their vertices; those of halfedge permutations, gluing tables and chain complexes are told
     /// by their own numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert!(strip.names_cells_by_vertices());
+    /// # Ok(()) }
+    /// ```
     pub fn names_cells_by_vertices(&self) -> bool {
         match &self.cells {
             Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_) => true,

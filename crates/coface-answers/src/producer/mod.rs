@@ -83,6 +83,16 @@ impl Producer {
     /// # Errors
     /// Those of the structure that fits the model: [`coface_algebra::ErrorKind::InvalidInput`] naming a cell that is none,
     /// [`coface_algebra::ErrorKind::TooLarge`] for what its numbers do not hold.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert_eq!(strip.chain_complex()?.f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn of(model: Model) -> Result<Self, Error> {
         let ModelParts {
             vertex_count,
@@ -124,6 +134,16 @@ impl Producer {
     }
 
     /// The positions of the vertices by their numbers in the file; empty when it has none.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert!(strip.positions().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
@@ -149,11 +169,31 @@ impl Producer {
     }
 
     /// What the reader of the model assumed, changed or left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert!(strip.remarks().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 
     /// The volume, where the cells are voxels with their faces.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert!(strip.volume().is_none());
+    /// # Ok(()) }
+    /// ```
     pub fn volume(&self) -> Option<&CubicalVolume> {
         match &self.cells {
             Cells::Voxels(cells) => Some(cells.volume()),
@@ -165,6 +205,16 @@ impl Producer {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::TooLarge`] for boundary matrices beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert_eq!(strip.chain_complex()?.euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
         Ok(match &self.cells {
             Cells::Polygons(mesh) => mesh.chain_complex()?,
@@ -181,6 +231,16 @@ impl Producer {
     ///
     /// # Errors
     /// Those of [`Self::chain_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert_eq!(strip.into_chain_complex()?.f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn into_chain_complex(self) -> Result<ChainComplex, Error> {
         Ok(match self.cells {
             Cells::Polygons(mesh) => mesh.into_chain_complex()?,
@@ -198,6 +258,16 @@ impl Producer {
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] for a bare chain complex, which does not say how its faces are attached;
     /// [`coface_algebra::ErrorKind::TooLarge`] beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert_eq!(strip.two_skeleton()?.face_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
         Ok(match &self.cells {
             Cells::Polygons(mesh) => mesh.two_skeleton()?,
@@ -223,6 +293,16 @@ impl Producer {
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] for halfedges and gluings, whose cells may have a vertex several times, and for
     /// boundary matrices that do not tell the vertices of cells; [`coface_algebra::ErrorKind::TooLarge`] beyond 32 bits.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert_eq!(strip.lar_model()?.f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn lar_model(&self) -> Result<LarModel, Error> {
         match &self.cells {
             Cells::Polygons(mesh) => LarModel::try_from(mesh),
@@ -244,6 +324,16 @@ impl Producer {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// assert_eq!(strip.cell_vertices(2, 1), [1, 7, 9]);
+    /// # Ok(()) }
+    /// ```
     pub fn cell_vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
         let skeleton = match &self.cells {
             Cells::Polygons(mesh) => mesh,

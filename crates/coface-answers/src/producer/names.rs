@@ -30,6 +30,17 @@ pub struct CellNames<'a> {
 
 impl<'a> CellNames<'a> {
     /// The names of the cells of the complex of a model.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// assert_eq!(names.vertices(1, CellId::new(0)), [3, 8]);
+    /// # Ok(()) }
+    /// ```
     pub fn of(producer: &'a Producer) -> Self {
         Self { producer, pair: None, shift: 0 }
     }
@@ -69,11 +80,31 @@ impl<'a> CellNames<'a> {
     }
 
     /// The model whose cells are named.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// assert!(std::ptr::eq(names.producer(), &edge));
+    /// # Ok(()) }
+    /// ```
     pub fn producer(&self) -> &'a Producer {
         self.producer
     }
 
     /// How many degrees the complex stands above the model: 1 for an augmented one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// assert_eq!((names.shift(), names.augmented(true).shift()), (0, 1));
+    /// # Ok(()) }
+    /// ```
     pub fn shift(&self) -> usize {
         self.shift
     }
@@ -100,6 +131,18 @@ impl<'a> CellNames<'a> {
     }
 
     /// The terms of a real cochain.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// let cochain = coface_algebra::chains::Cochain::new(&edge.chain_complex()?, 1, [(CellId::new(0), 0.5)])?;
+    /// assert_eq!(names.real_terms(&cochain), [(0.5, vec![3, 8])]);
+    /// # Ok(()) }
+    /// ```
     pub fn real_terms(&self, cochain: &Cochain<f64>) -> Vec<RealTerm> {
         let term = |&(cell, value): &(CellId, f64)| (value, self.vertices(cochain.degree(), cell));
         cochain.terms().iter().map(term).collect()
@@ -111,6 +154,17 @@ impl<'a> CellNames<'a> {
     }
 
     /// The name of a cell of the complex: its vertices in the file, or its number where cells have no vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// assert_eq!(names.vertices(0, CellId::new(1)), [8]);
+    /// # Ok(()) }
+    /// ```
     pub fn vertices(&self, degree: usize, cell: CellId) -> Vec<u32> {
         match degree.checked_sub(self.shift) {
             Some(degree) => self.producer.cell_vertices(degree, self.cell(degree, cell)),
@@ -120,11 +174,32 @@ impl<'a> CellNames<'a> {
     }
 
     /// The number of a vertex in the file.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// assert_eq!(names.vertex(coface_algebra::VertexId::new(1)), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn vertex(&self, vertex: VertexId) -> u32 {
         self.vertices(self.shift, CellId::new(vertex.index()))[0]
     }
 
     /// The name of a cell of the complex, as people read it.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// assert_eq!(names.word(1, CellId::new(0)), "{v3 v8}");
+    /// # Ok(()) }
+    /// ```
     pub fn word(&self, degree: usize, cell: CellId) -> String {
         self.word_of(&self.vertices(degree, cell))
     }
@@ -153,6 +228,19 @@ impl<'a> CellNames<'a> {
     ///
     /// # Errors
     /// Those of [`Chain::new`], if the cells are none of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// let whole = edge.chain_complex()?;
+    /// let chain = names.to_model(&whole, 1, &[(CellId::new(0), 2.into())])?;
+    /// assert_eq!(chain.terms(), [(CellId::new(0), 2.into())]);
+    /// # Ok(()) }
+    /// ```
     pub fn to_model(
         &self,
         whole: &ChainComplex,
@@ -168,6 +256,19 @@ impl<'a> CellNames<'a> {
     ///
     /// # Errors
     /// Those of [`Chain::new`], if the cells are none of the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{CellNames, Producer};
+    /// let edge = Producer::of(coface_io::read(&b"[[3,8]]"[..], coface_io::Format::Json)?)?;
+    /// let names = CellNames::of(&edge);
+    /// let whole = edge.chain_complex()?;
+    /// let chain = names.to_model(&whole, 1, &[(CellId::new(0), 2.into())])?;
+    /// assert_eq!(names.of_model(&whole, &chain)?, chain);
+    /// # Ok(()) }
+    /// ```
     pub fn of_model(&self, complex: &ChainComplex, chain: &Chain<Integer>) -> Result<Chain<Integer>, Error> {
         let kept = |(cell, x): &(CellId, Integer)| {
             let position = match self.pair {

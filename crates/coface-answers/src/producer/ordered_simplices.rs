@@ -15,11 +15,33 @@ pub struct OrderedSimplices {
 
 impl OrderedSimplices {
     /// The delta complex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// let simplices = strip.ordered_simplices()?;
+    /// assert_eq!(simplices.complex().f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &DeltaComplex {
         &self.complex
     }
 
     /// The simplicial complex that it was made of, if there is one; cells have the same numbers in both.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// let simplices = strip.ordered_simplices()?;
+    /// assert!(simplices.simplicial().is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn simplicial(&self) -> Option<&FrozenComplex> {
         self.names.as_ref()
     }
@@ -29,6 +51,17 @@ impl OrderedSimplices {
     ///
     /// # Panics
     /// If there is no such simplex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::Producer;
+    /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
+    /// let strip = Producer::of(strip)?;
+    /// let simplices = strip.ordered_simplices()?;
+    /// assert_eq!(simplices.name(2, 1), [1, 7, 9]);
+    /// # Ok(()) }
+    /// ```
     pub fn name(&self, dimension: usize, simplex: usize) -> Vec<u32> {
         self.names
             .as_ref()

@@ -37,6 +37,18 @@ pub struct Pair {
 
 impl Pair {
     /// A complex modulo nothing.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// assert_eq!(Pair::absolute(whole).chains().f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn absolute(complex: ChainComplex) -> Self {
         let kept = complex.f_vector().iter().map(|&count| (0..count).map(CellId::new).collect()).collect();
         Self { chains: complex, kept }
@@ -47,6 +59,18 @@ impl Pair {
     ///
     /// # Errors
     /// [`Shape`](coface_algebra::ErrorKind::Shape) if the complex is not that of the producer.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// assert_eq!(pair.chains().f_vector(), [0, 1, 2], "the diagonal and the triangles are left");
+    /// # Ok(()) }
+    /// ```
     pub fn with_boundary(producer: &Producer, complex: &ChainComplex) -> Result<Self, Error> {
         if let Cells::Gluings(gluings) = &producer.cells {
             // A facet glued to another of its simplex may cancel in the matrix, and so do the ends of a loop.
@@ -71,6 +95,19 @@ impl Pair {
     /// # Errors
     /// [`NotInComplex`](coface_algebra::ErrorKind::NotInComplex) naming a cell of the model that the producer does not have;
     /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if the model has no cells that are told by their vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// let edge = coface_io::read(&b"[[0,1]]"[..], coface_io::Format::Json)?;
+    /// assert_eq!(Pair::with_model(&disk, &whole, &edge)?.chains().f_vector(), [2, 4, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn with_model(producer: &Producer, complex: &ChainComplex, model: &Model) -> Result<Self, Error> {
         if !producer.names_cells_by_vertices() {
             return Err(Error::invalid("the cells of the model are not told by their vertices")
@@ -103,6 +140,18 @@ impl Pair {
     }
 
     /// The chain complex of the pair.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// assert_eq!(pair.chains().f_vector(), [0, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn chains(&self) -> &ChainComplex {
         &self.chains
     }
@@ -111,6 +160,18 @@ impl Pair {
     ///
     /// # Panics
     /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// assert_eq!(pair.cell(2, 1), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn cell(&self, degree: usize, cell: usize) -> usize {
         self.kept[degree][cell].index()
     }
@@ -119,11 +180,35 @@ impl Pair {
     ///
     /// # Errors
     /// [`NotInComplex`](coface_algebra::ErrorKind::NotInComplex) if `whole` is not the complex that the pair was made of.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// assert_eq!(pair.subcomplex(&whole)?[1].len(), 4, "the edges of the boundary");
+    /// # Ok(()) }
+    /// ```
     pub fn subcomplex(&self, whole: &ChainComplex) -> Result<Vec<Vec<CellId>>, Error> {
         whole.complement(&self.kept)
     }
 
     /// The number, in the pair, of a cell of the whole complex; `None` if it is in the subcomplex or not there.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
+    /// let disk = Producer::of(disk)?;
+    /// let whole = disk.chain_complex()?;
+    /// let pair = Pair::with_boundary(&disk, &whole)?;
+    /// assert_eq!((pair.position(0, 0), pair.position(2, 1)), (None, Some(1)));
+    /// # Ok(()) }
+    /// ```
     pub fn position(&self, degree: usize, cell: usize) -> Option<usize> {
         self.kept.get(degree)?.binary_search(&CellId::new(cell)).ok()
     }

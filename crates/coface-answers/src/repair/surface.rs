@@ -28,11 +28,23 @@ pub struct SurfaceRepairRequest {
 
 impl SurfaceRepairRequest {
     /// Vertices are merged where their positions are equal, and holes stay.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::SurfaceRepairRequest;
+    /// assert_eq!(SurfaceRepairRequest::new(), SurfaceRepairRequest::default());
+    /// ```
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Merges vertices within this distance of each other, in the unit of the positions, by chains.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::SurfaceRepairRequest;
+    /// assert_ne!(SurfaceRepairRequest::new().tolerance(1e-6), SurfaceRepairRequest::new());
+    /// ```
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -40,6 +52,12 @@ impl SurfaceRepairRequest {
     }
 
     /// Whether holes are filled.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::SurfaceRepairRequest;
+    /// assert_ne!(SurfaceRepairRequest::new().closed(true), SurfaceRepairRequest::new());
+    /// ```
     #[must_use]
     pub fn closed(mut self, closed: bool) -> Self {
         self.closed = closed;
@@ -62,41 +80,145 @@ pub struct SurfaceRepair {
 
 impl SurfaceRepair {
     /// How many vertices became another one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.merged_count(), 9 - 4);
+    /// # Ok(()) }
+    /// ```
     pub fn merged_count(&self) -> usize {
         self.merged_count
     }
 
     /// How many vertices were in no face, and were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.unused_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn unused_count(&self) -> usize {
         self.unused_count
     }
 
     /// How many polygons had fewer than three corners once vertices were merged, or met themselves, and were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.collapsed_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn collapsed_count(&self) -> usize {
         self.collapsed_count
     }
 
     /// How many polygons had the corners of an earlier one, and were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.duplicate_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn duplicate_count(&self) -> usize {
         self.duplicate_count
     }
 
     /// How many lines were no sides of faces, and were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.loose_line_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn loose_line_count(&self) -> usize {
         self.loose_line_count
     }
 
     /// What was split and turned, by the vertices and faces after merging.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.mesh().faces_turned().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn mesh(&self) -> &MeshRepair {
         &self.mesh
     }
 
     /// How many holes were filled.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.hole_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn hole_count(&self) -> usize {
         self.hole_count
     }
 
     /// How many triangles fill them.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SurfaceRepairRequest, repaired_surface};
+    /// // Three sides of a tetrahedron, each with vertices of its own.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n\
+    ///             f 1 2 3\nf 4 5 6\nf 7 8 9\n";
+    /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let (_, done) = repaired_surface(&model, &SurfaceRepairRequest::new().closed(true))?;
+    /// assert_eq!(done.added_face_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn added_face_count(&self) -> usize {
         self.added_face_count
     }

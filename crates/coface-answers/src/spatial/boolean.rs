@@ -47,6 +47,21 @@ pub struct SolidRequest {
 
 impl SolidRequest {
     /// The formula by itself: nonzero winding numbers mean inside, models must be closed, faces are polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// let request = SolidRequest::of(BooleanFormula::difference(2));
+    /// assert!(!request.triangles && !request.keep_walls);
+    /// # Ok(()) }
+    /// ```
     pub fn of(formula: BooleanFormula) -> Self {
         Self {
             formula,
@@ -110,6 +125,20 @@ impl<'a> SolidBoolean<'a> {
     ///
     /// # Complexity
     /// $O(n \log n)$ for n sides of faces, and the number of cells times that of models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.volume(), Some(1.0));
+    /// # Ok(()) }
+    /// ```
     pub fn of(arrangement: &'a SceneArrangement, request: &SolidRequest) -> Result<Self, Error> {
         let SceneArrangement { scene, arranged, inputs } = arrangement;
         let input_count = scene.names().len();
@@ -174,31 +203,115 @@ impl<'a> SolidBoolean<'a> {
     }
 
     /// The cells that are selected.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert!(same.selection().contains(coface_algebra::CellId::new(0)));
+    /// # Ok(()) }
+    /// ```
     pub fn selection(&self) -> &CellSelection {
         &self.selection
     }
 
     /// The faces around them, walls, and pinches, in the arrangement.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.boundary().facets().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn boundary(&self) -> &SelectionBoundary {
         &self.boundary
     }
 
     /// The surface around the selected cells with the face that each polygon is part of.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.surface().facets().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn surface(&self) -> &SelectionMesh {
         &self.surface
     }
 
     /// The same as a mesh, for what can be asked of one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.mesh().f_vector(), [4, 6, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn mesh(&self) -> &PolygonMesh {
         self.mesh.get_or_init(|| mesh_on(&self.surface))
     }
 
     /// The number of vertices that were copied to split pinches.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.copy_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn copy_count(&self) -> usize {
         self.copies[0]
     }
 
     /// The volume of the selected cells, rounded; `None` if the exterior is among them.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.volume(), Some(1.0));
+    /// # Ok(()) }
+    /// ```
     pub fn volume(&self) -> Option<f64> {
         if self.selection.has_exterior() {
             return None;
@@ -213,12 +326,40 @@ impl<'a> SolidBoolean<'a> {
     ///
     /// # Errors
     /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.positions()?.len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> Result<Positions, Error> {
         self.surface.positions(self.arrangement.arranged.drawn_positions())
     }
 
     /// The numbers of connected parts that are selected, solids, and of bounded ones that are not, voids. Cells are connected
     /// through faces.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.part_counts(), [1, 0], "one solid and no void");
+    /// # Ok(()) }
+    /// ```
     pub fn part_counts(&self) -> [usize; 2] {
         let exterior = self.regions.len() - 1;
         let mut solids = Vec::new();
@@ -245,6 +386,20 @@ impl<'a> SolidBoolean<'a> {
     ///
     /// # Errors
     /// Those of [`Self::positions`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.answer()?.measure, Some(1.0));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> Result<SolidBooleanAnswer, Error> {
         let positions = self.positions()?;
         let survey = self.mesh().survey();
@@ -305,6 +460,20 @@ impl<'a> SolidBoolean<'a> {
     }
 
     /// The numbers of vertices, edges and faces of the surface, faces with holes once; of triangles if faces are cut.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.f_vector(), [4, 6, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn f_vector(&self) -> [usize; 3] {
         if self.request.triangles {
             let mesh = self.mesh();
@@ -323,6 +492,20 @@ impl<'a> SolidBoolean<'a> {
     }
 
     /// The number of faces that are no polygon of a mesh, since they have holes or slits, and were cut into triangles.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.faces_cut(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn faces_cut(&self) -> usize {
         if self.request.triangles {
             return 0;

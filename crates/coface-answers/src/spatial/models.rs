@@ -21,6 +21,18 @@ impl SceneArrangement {
     ///
     /// # Errors
     /// Those of [`Model::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.to_mesh(false, false)?.polygons().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn to_mesh(&self, triangles: bool, groups: bool) -> Result<Model, Error> {
         let faces: Vec<(CellId, Sign)> =
             (0..self.complex().cell_count(2)).map(|face| (CellId::new(face), Sign::Plus)).collect();
@@ -53,12 +65,36 @@ impl SceneArrangement {
     ///
     /// # Errors
     /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert!(arranged.to_chains()?.structure().is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn to_chains(&self) -> Result<Model, Error> {
         Model::from_chains(self.complex().clone(), self.positions().clone())
     }
 
     /// For each face of the arrangement its sources: the model, the polygon in it, and 1 or -1 where the polygon runs with the face
     /// or against it; polygons of volumes run outward.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.provenance().faces.len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn provenance(&self) -> SpatialArrangementProvenance {
         let faces = (0..self.complex().cell_count(2)).map(|face| self.sources(CellId::new(face), Sign::Plus));
         SpatialArrangementProvenance { files: self.scene.names().to_vec(), faces: faces.collect() }
@@ -98,6 +134,20 @@ impl SolidBoolean<'_> {
     ///
     /// # Errors
     /// Those of [`Model::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.to_mesh()?.polygons().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn to_mesh(&self) -> Result<Model, Error> {
         let mesh = self.mesh_with_walls()?;
         let arrangement = self.arrangement;
@@ -132,6 +182,20 @@ impl SolidBoolean<'_> {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the exterior is in the result.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert!(same.to_chains()?.structure().is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn to_chains(&self) -> Result<Model, Error> {
         refuse_unbounded(self)?;
         if self.request.triangles || self.request.split_pinches {
@@ -175,6 +239,20 @@ impl SolidBoolean<'_> {
     ///
     /// # Errors
     /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.provenance()?.files, ["solid"]);
+    /// # Ok(()) }
+    /// ```
     pub fn provenance(&self) -> Result<SolidBooleanProvenance, Error> {
         let mesh = self.mesh_with_walls()?;
         let sources = mesh.facets().iter().map(|&(face, sign)| self.arrangement.sources(face, sign));

@@ -54,6 +54,16 @@ impl SpatialScene {
     ///
     /// # Complexity
     /// Linear, and that of [`CellMesh::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.polygon_count(), 4 + 4);
+    /// # Ok(()) }
+    /// ```
     pub fn of<'a>(
         models: impl IntoIterator<Item = (&'a str, &'a Model)>,
         walls: bool,
@@ -257,11 +267,31 @@ impl SpatialScene {
     }
 
     /// The names of the models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.names(), ["a", "b"]);
+    /// # Ok(()) }
+    /// ```
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
     /// The number of polygons of all models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.polygon_count(), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon_count(&self) -> usize {
         self.is_wall.len()
     }
@@ -270,6 +300,16 @@ impl SpatialScene {
     ///
     /// # Errors
     /// None for models that were read.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.polygons()?.polygon_count(), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn polygons(&self) -> Result<SpatialPolygons, Error> {
         let count = self.names.len() as u32;
         let inputs = self.input_of_polygon.iter().zip(&self.is_wall);
@@ -311,16 +351,46 @@ impl SpatialScene {
     ///
     /// # Errors
     /// None for models that were read.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.positions()?.len(), 8);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> Result<Positions, Error> {
         Positions::from_flat(3, self.flat.clone())
     }
 
     /// The model that each polygon is from.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.input_of_polygon(), [0, 0, 0, 0, 1, 1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn input_of_polygon(&self) -> &[u32] {
         &self.input_of_polygon
     }
 
     /// The number that each polygon has in its model: of the polygon in a surface, of the face of the cells in a volume.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert_eq!(scene.source_of_polygon(), [0, 1, 2, 3, 0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn source_of_polygon(&self) -> &[u32] {
         &self.source_of_polygon
     }
@@ -329,6 +399,16 @@ impl SpatialScene {
     ///
     /// # Panics
     /// If there is no such polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert!((0..8).all(|polygon| !scene.is_wall(polygon)));
+    /// # Ok(()) }
+    /// ```
     pub fn is_wall(&self, polygon: usize) -> bool {
         self.is_wall[polygon]
     }
@@ -342,11 +422,31 @@ impl SpatialScene {
     }
 
     /// What was assumed of the models, and what was left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert!(scene.remarks().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 
     /// Whether all polygons are triangles.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("a", &solid), ("b", &solid)], true)?;
+    /// assert!(scene.is_triangulated());
+    /// # Ok(()) }
+    /// ```
     pub fn is_triangulated(&self) -> bool {
         self.walks.uniform_width() == Some(3) && self.walks.len() == self.is_wall.len()
     }

@@ -51,6 +51,18 @@ impl SceneArrangement {
     ///
     /// # Errors
     /// Those of [`SpatialScene::of`]; naming polygons that are not flat or cross themselves, and what the request refuses.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.complex().f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn of<'a>(
         models: impl IntoIterator<Item = (&'a str, &'a Model)>,
         request: &SpatialRequest,
@@ -62,6 +74,19 @@ impl SceneArrangement {
     ///
     /// # Errors
     /// As [`Self::of`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// assert_eq!(SceneArrangement::of_scene(scene, &SpatialRequest::default())?.volumes(), arranged.volumes());
+    /// # Ok(()) }
+    /// ```
     pub fn of_scene(scene: SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
         let arranged = Arranged::new(&scene, request)?;
         let inputs = Inputs::new(&scene, &arranged)?;
@@ -69,21 +94,69 @@ impl SceneArrangement {
     }
 
     /// The polygons and where they are from.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.scene().polygon_count(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn scene(&self) -> &SpatialScene {
         &self.scene
     }
 
     /// The vertices, edges, faces and bounded cells; boundaries of cells run outward.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.complex().f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn complex(&self) -> &ChainComplex {
         self.arranged.complex()
     }
 
     /// Where the vertices are, correctly rounded.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         self.arranged.positions()
     }
 
     /// The volumes of the cells without their voids, rounded, in the cube of the unit of the models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.volumes(), [1.0]);
+    /// # Ok(()) }
+    /// ```
     pub fn volumes(&self) -> &[f64] {
         self.arranged.volumes()
     }
@@ -92,6 +165,18 @@ impl SceneArrangement {
     ///
     /// # Panics
     /// If there is no such model.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert!(matches!(arranged.input_state(0), coface_answers::InputState::Closed));
+    /// # Ok(()) }
+    /// ```
     pub fn input_state(&self, input: usize) -> InputState {
         self.inputs.state(input)
     }
@@ -100,6 +185,18 @@ impl SceneArrangement {
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::TooLarge`] when the products do not fit.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert!(arranged.products_are_zero()?);
+    /// # Ok(()) }
+    /// ```
     pub fn products_are_zero(&self) -> Result<bool, Error> {
         for pair in self.complex().boundary_matrices().windows(2) {
             if pair[0].first_nonzero_product_column(&pair[1])?.is_some() {
@@ -110,6 +207,18 @@ impl SceneArrangement {
     }
 
     /// The number of connected components of all faces.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         let complex = self.complex();
         let mut vertices = UnionFind::new(complex.cell_count(0));
@@ -139,6 +248,19 @@ impl SceneArrangement {
     ///
     /// # Errors
     /// Those of [`Self::products_are_zero`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let answer = arranged.answer(coface_arrange::boolean::InsideRule::default())?;
+    /// assert_eq!((answer.measures, answer.inside), (vec![1.0], vec![vec![0]]));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
         let complex = self.complex();
         let membership = self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty)?;
@@ -220,6 +342,18 @@ impl SceneArrangement {
     }
 
     /// The number of faces with one cell, or the exterior, on both sides.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.dangling_faces(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn dangling_faces(&self) -> usize {
         let mut is_side = vec![false; self.complex().cell_count(2)];
         if let Some(cells) = self.complex().boundary_matrix(3) {

@@ -42,6 +42,20 @@ pub struct PlacedCover {
 
 impl PlacedCover {
     /// `flat` or `disk`.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{LayoutChoice, SurfaceModel};
+    /// use coface_topology::CoverExtent;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(1), 1_000_000)?;
+    /// assert_eq!(cover.placed(LayoutChoice::Flat)?.word(), "flat");
+    /// # Ok(()) }
+    /// ```
     pub fn word(&self) -> &'static str {
         if self.plane == CoverPlane::Flat { "flat" } else { "disk" }
     }
@@ -90,6 +104,19 @@ impl SurfaceModel {
     ///
     /// # Errors
     /// Those of [`Self::model_over`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let (cover, model) = surface.orientation_double_cover()?;
+    /// assert_eq!((cover.face_count(), model.polygons().len()), (28, 28));
+    /// # Ok(()) }
+    /// ```
     pub fn orientation_double_cover(&self) -> Result<(GeneralizedMap, Model), Error> {
         let _covering = stage("covering", 0);
         let cover = self.map().orientation_double_cover();
@@ -109,11 +136,39 @@ impl SurfaceModel {
 
 impl SurfaceCover<'_> {
     /// The cover.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// use coface_topology::CoverExtent;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(1), 1_000_000)?;
+    /// assert_eq!(cover.cover().sphere_sizes(), [1, 4]);
+    /// # Ok(()) }
+    /// ```
     pub fn cover(&self) -> &UniversalCover {
         &self.cover
     }
 
     /// The number of components of the surface.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// use coface_topology::CoverExtent;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(1), 1_000_000)?;
+    /// assert_eq!(cover.component_count(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn component_count(&self) -> usize {
         self.component_count
     }
@@ -122,6 +177,21 @@ impl SurfaceCover<'_> {
     ///
     /// # Errors
     /// Those of [`UniversalCover::layout`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) where the layout is the other one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{LayoutChoice, SurfaceModel};
+    /// use coface_topology::CoverExtent;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(1), 1_000_000)?;
+    /// assert_eq!(cover.placed(LayoutChoice::Flat)?.word(), "flat");
+    /// assert!(cover.placed(LayoutChoice::Disk).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn placed(&self, layout: LayoutChoice) -> Result<PlacedCover, Error> {
         let _laying = stage("laying out", 0);
         let found = self.cover.layout(self.surface.map(), None)?;
@@ -142,6 +212,20 @@ impl SurfaceCover<'_> {
     ///
     /// # Errors
     /// Those of [`SurfaceModel::model_over`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// use coface_topology::CoverExtent;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cover = surface.cover(0, CoverExtent::Radius(1), 1_000_000)?;
+    /// assert_eq!(cover.model(None)?.polygons().len(), 5 * 14);
+    /// # Ok(()) }
+    /// ```
     pub fn model(&self, placed: Option<&PlacedCover>) -> Result<Model, Error> {
         let cover = &self.cover;
         let skeleton = cover.skeleton();

@@ -44,6 +44,19 @@ pub struct CutSeam {
 
 impl CutSeam {
     /// What it is for: `handle`, `crosscap`, `join`, `slit`; of a path that was given `two-sided`, `one-sided` or `open`.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert!(cut.seams().iter().all(|seam| seam.kind() == "handle"));
+    /// # Ok(()) }
+    /// ```
     pub fn kind(&self) -> &str {
         &self.kind
     }
@@ -54,6 +67,19 @@ impl CutSeam {
     }
 
     /// Its steps: 2e along edge e, 2e + 1 against it.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert!(cut.seams().iter().all(|seam| !seam.steps().is_empty()));
+    /// # Ok(()) }
+    /// ```
     pub fn steps(&self) -> &[u32] {
         &self.steps
     }
@@ -84,6 +110,19 @@ pub struct CutComponent {
 
 impl CutComponent {
     /// Vertices - edges + faces: 1 of a disk.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.components()[0].euler_characteristic(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn euler_characteristic(&self) -> i64 {
         let [v, e, f] = self.f_vector;
         v as i64 - e as i64 + f as i64
@@ -177,6 +216,19 @@ impl SurfaceModel {
     ///
     /// # Errors
     /// Those of [`Self::steps_along`], [`GeneralizedMap::slice_path`] and [`GeneralizedMap::slice_cycle`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_along(&[0, 1, 2, 0])?;
+    /// assert_eq!(cut.seams()[0].kind(), "two-sided");
+    /// # Ok(()) }
+    /// ```
     pub fn cut_along(&self, path: &[u32]) -> Result<SurfaceCut<'_>, Error> {
         let map = self.map();
         let steps = self.steps_along(path)?;
@@ -215,6 +267,19 @@ impl SurfaceModel {
     ///
     /// # Complexity
     /// Linear in the edges.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// assert_eq!(surface.steps_along(&[0, 1, 2, 0])?.len(), 3);
+    /// assert!(surface.steps_along(&[0]).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn steps_along(&self, path: &[u32]) -> Result<Vec<u32>, Error> {
         if path.len() < 2 {
             return Err(
@@ -244,26 +309,91 @@ impl SurfaceModel {
 
 impl SurfaceCut<'_> {
     /// What became of each component.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.components().len(), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn components(&self) -> &[CutComponent] {
         &self.components
     }
 
     /// The seams. Their numbers in pictures and files are counted from 1.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.components()[0].word.len(), 2 * cut.seams().len());
+    /// # Ok(()) }
+    /// ```
     pub fn seams(&self) -> &[CutSeam] {
         &self.seams
     }
 
     /// The edges along which the surface was cut.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.edges().len(), cut.components()[0].cut_edges);
+    /// # Ok(()) }
+    /// ```
     pub fn edges(&self) -> &[EdgeId] {
         &self.edges
     }
 
     /// The surface as it is now, and what it was.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.slice().surface().surfaces()[0].to_string(), "disk");
+    /// # Ok(()) }
+    /// ```
     pub fn slice(&self) -> &Slice<GeneralizedMap> {
         &self.slice
     }
 
     /// Whether seams were left longer than they could be because the surface is large.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert!(!cut.is_long());
+    /// # Ok(()) }
+    /// ```
     pub fn is_long(&self) -> bool {
         self.is_long
     }
@@ -272,6 +402,19 @@ impl SurfaceCut<'_> {
     ///
     /// # Panics
     /// If there is no such seam.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert!(cut.seam_vertices(0).len() > 1);
+    /// # Ok(()) }
+    /// ```
     pub fn seam_vertices(&self, seam: usize) -> Vec<u32> {
         self.surface.numbers_along(&self.seams[seam].steps)
     }
@@ -281,6 +424,19 @@ impl SurfaceCut<'_> {
     ///
     /// # Errors
     /// Those of [`SurfaceModel::model_over`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.model()?.polygons().len(), 14);
+    /// # Ok(()) }
+    /// ```
     pub fn model(&self) -> Result<Model, Error> {
         let open = self.slice.surface();
         let faces: Vec<FaceId> = (0..open.skeleton().face_count()).map(FaceId::new).collect();

@@ -51,6 +51,16 @@ impl SurfaceModel {
     /// # Errors
     /// Those of [`Producer::of`] and [`Producer::two_skeleton`]; [`ErrorKind::NonManifold`] naming the cells where the model is no
     /// surface; [`ErrorKind::UnsupportedFormat`] for a model with 3-cells, whose boundary is one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.map().f_vector(), [4, 5, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn of(model: Model) -> Result<Self, Error> {
         if !model.cells().is_empty() {
             return Err(Error::new(
@@ -130,11 +140,31 @@ impl SurfaceModel {
     }
 
     /// The surface.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.map().face_count(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn map(&self) -> &GeneralizedMap {
         &self.map
     }
 
     /// The positions of its vertices; empty when there are none.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &Positions {
         &self.positions
     }
@@ -143,6 +173,16 @@ impl SurfaceModel {
     ///
     /// # Panics
     /// If there is no such vertex. Likewise the functions that follow panic where there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.number(coface_algebra::VertexId::new(2)), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn number(&self, vertex: VertexId) -> u32 {
         self.numbers.as_ref().map_or(vertex.to_u32(), |numbers| numbers[vertex.index()])
     }
@@ -176,6 +216,17 @@ impl SurfaceModel {
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] where there is none.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.vertex_numbered(3)?.index(), 3);
+    /// assert!(surface.vertex_numbered(4).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn vertex_numbered(&self, number: u32) -> Result<VertexId, Error> {
         self.vertex(number).ok_or_else(|| {
             Error::new(ErrorKind::NotInComplex, format!("there is no vertex {number}"))
@@ -205,11 +256,33 @@ impl SurfaceModel {
     }
 
     /// The lengths of the edges; `None` without positions, or where some are not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// let lengths = surface.edge_lengths().unwrap_or_default();
+    /// assert_eq!(lengths.iter().sum::<f64>(), 3.0 + 4.0 + 3.0 + 4.0 + 5.0);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_lengths(&self) -> Option<Vec<f64>> {
         edge_lengths(self.map.skeleton(), &self.positions)
     }
 
     /// The numbers in the file of the vertices along a path of steps, 2e along edge e and 2e + 1 against it.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// let steps = surface.steps_along(&[0, 1, 2])?;
+    /// assert_eq!(surface.numbers_along(&steps), [0, 1, 2]);
+    /// # Ok(()) }
+    /// ```
     pub fn numbers_along(&self, steps: &[u32]) -> Vec<u32> {
         let ends = self.map.skeleton().edge_ends();
         let number = |step: u32| self.number(VertexId::from_u32(ends[step as usize]));
@@ -218,16 +291,48 @@ impl SurfaceModel {
     }
 
     /// The numbers in the file of the ends of an edge, from its start to its end.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// let steps = surface.steps_along(&[0, 1])?;
+    /// let edge = coface_algebra::EdgeId::from_u32(steps[0] >> 1);
+    /// assert_eq!(surface.edge_numbers(edge), [0, 1]);
+    /// # Ok(()) }
+    /// ```
     pub fn edge_numbers(&self, edge: EdgeId) -> [u32; 2] {
         self.map.skeleton().edge(edge).map(|end| self.number(end))
     }
 
     /// The number in the file of the polygon that a face is; the number of the face itself where the file has no polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.polygon(coface_algebra::FaceId::new(1)), 1);
+    /// # Ok(()) }
+    /// ```
     pub fn polygon(&self, face: FaceId) -> u32 {
         self.polygons.as_ref().map_or(face.to_u32(), |polygons| polygons[face.index()])
     }
 
     /// The numbers in the file of the vertices around a face.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.face_numbers(coface_algebra::FaceId::new(1)), [0, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn face_numbers(&self, face: FaceId) -> Vec<u32> {
         self.map.sides_of(face).map(|side| self.number(self.map.source(side))).collect()
     }
@@ -236,6 +341,16 @@ impl SurfaceModel {
     ///
     /// # Errors
     /// Those of [`Self::model_over`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.to_model()?.polygons().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn to_model(&self) -> Result<Model, Error> {
         let (v, f) = (self.map.vertex_count(), self.map.face_count());
         let vertices: Vec<VertexId> = (0..v).map(VertexId::new).collect();
@@ -339,6 +454,17 @@ impl SurfaceModel {
 ///
 /// # Panics
 /// If a vertex has no position among some.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// use coface_answers::SurfaceModel;
+/// let square = &b"v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n"[..];
+/// let surface = SurfaceModel::of(coface_io::read(square, coface_io::Format::Obj)?)?;
+/// let lengths = coface_answers::edge_lengths(surface.map().skeleton(), surface.positions());
+/// assert_eq!(lengths, surface.edge_lengths());
+/// # Ok(()) }
+/// ```
 pub fn edge_lengths(skeleton: &TwoSkeleton, positions: &Positions) -> Option<Vec<f64>> {
     if positions.is_empty() {
         return None;

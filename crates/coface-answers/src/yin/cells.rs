@@ -25,11 +25,23 @@ pub struct CutCellsRequest {
 
 impl CutCellsRequest {
     /// A grid of so many columns and rows over the box around the set.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::CutCellsRequest;
+    /// assert_eq!(CutCellsRequest::new([4, 2]).counts, [4, 2]);
+    /// ```
     pub fn new(counts: [usize; 2]) -> Self {
         Self { counts, origin: None, spacing: None }
     }
 
     /// The same with this lower left corner.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::CutCellsRequest;
+    /// assert_eq!(CutCellsRequest::new([4, 2]).origin(Some([1.0, 0.0])).origin, Some([1.0, 0.0]));
+    /// ```
     #[must_use]
     pub fn origin(mut self, origin: Option<[f64; 2]>) -> Self {
         self.origin = origin;
@@ -37,6 +49,12 @@ impl CutCellsRequest {
     }
 
     /// The same with cells of this width and height.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::CutCellsRequest;
+    /// assert_eq!(CutCellsRequest::new([4, 2]).spacing(Some([0.5, 0.5])).spacing, Some([0.5, 0.5]));
+    /// ```
     #[must_use]
     pub fn spacing(mut self, spacing: Option<[f64; 2]>) -> Self {
         self.spacing = spacing;

@@ -10,6 +10,18 @@ const PRECISION: f64 = 1e-13;
 
 impl PlanarSet {
     /// The box around all curves; none without curves.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(square.bounding_box(), Some([[0.0, 0.0], [2.0, 2.0]]));
+    /// # Ok(()) }
+    /// ```
     pub fn bounding_box(&self) -> Option<[[f64; 2]; 2]> {
         let boxes = (0..self.set.curve_count()).map(|curve| self.set.curve(curve).bounding_box());
         boxes.reduce(|[low, high], [lower, higher]| {
@@ -24,6 +36,18 @@ impl PlanarSet {
     ///
     /// # Errors
     /// Those of [`YinSet::betti_open`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!((square.answer()?.area, square.answer()?.perimeter), (Some(4.0), Some(8.0)));
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self) -> Result<YinSetAnswer, Error> {
         let set = &self.set;
         let frame = self.bounding_box();
@@ -73,6 +97,18 @@ impl PlanarSet {
     }
 
     /// The kinks with their names and places.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert!(square.kink_points().is_empty(), "the corners of a polyline are no kinks");
+    /// # Ok(()) }
+    /// ```
     pub fn kink_points(&self) -> Vec<YinKinkPoint> {
         let place = |(at, vertex): (KnotIndex, VertexId)| {
             let point = self.set.curve(at.curve as usize).knot_point(at.knot as usize);

@@ -111,6 +111,18 @@ impl PlanarSet {
     ///
     /// # Complexity
     /// That of an overlay of all curves.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(square.set().area(), Some(4.0));
+    /// # Ok(()) }
+    /// ```
     pub fn of(drawing: &BoundaryDrawing, request: &SetRequest) -> Result<Self, Error> {
         drawing.check()?;
         let order = match (request.order, request.fit) {
@@ -163,6 +175,18 @@ impl PlanarSet {
     }
 
     /// A set without names and remarks.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(PlanarSet::from_set(square.set().clone()).set().area(), Some(4.0));
+    /// # Ok(()) }
+    /// ```
     pub fn from_set(set: YinSet) -> Self {
         Self { set, names: Vec::new(), remarks: Vec::new() }
     }
@@ -226,22 +250,70 @@ impl PlanarSet {
     }
 
     /// The same with the curves in canonical order; names go.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(square.canonical().set().area(), Some(4.0));
+    /// # Ok(()) }
+    /// ```
     #[must_use]
     pub fn canonical(self) -> Self {
         Self { set: self.set.canonical(), names: Vec::new(), remarks: self.remarks }
     }
 
     /// The set.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(square.set().area(), Some(4.0));
+    /// # Ok(()) }
+    /// ```
     pub fn set(&self) -> &YinSet {
         &self.set
     }
 
     /// The set, to change its kinks: curves stay where they are, and keep their names.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let mut square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(square.set_mut().area(), Some(4.0));
+    /// # Ok(()) }
+    /// ```
     pub fn set_mut(&mut self) -> &mut YinSet {
         &mut self.set
     }
 
     /// The name of each curve; none at the end of the list are left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert!(square.names().iter().all(Option::is_none));
+    /// # Ok(()) }
+    /// ```
     pub fn names(&self) -> &[Option<String>] {
         &self.names
     }
@@ -256,6 +328,18 @@ impl PlanarSet {
     }
 
     /// What was changed or passed over.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert!(square.remarks().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }

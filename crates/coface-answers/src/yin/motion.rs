@@ -39,6 +39,12 @@ pub struct MotionRequest {
 
 impl MotionRequest {
     /// One set at this time.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!((MotionRequest::until(2.0).time, MotionRequest::until(2.0).frames), (2.0, 1));
+    /// ```
     pub fn until(time: f64) -> Self {
         Self {
             time,
@@ -54,6 +60,12 @@ impl MotionRequest {
     }
 
     /// The same with this longest step of time.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).step(Some(0.5)).step, Some(0.5));
+    /// ```
     #[must_use]
     pub fn step(mut self, step: Option<f64>) -> Self {
         self.step = step;
@@ -61,6 +73,12 @@ impl MotionRequest {
     }
 
     /// The same with this greatest distance of neighboring knots.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).spacing(Some(0.1)).spacing, Some(0.1));
+    /// ```
     #[must_use]
     pub fn spacing(mut self, spacing: Option<f64>) -> Self {
         self.spacing = spacing;
@@ -68,6 +86,12 @@ impl MotionRequest {
     }
 
     /// The same with this least distance of neighboring knots, as a part of the spacing.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).least_ratio(0.2).least_ratio, 0.2);
+    /// ```
     #[must_use]
     pub fn least_ratio(mut self, ratio: f64) -> Self {
         self.least_ratio = ratio;
@@ -75,6 +99,12 @@ impl MotionRequest {
     }
 
     /// The same with knots where the polygon turns by more than this angle, in radians.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).most_turn(Some(0.3)).most_turn, Some(0.3));
+    /// ```
     #[must_use]
     pub fn most_turn(mut self, angle: Option<f64>) -> Self {
         self.most_turn = angle;
@@ -82,6 +112,12 @@ impl MotionRequest {
     }
 
     /// The same with this scheme.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).scheme(None).scheme, None);
+    /// ```
     #[must_use]
     pub fn scheme(mut self, scheme: Option<RungeKutta>) -> Self {
         self.scheme = scheme;
@@ -89,6 +125,13 @@ impl MotionRequest {
     }
 
     /// The same with this time of tests.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// let request = MotionRequest::until(2.0).verification(coface_yin::Verification::EachStep);
+    /// assert_eq!(request.verification, coface_yin::Verification::EachStep);
+    /// ```
     #[must_use]
     pub fn verification(mut self, verification: Verification) -> Self {
         self.verification = verification;
@@ -96,6 +139,12 @@ impl MotionRequest {
     }
 
     /// The same with this rule of repairs.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert!(MotionRequest::until(2.0).repair(None).repair.is_none());
+    /// ```
     #[must_use]
     pub fn repair(mut self, rule: Option<InsideRule>) -> Self {
         self.repair = rule;
@@ -103,6 +152,12 @@ impl MotionRequest {
     }
 
     /// The same with so many sets of the way.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).frames(4).frames, 4);
+    /// ```
     #[must_use]
     pub fn frames(mut self, count: usize) -> Self {
         self.frames = count;
@@ -208,6 +263,20 @@ impl PlanarSet {
 
 impl PlanarMotion {
     /// The sets of the way, by time; the last is that at the end.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// assert_eq!(motion.frames().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn frames(&self) -> &[PlanarSet] {
         &self.frames
     }
@@ -216,11 +285,39 @@ impl PlanarMotion {
     ///
     /// # Panics
     /// Never: there is at least one set.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// assert_eq!(motion.last().bounding_box(), Some([[3.0, 0.0], [4.0, 1.0]]));
+    /// # Ok(()) }
+    /// ```
     pub fn last(&self) -> &PlanarSet {
         self.frames.last().expect("there is at least one set")
     }
 
     /// The number of steps in which the boundary was cut and pasted.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// assert_eq!(motion.repair_count(), 0);
+    /// # Ok(()) }
+    /// ```
     pub fn repair_count(&self) -> usize {
         self.repairs.len()
     }
@@ -229,6 +326,20 @@ impl PlanarMotion {
     ///
     /// # Errors
     /// Those of [`PlanarSet::answer`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// assert_eq!(motion.answer("square.wkt", Vec::new())?.file, "square.wkt");
+    /// # Ok(()) }
+    /// ```
     pub fn answer(&self, file: &str, files: Vec<String>) -> Result<YinAdvectAnswer, Error> {
         let mut set: YinSetAnswer = self.last().answer()?;
         if !self.repairs.is_empty() {

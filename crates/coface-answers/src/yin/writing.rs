@@ -30,6 +30,20 @@ impl PlanarSet {
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`] for curves without `flatten`, for unbounded sets in formats that do not hold them, and if the format
     /// cannot hold lines; [`ErrorKind::Io`] from the output.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// let mut text = Vec::new();
+    /// square.write(&mut text, Format::Wkt, None)?;
+    /// assert!(text.starts_with(b"POLYGON"));
+    /// # Ok(()) }
+    /// ```
     pub fn write(&self, out: &mut dyn Write, format: Format, flatten: Option<f64>) -> Result<(), Error> {
         match format {
             Format::Json => return yin::write_json(&self.set, &self.names, out),
