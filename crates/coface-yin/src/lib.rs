@@ -24,7 +24,7 @@ mod set;
 mod tracking;
 
 pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedDecision};
-pub use curve::{Curve, EndCondition, Location, Order};
+pub use curve::{Carrier, Curve, EndCondition, Location, Order};
 pub use cut_cells::{CartesianGrid, Coverage, CutArc, CutCell, CutCells, WalkStep};
 pub use interface::{
     DirectedEdge, InterfaceEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, Trail,

@@ -5,7 +5,8 @@ use crate::scanner::quoted;
 use crate::yin::{BoundaryCurve, BoundaryDrawing, Filling};
 use crate::{Remark, RemarkCode};
 use coface_algebra::Error;
-use coface_yin::{Curve, Order};
+use coface_yin::{Carrier, Curve, Order};
+use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::Value;
 use std::fmt;
@@ -22,7 +23,7 @@ pub(super) struct CurveKeys {
 }
 
 /// The keys of a curve.
-const CURVE_KEYS: &str = "points, kinks, vertices, name, knots, controls";
+const CURVE_KEYS: &str = "points, kinks, vertices, name, knots, controls, carriers";
 /// So many keys without a meaning are named.
 const LISTED_KEYS: usize = 4;
 
@@ -35,8 +36,18 @@ pub(super) struct RawCurve {
     name: Option<Value>,
     knots: Option<Vec<f64>>,
     controls: Option<Vec<[f64; 2]>>,
+    carriers: Vec<RawCarrier>,
     /// A key that says nothing.
     other: Option<String>,
+}
+
+/// What a piece is a part of.
+#[derive(Deserialize)]
+struct RawCarrier {
+    piece: u32,
+    range: [f64; 2],
+    growth: f64,
+    controls: Vec<[f64; 2]>,
 }
 
 impl CurveKeys {
@@ -101,11 +112,25 @@ impl CurveKeys {
             })?;
             drawing.set_next_kink_name(Some(next));
         }
-        let curves: Vec<BoundaryCurve> = curves
-            .into_iter()
-            .enumerate()
-            .map(|(number, curve)| curve.into_curve(number, order))
-            .collect::<Result<_, _>>()?;
+        let mut made: Vec<BoundaryCurve> = Vec::with_capacity(curves.len());
+        for (number, mut curve) in curves.into_iter().enumerate() {
+            let carriers = std::mem::take(&mut curve.carriers);
+            let mut curve = curve.into_curve(number, order)?;
+            if !carriers.is_empty() {
+                let carriers = carriers
+                    .into_iter()
+                    .map(|own| Carrier::new(own.piece, &own.controls, own.range, own.growth))
+                    .collect::<Result<Vec<_>, _>>();
+                if let Err(error) = carriers.and_then(|carriers| curve.set_carriers(carriers, order)) {
+                    drawing.remark(Remark::new(
+                        RemarkCode::InputReading,
+                        format!("the \"carriers\" of curve {number} were left out: {}", error.message()),
+                    ));
+                }
+            }
+            made.push(curve);
+        }
+        let curves = made;
         if !curves.is_empty() {
             drawing.push(Filling::Left, curves);
         }
@@ -271,6 +296,7 @@ impl<'de> Visitor<'de> for OneCurve<'_> {
                 "controls" => curve.controls = Some(map.next_value_seed(Points(list("control point")))?),
                 "kinks" => curve.kinks = map.next_value_seed(Indices(list("kink")))?,
                 "vertices" => curve.vertices = Some(map.next_value_seed(Indices(list("vertex")))?),
+                "carriers" => curve.carriers = map.next_value()?,
                 "knots" => curve.knots = Some(map.next_value_seed(Numbers(list("knot")))?),
                 "name" => curve.name = Some(map.next_value()?),
                 _ => {

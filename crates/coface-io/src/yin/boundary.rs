@@ -7,7 +7,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
 use coface_geometry::Positions;
-use coface_yin::{Curve, EndCondition, Order};
+use coface_yin::{Carrier, Curve, EndCondition, Order};
 use std::ops::Range;
 
 /// The highest name that a kink may have: as many are left for those to come.
@@ -34,6 +34,8 @@ pub struct BoundaryCurve {
     knots: Option<Vec<f64>>,
     /// The curve, where the file has more than points.
     curve: Option<Curve<'static>>,
+    /// What its pieces are parts of.
+    carriers: Vec<Carrier>,
     line: Option<u64>,
 }
 
@@ -47,7 +49,16 @@ impl BoundaryCurve {
     /// assert_eq!(curve.points().len(), 3);
     /// ```
     pub fn new(points: Vec<[f64; 2]>) -> Self {
-        Self { points, kinks: Vec::new(), kink_names: None, name: None, knots: None, curve: None, line: None }
+        Self {
+            points,
+            kinks: Vec::new(),
+            kink_names: None,
+            name: None,
+            knots: None,
+            curve: None,
+            carriers: Vec::new(),
+            line: None,
+        }
     }
 
     pub(crate) fn set_name(&mut self, name: Option<String>) {
@@ -73,6 +84,13 @@ impl BoundaryCurve {
 
     pub(crate) fn set_curve(&mut self, curve: Curve<'static>) {
         self.curve = Some(curve);
+    }
+
+    /// Takes what pieces are parts of, if that fits the curve that the file has or that is fitted to its points.
+    pub(crate) fn set_carriers(&mut self, carriers: Vec<Carrier>, order: Order) -> Result<(), Error> {
+        let curve = self.curve(order, &EndCondition::NotAKnot)?.with_carriers(carriers)?;
+        self.carriers = curve.carriers().to_vec();
+        Ok(())
     }
 
     /// The points at the knots, the first not repeated.
@@ -162,16 +180,27 @@ impl BoundaryCurve {
     /// ```
     pub fn curve(&self, order: Order, ends: &EndCondition) -> Result<Curve<'static>, Error> {
         if let Some(curve) = &self.curve {
+            let curve = self.carried(curve.clone());
             return match curve.order() < order {
                 true => curve.raised(order),
-                false => Ok(curve.clone()),
+                false => Ok(curve),
             };
         }
         let curve = Curve::fit_closed(&self.points, &self.kinks, order, ends)?;
-        match &self.knots {
-            Some(knots) => Curve::from_controls(order, curve.controls().to_vec(), knots.clone()),
-            None => Ok(curve),
+        let curve = match &self.knots {
+            Some(knots) => Curve::from_controls(order, curve.controls().to_vec(), knots.clone())?,
+            None => curve,
+        };
+        Ok(self.carried(curve))
+    }
+
+    /// A curve of these points with what its pieces are parts of; where it is fitted otherwise than the file was, they are parts of
+    /// nothing.
+    fn carried(&self, curve: Curve<'static>) -> Curve<'static> {
+        if self.carriers.is_empty() {
+            return curve;
         }
+        curve.clone().with_carriers(self.carriers.clone()).unwrap_or(curve)
     }
 
     /// Verifies that kinks are points, none twice, that they have as many names as they are, and there are as many parameters as

@@ -106,7 +106,7 @@ pub fn read_factories(input: impl Read) -> Result<BoundaryDrawing, Error> {
             }
             Some(Line::Curve(mut curve)) => {
                 curve.set_line(number);
-                curves.push(curve);
+                curves.push(*curve);
             }
         }
     }
@@ -123,7 +123,7 @@ const CURE: &str =
 
 enum Line {
     Tolerance(f64),
-    Curve(BoundaryCurve),
+    Curve(Box<BoundaryCurve>),
 }
 
 /// The words of a line one after the other, with the column of each.
@@ -224,7 +224,7 @@ impl<'a> Words<'a> {
         let curve = match name {
             b"Circle" => self.circle()?,
             b"Rectangle" => self.rectangle()?,
-            b"OrientedJordanCurve" => return self.points().map(|curve| Some(Line::Curve(curve))),
+            b"OrientedJordanCurve" => return self.points().map(|curve| Some(Line::Curve(Box::new(curve)))),
             _ => match parse_f64(name, "the tolerance") {
                 Ok(tolerance) => {
                     self.end()?;
@@ -237,7 +237,7 @@ impl<'a> Words<'a> {
             },
         };
         self.end()?;
-        Ok(Some(Line::Curve(curve)))
+        Ok(Some(Line::Curve(Box::new(curve))))
     }
 
     fn circle(&mut self) -> Result<BoundaryCurve, Error> {

@@ -8,7 +8,7 @@ use std::io::Write;
 /// Writes a set so that it is read again bit for bit, kinks and their names included. A curve has a name where `names` has one.
 ///
 /// Control points are written where the curve is not the one that is fitted to its points with ends that are not-a-knot; parameters
-/// where they are not the lengths of the way along the chords.
+/// where they are not the lengths of the way along the chords, and the carriers of pieces that are parts of others.
 ///
 /// # Errors
 /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) from the output.
@@ -63,6 +63,7 @@ pub fn write_json(set: &YinSet, names: &[Option<String>], mut out: impl Write) -
             }
         }
         push_difference(&mut text, &curve, &points, &own_kinks, &mut out)?;
+        push_carriers(&mut text, &curve, &mut out)?;
         text.push(b'}');
         flush(&mut text, &mut out)?;
     }
@@ -99,6 +100,26 @@ fn push_difference(
     if has_controls || has_knots && curve.order() > Order::LINEAR {
         text.push(b',');
         push_points(text, "controls", &curve.controls()[..curve.controls().len() - 1], out)?;
+    }
+    Ok(())
+}
+
+/// What pieces are parts of.
+fn push_carriers(text: &mut Vec<u8>, curve: &Curve<'_>, out: &mut impl Write) -> Result<(), Error> {
+    for (number, carrier) in curve.carriers().iter().enumerate() {
+        text.extend_from_slice(if number == 0 { b",\"carriers\":[{" } else { b",{" });
+        text.extend_from_slice(format!("\"piece\":{},\"range\":[", carrier.piece()).as_bytes());
+        push_f64(text, carrier.range()[0]);
+        text.push(b',');
+        push_f64(text, carrier.range()[1]);
+        text.extend_from_slice(b"],\"growth\":");
+        push_f64(text, carrier.growth());
+        text.push(b',');
+        push_points(text, "controls", carrier.controls(), out)?;
+        text.push(b'}');
+    }
+    if !curve.carriers().is_empty() {
+        text.push(b']');
     }
     Ok(())
 }

@@ -16,7 +16,11 @@
 //!   the chords if they are not said;
 //! * `"controls": [[x, y], ..]`: for each piece its Bernstein control points without the last, which is the first of the next piece. Without
 //!   them the curve is fitted to its points: a polyline in order 2, else splines between kinks, periodic if there are none, with
-//!   ends that are not-a-knot.
+//!   ends that are not-a-knot;
+//! * `"carriers": [{"piece": i, "range": [s, t], "growth": g, "controls": [[x, y], ..]}, ..]`: pieces that are parts of others, as Boolean
+//!   operations leave them: piece i is the whole piece with these control points from parameter s to t, and g is how much the parameter
+//!   grows along all of that. Parts of one whole are so known to share their arc, whatever was rounded. Carriers that do not fit their
+//!   pieces are left out, with a remark.
 //!
 //! # The binary `.dat`
 //! Little endian: the number of curves (32 bits); for each curve its dimension, which is 2, its order and the number n of its pieces (32 bits

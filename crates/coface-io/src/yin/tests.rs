@@ -81,6 +81,31 @@ fn keys_without_a_meaning_are_told() {
     }
 }
 
+/// What Boolean operations cut out of pieces is read with the pieces that it was cut out of, and left out with a remark where it is not
+/// part of them.
+#[test]
+fn carriers_of_pieces_are_kept() {
+    let set = |corners: &[[f64; 2]]| {
+        coface_yin::YinSet::new(&[Curve::polyline(corners).unwrap().raised(Order::CUBIC).unwrap()]).unwrap()
+    };
+    let triangle = set(&[[0., 0.], [3., 1.], [1., 2.], [0., 0.]]);
+    let half = triangle.meet(&set(&[[1., -1.], [9., -1.], [9., 9.], [1.7, 9.], [1., -1.]])).unwrap();
+    let mut text = Vec::new();
+    write_json(&half, &[], &mut text).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    let drawing = json(&text).unwrap();
+    let read = drawing.curves()[0].curve(Order::CUBIC, &EndCondition::NotAKnot).unwrap();
+    assert!(drawing.remarks().is_empty() && half.curve(0).carriers().len() > 1);
+    assert_eq!((read.carriers(), &read), (half.curve(0).carriers(), &half.curve(0)));
+    for changed in [text.replace("\"growth\":", "\"growth\":-"), text.replace("\"piece\":0", "\"piece\":7")] {
+        let drawing = json(&changed).unwrap();
+        let read = drawing.curves()[0].curve(Order::CUBIC, &EndCondition::NotAKnot).unwrap();
+        assert!(drawing.remarks()[0].message.contains("\"carriers\" of curve 0"), "{:?}", drawing.remarks());
+        assert_eq!((read.carriers().len(), &read), (0, &half.curve(0)));
+    }
+    assert!(json(&text.replace("\"growth\":", "\"grows\":")).unwrap_err().cure().is_some());
+}
+
 /// Files that are cut off at any byte, or have any byte changed, are read or refused with a place.
 #[test]
 fn damaged_files_are_no_panic() {

@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 mod block_tridiagonal;
+mod carrier;
 mod end_condition;
 mod evaluation;
 mod extent;
@@ -19,6 +20,8 @@ mod power;
 pub(crate) mod roots;
 mod separators;
 
+pub use carrier::Carrier;
+pub(crate) use carrier::on_grid;
 pub use end_condition::EndCondition;
 pub(crate) use extent::monotone_breaks;
 pub use location::Location;

@@ -1,7 +1,7 @@
 //! Parts of curves, and curves run through backward.
 
-use super::Curve;
 use super::bernstein::{self, Piece};
+use super::{Carrier, Curve};
 use coface_algebra::Error;
 
 impl Curve<'_> {
@@ -25,7 +25,10 @@ impl Curve<'_> {
             turned[at] = turned[at].max(turned[at - 1].next_up());
         }
         let controls = self.controls().iter().rev().copied().collect();
-        Curve::from_trusted(self.order(), controls, turned)
+        let last_piece = self.piece_count() as u32 - 1;
+        let carriers: Vec<Carrier> =
+            self.carriers().iter().rev().map(|own| own.reversed(last_piece - own.piece())).collect();
+        Curve::from_trusted(self.order(), controls, turned).carried_by(carriers)
     }
 
     /// The parts before and after a parameter; both keep their parameters. They share their common end.
@@ -125,19 +128,22 @@ impl Curve<'_> {
     /// The curve with each control point moved by a function that keeps straight lines straight; straight pieces stay so exactly.
     pub(super) fn moved(&self, stretch: f64, image: impl Fn([f64; 2]) -> [f64; 2]) -> Curve<'static> {
         let order = self.order();
-        let moved = self.with_pieces(order, |piece| {
-            let controls = self.piece(piece);
+        let of_piece = |controls: &[[f64; 2]]| {
             if bernstein::is_straight(controls) {
                 let ends = [controls[0], controls[order.degree()]].map(&image);
                 bernstein::straight_piece(ends, order.value())
             } else {
                 Piece::with(order.value(), |j| image(controls[j]))
             }
-        });
+        };
+        let carriers: Vec<Carrier> =
+            self.carriers().iter().map(|own| own.mapped(stretch, of_piece)).collect();
+        let moved = self.with_pieces(order, |piece| of_piece(self.piece(piece))).carried_by(carriers);
         if stretch == 1.0 {
             return moved;
         }
         let knots = self.knots().iter().map(|knot| knot * stretch).collect();
-        Curve::from_trusted(order, moved.controls().to_vec(), knots)
+        let carriers = moved.carriers().to_vec();
+        Curve::from_trusted(order, moved.controls().to_vec(), knots).carried_by(carriers)
     }
 }

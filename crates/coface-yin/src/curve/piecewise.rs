@@ -1,7 +1,7 @@
 //! Piecewise polynomial curves in the plane.
 
 use super::bernstein::Piece;
-use super::{Order, bernstein};
+use super::{Carrier, Order, bernstein};
 use coface_algebra::{Error, ErrorKind};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -28,11 +28,20 @@ const AT_ONCE: usize = 1 << 14;
 /// assert_eq!(curve.piece(1), [[1.0, 0.0], [1.0, 1.0]]);
 /// # Ok::<(), coface_algebra::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Curves are equal when their control points and knots are; what their pieces are parts of, their [carriers](Carrier), is not compared.
+#[derive(Clone, Debug)]
 pub struct Curve<'a> {
     order: Order,
     controls: Cow<'a, [[f64; 2]]>,
     knots: Cow<'a, [f64]>,
+    pub(super) carriers: Cow<'a, [Carrier]>,
+}
+
+impl PartialEq for Curve<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.order == other.order && self.controls == other.controls && self.knots == other.knots
+    }
 }
 
 impl Curve<'static> {
@@ -75,7 +84,7 @@ impl Curve<'static> {
         if knots.iter().any(|knot| !knot.is_finite()) {
             return Err(Error::invalid("a knot is not finite"));
         }
-        Ok(Self { order, controls: controls.into(), knots: knots.into() })
+        Ok(Self::from_trusted(order, controls, knots))
     }
 
     /// The polyline through points, with the length of the way along it as parameter.
@@ -97,7 +106,7 @@ impl Curve<'static> {
     /// A curve that is known to be well made.
     pub(crate) fn from_trusted(order: Order, controls: Vec<[f64; 2]>, knots: Vec<f64>) -> Self {
         debug_assert_eq!(controls.len(), (knots.len() - 1) * order.degree() + 1);
-        Self { order, controls: controls.into(), knots: knots.into() }
+        Self { order, controls: controls.into(), knots: knots.into(), carriers: Cow::default() }
     }
 }
 
@@ -105,12 +114,18 @@ impl<'a> Curve<'a> {
     /// A curve that is known to be well made, borrowed.
     pub(crate) fn borrowed(order: Order, controls: &'a [[f64; 2]], knots: &'a [f64]) -> Self {
         debug_assert_eq!(controls.len(), (knots.len() - 1) * order.degree() + 1);
-        Self { order, controls: controls.into(), knots: knots.into() }
+        Self { order, controls: controls.into(), knots: knots.into(), carriers: Cow::default() }
+    }
+
+    /// The same curve with carriers of its pieces that are known to be right.
+    pub(crate) fn carried_by(mut self, carriers: impl Into<Cow<'a, [Carrier]>>) -> Self {
+        self.carriers = carriers.into();
+        self
     }
 
     /// The same curve without numbers of its own.
     pub(crate) fn as_borrowed(&self) -> Curve<'_> {
-        Curve::borrowed(self.order, self.controls(), self.knots())
+        Curve::borrowed(self.order, self.controls(), self.knots()).carried_by(&*self.carriers)
     }
 
     /// The number of coefficients of each polynomial.
@@ -235,7 +250,9 @@ impl<'a> Curve<'a> {
         if order == self.order {
             return Ok(self.clone().into_owned());
         }
-        Ok(self.with_pieces(order, |piece| bernstein::raised(self.piece(piece), order.value())))
+        let raised = |controls: &[[f64; 2]]| bernstein::raised(controls, order.value());
+        let carriers: Vec<Carrier> = self.carriers.iter().map(|own| own.mapped(1.0, raised)).collect();
+        Ok(self.with_pieces(order, |piece| raised(self.piece(piece))).carried_by(carriers))
     }
 
     /// A curve with the same knots, the pieces of which are given; each begins where the one before it ends.
@@ -245,7 +262,7 @@ impl<'a> Curve<'a> {
             controls.extend_from_slice(&piece(at)[..order.degree()]);
         }
         controls.extend(piece(self.piece_count() - 1).last());
-        Curve { order, controls: controls.into(), knots: self.knots.clone().into_owned().into() }
+        Curve::from_trusted(order, controls, self.knots.to_vec())
     }
 
     /// The same curve with its own storage.
@@ -263,6 +280,7 @@ impl<'a> Curve<'a> {
             order: self.order,
             controls: self.controls.into_owned().into(),
             knots: self.knots.into_owned().into(),
+            carriers: self.carriers.into_owned().into(),
         }
     }
 }

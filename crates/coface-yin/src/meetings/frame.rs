@@ -19,6 +19,8 @@ pub(super) struct Frame {
     pub(super) resolution: f64,
     /// Distances in coordinates of the frame that are well above what rounding does to results.
     pub(super) finest: f64,
+    /// What rounding of points makes in coordinates of the frame, and a little more.
+    pub(super) rounding: f64,
 }
 
 /// What is nearer than this is not told apart: 2^-40 of the largest extent, and at least 2^-48 of the largest coordinate, which is
@@ -60,7 +62,8 @@ impl Frame {
         let farthest = low.iter().chain(&high).fold(0.0, |farthest: f64, x| farthest.max(x.abs()));
         let resolution = resolution([extent; 2], farthest * factor, coarseness);
         let finest = (resolution / 32.0).max(farthest * factor / (1u64 << 46) as f64);
-        Ok(Self { center, factor, resolution, finest })
+        let rounding = farthest * factor * 4.0 * f64::EPSILON;
+        Ok(Self { center, factor, resolution, finest, rounding })
     }
 
     /// A point in this frame.

@@ -15,14 +15,17 @@
 //!   exactly.
 //! * A **meeting** is a common point of two pieces, or of a piece with itself at two parameters. An **overlap** is an arc that two
 //!   pieces have in common. The point that two neighbors share is neither.
-//! * Pieces of several arenas are numbered one after the other.
+//! * Pieces of several arenas are numbered one after the other. Meetings are found between their [`Carriers`], and handed to the
+//!   pieces that are there: so parts of one piece have in common what their ranges have in common.
 //!
 //! # References
 //! T. W. Sederberg and T. Nishita, *Curve intersection using Bezier clipping*, Computer-Aided Design 22 (1990); R. Krawczyk,
 //! *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969).
 
+mod carriers;
 mod common_end;
 mod contacts;
+mod distribution;
 mod frame;
 mod line_contact;
 mod meeting;
@@ -31,6 +34,7 @@ mod part_tree;
 mod parts;
 mod piece_pair;
 mod polynomial;
+mod refinement;
 mod roots;
 mod search;
 mod segments;
@@ -40,6 +44,7 @@ mod sturm;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use carriers::Carriers;
 use frame::Frame;
 pub(crate) use frame::resolution;
 pub(crate) use meeting::{Meeting, Overlap};

@@ -84,7 +84,7 @@ fn certify(pieces: &Pieces<'_>, overlap: &mut Overlap) {
     /// Fractions are looked for so near to what was found.
     const NEAR: f64 = 1e-9;
     let given = overlap.pieces.map(|piece| pieces.given(piece as usize));
-    let cubic = |k: usize| <[[f64; 2]; 4]>::try_from(&given[k][..]).ok();
+    let cubic = |k: usize| <[[f64; 2]; 4]>::try_from(given[k]).ok();
     let (Some(a), Some(b)) = (cubic(0), cubic(1)) else { return };
     let [of_a, of_b] = overlap.ranges;
     let opposite = |s: f64| of_a[0] + (s - of_b[0]) * (of_a[1] - of_a[0]) / (of_b[1] - of_b[0]);

@@ -1,16 +1,15 @@
-//! Pieces of all curves in one frame, cut into monotone parts.
+//! The carriers of all pieces in one frame, cut into monotone parts.
 
+use super::carriers::Carriers;
 use super::{Frame, Polynomial};
 use crate::curve::bernstein;
-use crate::curve::bernstein::Piece;
-use crate::set::CurveArena;
 use coface_algebra::Error;
 use rayon::prelude::*;
 
-/// The pieces of several arenas, numbered one after the other, and their monotone parts.
+/// The carriers of pieces, and their monotone parts where pieces are.
 pub(super) struct Pieces<'a> {
     pub(super) frame: Frame,
-    arenas: Vec<&'a CurveArena>,
+    carriers: &'a Carriers,
     /// The control points of all pieces in the frame, those of a piece together.
     controls: Vec<[f64; 2]>,
     /// The first control point of each piece, and their number.
@@ -18,8 +17,6 @@ pub(super) struct Pieces<'a> {
     /// The ends of each piece in coordinates of the input.
     ends: Vec<[[f64; 2]; 2]>,
     is_straight: Vec<bool>,
-    /// The piece that follows on the same curve.
-    next: Vec<u32>,
     parts: Vec<Part>,
     part_controls: Vec<[f64; 2]>,
 }
@@ -40,65 +37,41 @@ struct Cut {
 }
 
 impl<'a> Pieces<'a> {
-    /// The pieces, to be told apart at so many times the usual resolution.
+    /// The carriers, to be told apart at so many times the usual resolution.
     ///
     /// # Errors
-    /// As [`Frame::of_points`]; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for more than 2^31 control points.
-    pub(super) fn of(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
-        let all = || arenas.iter().flat_map(|arena| arena.iter());
-        let piece_count: usize = arenas.iter().map(|arena| arena.piece_count()).sum();
-        let control_count: usize =
-            arenas.iter().map(|arena| arena.piece_count() * arena.order().value()).sum();
-        if control_count >= 1 << 29 {
+    /// As [`Frame::of_points`]; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for more than 2^29 control points.
+    pub(super) fn of(carriers: &'a Carriers, coarseness: f64) -> Result<Self, Error> {
+        let all = carriers.all_controls();
+        if all.len() >= 1 << 29 {
             return Err(Error::new(coface_algebra::ErrorKind::TooLarge, "more than 2^29 control points")
                 .with_cure("combine the sets in parts"));
         }
-        // Borrowed curves do not outlive the iterator: the box is taken curve by curve.
-        let mut corners: Vec<[f64; 2]> = Vec::with_capacity(2 * arenas.len());
-        for curve in all() {
-            let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-            for point in curve.controls() {
-                for axis in 0..2 {
-                    low[axis] = low[axis].min(point[axis]);
-                    high[axis] = high[axis].max(point[axis]);
-                }
-            }
-            corners.extend([low, high]);
-        }
-        let frame = Frame::of_points(corners.iter(), coarseness)?;
+        let frame = Frame::of_points(all.iter(), coarseness)?;
+        let count = carriers.len();
         let mut found = Self {
             frame,
-            arenas: arenas.to_vec(),
-            controls: Vec::with_capacity(control_count),
-            starts: Vec::with_capacity(piece_count + 1),
-            ends: Vec::with_capacity(piece_count),
-            is_straight: Vec::with_capacity(piece_count),
-            next: Vec::with_capacity(piece_count),
+            carriers,
+            controls: Vec::with_capacity(all.len()),
+            starts: Vec::with_capacity(count + 1),
+            ends: Vec::with_capacity(count),
+            is_straight: Vec::with_capacity(count),
             parts: Vec::new(),
             part_controls: Vec::new(),
         };
         found.starts.push(0);
-        for arena in arenas {
-            for curve in arena.iter() {
-                let first = found.ends.len() as u32;
-                let count = curve.piece_count() as u32;
-                for piece in 0..curve.piece_count() {
-                    let controls = curve.piece(piece);
-                    let ends = [controls[0], controls[controls.len() - 1]];
-                    let is_straight = bernstein::is_straight(controls);
-                    if is_straight {
-                        let own =
-                            bernstein::straight_piece(ends.map(|end| frame.to_local(end)), controls.len());
-                        found.controls.extend_from_slice(&own);
-                    } else {
-                        found.controls.extend(controls.iter().map(|&point| frame.to_local(point)));
-                    }
-                    found.starts.push(found.controls.len() as u32);
-                    found.ends.push(ends);
-                    found.is_straight.push(is_straight);
-                    found.next.push(first + (piece as u32 + 1) % count);
-                }
+        for controls in (0..count as u32).map(|carrier| carriers.controls(carrier)) {
+            let ends = [controls[0], controls[controls.len() - 1]];
+            let is_straight = bernstein::is_straight(controls);
+            if is_straight {
+                let own = bernstein::straight_piece(ends.map(|end| frame.to_local(end)), controls.len());
+                found.controls.extend_from_slice(&own);
+            } else {
+                found.controls.extend(controls.iter().map(|&point| frame.to_local(point)));
             }
+            found.starts.push(found.controls.len() as u32);
+            found.ends.push(ends);
+            found.is_straight.push(is_straight);
         }
         found.cut();
         Ok(found)
@@ -115,11 +88,16 @@ impl<'a> Pieces<'a> {
         let mut part_controls = Vec::with_capacity(cuts.iter().map(|cut| cut.controls.len()).sum());
         for (piece, cut) in cuts.into_iter().enumerate() {
             let step = cut.controls.len() / cut.ranges.len();
-            for (i, &range) in cut.ranges.iter().enumerate() {
-                let first_control = (part_controls.len() + i * step) as u32;
-                parts.push(Part { piece: piece as u32, first_control, range });
+            for (&range, controls) in cut.ranges.iter().zip(cut.controls.chunks_exact(step)) {
+                if self.carriers.is_used(piece as u32, range) {
+                    parts.push(Part {
+                        piece: piece as u32,
+                        first_control: part_controls.len() as u32,
+                        range,
+                    });
+                    part_controls.extend_from_slice(controls);
+                }
             }
-            part_controls.extend(cut.controls);
         }
         (self.parts, self.part_controls) = (parts, part_controls);
     }
@@ -158,16 +136,8 @@ impl<'a> Pieces<'a> {
     }
 
     /// A piece in coordinates of the input, exactly as it was given.
-    pub(super) fn given(&self, piece: usize) -> Piece {
-        let mut at = piece;
-        for arena in &self.arenas {
-            if at < arena.piece_count() {
-                let (curve, own) = arena.curve_of_piece(at);
-                return Piece::new(arena.curve(curve).piece(own));
-            }
-            at -= arena.piece_count();
-        }
-        unreachable!("piece {piece} is in one of the arenas")
+    pub(super) fn given(&self, piece: usize) -> &'a [[f64; 2]] {
+        self.carriers.controls(piece as u32)
     }
 
     /// The ends of a piece in coordinates of the input.
@@ -180,9 +150,9 @@ impl<'a> Pieces<'a> {
         self.is_straight[piece]
     }
 
-    /// The piece that follows on the same curve.
-    pub(super) fn next(&self, piece: usize) -> usize {
-        self.next[piece] as usize
+    /// The ends (0 or 1) at which curves go from one piece to another.
+    pub(super) fn joints(&self, pair: [u32; 2]) -> impl Iterator<Item = [usize; 2]> + 'a {
+        self.carriers.joints(pair)
     }
 
     /// The monotone parts of all pieces, in order.

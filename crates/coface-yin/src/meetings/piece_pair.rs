@@ -98,19 +98,19 @@ impl<'a> PairSolver<'a> {
     /// them in common alone.
     fn is_monotone_through(&self, [i, j]: [usize; 2]) -> bool {
         let [a, b] = [i, j].map(|part| self.pieces.parts()[part]);
-        let follows = |first: &super::parts::Part, second: &super::parts::Part| {
-            if first.piece == second.piece {
-                first.range[1] == second.range[0]
-            } else {
-                self.pieces.next(first.piece as usize) == second.piece as usize
-                    && first.range[1] == 1.0
-                    && second.range[0] == 0.0
-            }
+        // Whether the second is run through backward by who goes on from the first.
+        let is_turned = if a.piece == b.piece {
+            (a.range[1] == b.range[0] || b.range[1] == a.range[0]).then_some(false)
+        } else {
+            let mut joints = self.pieces.joints([a.piece, b.piece]);
+            let joint = joints.find(|ends| (0..2).all(|k| [a, b][k].range[ends[k]] == ends[k] as f64));
+            joint.map(|[end, other]| end == other)
         };
-        if !follows(&a, &b) && !follows(&b, &a) {
-            return false;
+        let Some(is_turned) = is_turned else { return false };
+        let [c, mut d] = [i, j].map(|part| self.pieces.part_polynomial(part).chord());
+        if is_turned {
+            d = d.map(|x| -x);
         }
-        let [c, d] = [i, j].map(|part| self.pieces.part_polynomial(part).chord());
         // Far above what rounding can do to a coordinate that hardly changes.
         let least = 16.0 * self.pieces.frame.resolution;
         (0..2).any(|k| c[k] * d[k] > 0.0 && c[k].abs() > least && d[k].abs() > least)
@@ -138,7 +138,7 @@ impl<'a> PairSolver<'a> {
             ranges: parts.map(|part| self.pieces.parts()[part].range),
         });
         let [p, q] = parts.map(|part| self.pieces.parts()[part].piece as usize);
-        let is_neighbor = p == q || self.pieces.next(p) == q || self.pieces.next(q) == p;
+        let is_neighbor = p == q || self.pieces.joints([p, q].map(|piece| piece as u32)).next().is_some();
         let mut count = 0;
         while let Some(Cell { pieces: [a, b], ranges }) = self.stack.pop() {
             count += 1;
@@ -308,7 +308,7 @@ impl<'a> PairSolver<'a> {
     /// The one meeting of a cluster of two cubic pieces in an end of both, where it is proven that there is no other.
     fn common_end(&self, pair: [u32; 2], group: &Cluster) -> Option<Meeting> {
         let [a, b] = [0, 1].map(|k| {
-            let mut controls = <[[f64; 2]; 4]>::try_from(&self.pieces.given(pair[k] as usize)[..]).ok()?;
+            let mut controls = <[[f64; 2]; 4]>::try_from(self.pieces.given(pair[k] as usize)).ok()?;
             let [low, high] = group.ranges[k];
             let end = match (low <= 0.0, high >= 1.0) {
                 (true, false) => 0.0,
@@ -337,7 +337,7 @@ impl<'a> PairSolver<'a> {
         if p == q {
             return false;
         }
-        let cubic = |piece: usize| <[[f64; 2]; 4]>::try_from(&self.pieces.given(piece)[..]).ok();
+        let cubic = |piece: usize| <[[f64; 2]; 4]>::try_from(self.pieces.given(piece)).ok();
         let (Some(a), Some(b)) = (cubic(p), cubic(q)) else { return false };
         let reversed = |mut controls: [[f64; 2]; 4]| {
             controls.reverse();
@@ -346,8 +346,14 @@ impl<'a> PairSolver<'a> {
         // From the common end on, more than rounding can take away.
         let [low, high] = ranges[0];
         let wide = |low: f64, high: f64| [low - f64::EPSILON, high + f64::EPSILON];
-        (self.pieces.next(p) == q && has_no_point_between(&reversed(a), &b, wide(1.0 - high, 1.0 - low)))
-            || (self.pieces.next(q) == p && has_no_point_between(&a, &reversed(b), wide(low, high)))
+        self.pieces.joints(pair).any(|[end, other]| {
+            let b = if other == 1 { reversed(b) } else { b };
+            if end == 1 {
+                has_no_point_between(&reversed(a), &b, wide(1.0 - high, 1.0 - low))
+            } else {
+                has_no_point_between(&a, &b, wide(low, high))
+            }
+        })
     }
 
     /// The one meeting of a cluster of two cubic pieces at parameters that are simple fractions, where it is proven that there is no
@@ -362,7 +368,7 @@ impl<'a> PairSolver<'a> {
         };
         let found = [fraction(0)?, fraction(1)?];
         let given = pair.map(|piece| self.pieces.given(piece as usize));
-        let cubic = |k: usize| <[[f64; 2]; 4]>::try_from(&given[k][..]).ok();
+        let cubic = |k: usize| <[[f64; 2]; 4]>::try_from(given[k]).ok();
         let values = found.map(Fraction::value);
         let reach = group.ranges[0].map(|t| (t - values[0]).abs());
         // More than rounding can take away.
@@ -394,7 +400,7 @@ impl<'a> PairSolver<'a> {
         let range = group.ranges[curved].map(|t| t.clamp(0.0, 1.0));
         let given = self.pieces.given(pair[curved] as usize);
         let least = frame.world_length(frame.finest);
-        let points = match line_contact(&given, ends[straight], range, at[curved], least) {
+        let points = match line_contact(given, ends[straight], range, at[curved], least) {
             LineContact::Nothing => return Some(Vec::new()),
             LineContact::Points(points) => points,
             LineContact::Unclear => return None,
@@ -455,8 +461,10 @@ impl<'a> PairSolver<'a> {
     fn is_shared(&self, pair: [u32; 2], ranges: [[f64; 2]; 2]) -> bool {
         let [p, q] = pair.map(|piece| piece as usize);
         let [a, b] = [self.pieces.polynomial(p), self.pieces.polynomial(q)];
-        let reaches_first = |piece: &Polynomial, range: [f64; 2]| self.is_short(piece, 0.0, range[0]);
-        let reaches_last = |piece: &Polynomial, range: [f64; 2]| self.is_short(piece, range[1], 1.0);
+        let reaches = |piece: &Polynomial, range: [f64; 2], end: usize| match end {
+            0 => self.is_short(piece, 0.0, range[0]),
+            _ => self.is_short(piece, range[1], 1.0),
+        };
         if p == q && ranges[0][0] <= ranges[1][1] && ranges[1][0] <= ranges[0][1] {
             return true;
         }
@@ -466,8 +474,9 @@ impl<'a> PairSolver<'a> {
         {
             return true;
         }
-        (self.pieces.next(p) == q && reaches_last(&a, ranges[0]) && reaches_first(&b, ranges[1]))
-            || (self.pieces.next(q) == p && reaches_last(&b, ranges[1]) && reaches_first(&a, ranges[0]))
+        self.pieces
+            .joints(pair)
+            .any(|[end, other]| reaches(&a, ranges[0], end) && reaches(&b, ranges[1], other))
     }
 
     /// Moves a crossing to an end of a piece that is within the resolution. It stays certified when the ends of both pieces are there

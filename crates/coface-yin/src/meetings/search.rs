@@ -1,11 +1,12 @@
 //! The meetings of all pieces.
 
+use super::carriers::Carriers;
 use super::meeting::Found;
 use super::part_tree::PartTree;
 use super::piece_pair::PairSolver;
 use super::polynomial::is_apart;
+use super::refinement::refine;
 use super::{Meeting, Overlap, Pieces};
-use crate::set::CurveArena;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
 use rayon::prelude::*;
@@ -22,7 +23,9 @@ pub(crate) struct Meetings {
 }
 
 impl Meetings {
-    /// The meetings of arenas at so many times the usual resolution.
+    /// The meetings of pieces at so many times the usual resolution, with local parameters on their carriers.
+    ///
+    /// Each pair of carriers is met once, and its pieces have what is within their spans.
     ///
     /// # Errors
     /// As [`Pieces::of`].
@@ -31,10 +34,15 @@ impl Meetings {
     /// $O(n \log n + k)$ for n pieces of which k pairs of monotone parts have boxes that meet; constant work for each pair that
     /// crosses, and $O(1)$ cells for each halving down to the resolution where pieces touch. In parallel; the result does not depend
     /// on the number of threads.
-    pub(crate) fn of(arenas: &[&CurveArena], coarseness: f64) -> Result<Self, Error> {
-        Ok(Self::of_pieces(&Pieces::of(arenas, coarseness)?))
+    pub(crate) fn of(carriers: &Carriers, coarseness: f64) -> Result<Self, Error> {
+        let pieces = Pieces::of(carriers, coarseness)?;
+        let mut found = Self::of_pieces(&pieces);
+        let resolution = pieces.frame.world_length(pieces.frame.resolution);
+        found.points.retain_mut(|meeting| refine(carriers, meeting, resolution));
+        Ok(found.distributed(carriers, resolution))
     }
 
+    /// The meetings of carriers.
     pub(super) fn of_pieces(pieces: &Pieces<'_>) -> Self {
         let tree = PartTree::new(pieces);
         let parts = pieces.parts();

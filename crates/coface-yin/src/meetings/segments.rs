@@ -1,6 +1,7 @@
 //! Where two segments meet, exactly.
 
 use super::meeting::Found;
+use super::polynomial::{cross, dot, minus};
 use super::{Meeting, Overlap, Pieces};
 use coface_geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 
@@ -8,6 +9,10 @@ use coface_geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 pub(super) fn meet_segments(pieces: &Pieces<'_>, pair: [u32; 2], found: &mut Found) {
     let [p, q] = pair.map(|piece| piece as usize);
     let lines = [pieces.ends(p), pieces.ends(q)];
+    if let Some(overlap) = parts_of_one_line(pieces, pair) {
+        found.overlaps.push(overlap);
+        return;
+    }
     let [[a, b], [c, d]] = lines;
     let of_q = [orientation(a, b, c), orientation(a, b, d)];
     if of_q[0] == of_q[1] && of_q[0].is_ne() {
@@ -50,8 +55,7 @@ pub(super) fn meet_segments(pieces: &Pieces<'_>, pair: [u32; 2], found: &mut Fou
     match common[..] {
         [] => {}
         [(at, point)] => {
-            let is_shared =
-                (pieces.next(p) == q && at == [1.0, 0.0]) || (pieces.next(q) == p && at == [0.0, 1.0]);
+            let is_shared = pieces.joints(pair).any(|ends| ends.map(|end| end as f64) == at);
             if !is_shared {
                 let parameters = [0, 1].map(|k| match at[k] {
                     end if end == 0.0 || end == 1.0 => [end; 2],
@@ -67,6 +71,46 @@ pub(super) fn meet_segments(pieces: &Pieces<'_>, pair: [u32; 2], found: &mut Fou
             found.overlaps.push(Overlap { pieces: pair, ranges, is_certified: true });
         }
     }
+}
+
+/// What two segments have in common that are parts of one line but for rounding, if that is more than what rounding makes.
+///
+/// Such are parts of a side in files that do not say of what they are parts: their ends were moved to the nearest floating-point numbers.
+/// Segments with an angle between them that ends so little apart can tell are not exact; neither can what they bound be.
+fn parts_of_one_line(pieces: &Pieces<'_>, pair: [u32; 2]) -> Option<Overlap> {
+    let [p, q] = pair.map(|piece| piece as usize);
+    let given = [pieces.ends(p), pieces.ends(q)];
+    if (0..2).all(|k| {
+        let other = given[1 - k];
+        given[k].iter().all(|&end| orientation(other[0], other[1], end).is_eq())
+    }) {
+        return None;
+    }
+    let local = [p, q].map(|piece| pieces.polynomial(piece));
+    let rounding = pieces.frame.rounding;
+    // Coordinates along the first segment, and across it.
+    let origin = local[0].first();
+    let chord = local[0].chord();
+    let length = chord[0].hypot(chord[1]);
+    let place = |point: [f64; 2]| {
+        let way = minus(point, origin);
+        [dot(chord, way) / length, cross(chord, way) / length]
+    };
+    let [from, to] = [local[1].first(), local[1].last()].map(place);
+    let [low, high] = [from[0].min(to[0]).max(0.0), from[0].max(to[0]).min(length)];
+    if high - low <= 4096.0 * rounding {
+        return None;
+    }
+    let height = |x: f64| from[1] + (x - from[0]) * ((to[1] - from[1]) / (to[0] - from[0]));
+    if [low, high].iter().any(|&x| height(x).abs() > rounding) {
+        return None;
+    }
+    let parameters = |x: f64| {
+        let on_q = ((x - from[0]) / (to[0] - from[0])).clamp(0.0, 1.0);
+        [if x == length { 1.0 } else { x / length }, if x == to[0] { 1.0 } else { on_q }]
+    };
+    let [start, end] = [low, high].map(parameters);
+    Some(Overlap { pieces: pair, ranges: [0, 1].map(|k| [start[k], end[k]]), is_certified: false })
 }
 
 fn is_in_box(line: PlanarLine, point: [f64; 2]) -> bool {

@@ -1,7 +1,7 @@
 //! Meetings against closed forms, against a dense polyline, and against themselves after changes that change nothing.
 
 use super::polynomial::{cross, minus};
-use super::{Meetings, Pieces};
+use super::{Carriers, Meetings, Pieces};
 use crate::curve::bernstein;
 use crate::set::CurveArena;
 use crate::{Curve, Order};
@@ -46,14 +46,19 @@ fn circle(center: [f64; 2], radius: f64, n: usize, turn: f64) -> Vec<[f64; 2]> {
 }
 
 fn of(arenas: &[&CurveArena]) -> Meetings {
-    Meetings::of(arenas, 1.0).expect("control points of tests are finite")
+    Meetings::of(&carriers(arenas), 1.0).expect("control points of tests are finite")
+}
+
+fn carriers(arenas: &[&CurveArena]) -> Carriers {
+    Carriers::of(arenas, arenas[0].order().value())
 }
 
 #[test]
 fn two_circles_cross_twice() {
     let a = arena(4, &[circle([0.0, 0.0], 1.0, 2, 0.0)]);
     let b = arena(4, &[circle([1.0, 0.0], 1.0, 2, 0.1)]);
-    let pieces = Pieces::of(&[&a, &b], 1.0).expect("they are finite");
+    let carriers = carriers(&[&a, &b]);
+    let pieces = Pieces::of(&carriers, 1.0).expect("they are finite");
     let found = Meetings::of_pieces(&pieces);
     assert_eq!((found.points.len(), found.overlaps.len()), (2, 0), "{:?}", found.points);
     for meeting in &found.points {

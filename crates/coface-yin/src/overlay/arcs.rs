@@ -1,7 +1,6 @@
 //! Edges of an overlay one by one, for those who follow them.
 
 use super::CurvedOverlay;
-use crate::curve::bernstein;
 use crate::{Curve, YinSet};
 use coface_arrange::planar::RingCells;
 
@@ -17,24 +16,28 @@ impl CurvedOverlay<'_> {
         let parts: Vec<(u32, [f64; 2])> = self.chains().parts(self.cells.edges().first_chain(edge)).collect();
         let [from, to] = self.cells.edges().ends()[edge as usize].map(|node| self.node_point(node));
         let (mut controls, mut knots) = (Vec::with_capacity(parts.len() * order.degree() + 1), vec![0.0]);
-        let mut knot = 0.0f64;
+        let (mut knot, mut carriers) = (0.0f64, Vec::new());
         for (at, &(piece, range)) in parts.iter().enumerate() {
             let own = self.boundaries.controls(piece);
             let start = if at == 0 { from } else { own[0] };
             let end = if at + 1 == parts.len() { to } else { own[own.len() - 1] };
-            let part = bernstein::sub_range_between(own, range, [start, end]);
+            let carrier = self.boundaries.carriers.of_piece(piece);
+            let carried = range.map(|way| self.boundaries.carriers.on_carrier(piece, way));
+            let (part, source) = self.boundaries.cut_out(carrier, carried, [start, end]);
+            carriers.extend(source.map(|source| source.of_piece(at as u32)));
             controls.extend_from_slice(&part[..part.len() - 1]);
-            knot =
-                (knot + self.boundaries.knot_difference(piece) * (range[1] - range[0])).max(knot.next_up());
+            let growth = self.boundaries.carriers.growth(carrier) * (range[1] - range[0]);
+            knot = (knot + growth).max(knot.next_up());
             knots.push(knot);
         }
         controls.push(to);
-        Curve::from_trusted(order, controls, knots)
+        Curve::from_trusted(order, controls, knots).carried_by(carriers)
     }
 
     /// Of the knots within an edge those that are kinks of their set: their numbers on its curve.
     pub(crate) fn arc_kinks(&self, edge: u32, sets: &[&YinSet]) -> Vec<usize> {
-        let parts = self.chains().parts(self.cells.edges().first_chain(edge));
+        let chains = self.chains();
+        let parts = chains.parts(self.cells.edges().first_chain(edge));
         let inner = parts.enumerate().skip(1);
         inner.filter(|&(_, (piece, _))| self.is_source_kink(piece, sets)).map(|(at, _)| at).collect()
     }

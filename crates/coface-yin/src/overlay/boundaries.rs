@@ -2,9 +2,9 @@
 
 use crate::curve::bernstein;
 use crate::curve::bernstein::Piece;
-use crate::meetings::resolution;
+use crate::meetings::{Carriers, resolution};
 use crate::set::CurveArena;
-use crate::{Curve, Order, PieceSource};
+use crate::{Carrier, Order, PieceSource};
 use coface_algebra::{Error, ErrorKind};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -21,7 +21,8 @@ pub(super) struct PieceIndex {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Position {
     pub(super) piece: u32,
-    /// From 0 inclusive to 1 exclusive: the end of a piece is the beginning of the next.
+    /// The way from the beginning of the piece along its carrier: from 0 inclusive to the length of the piece exclusive, which is 1 for
+    /// whole pieces. The end of a piece is the beginning of the next.
     pub(super) parameter: f64,
 }
 
@@ -29,6 +30,8 @@ pub(super) struct Position {
 pub(super) struct Boundaries<'a> {
     order: Order,
     arenas: Vec<Cow<'a, CurveArena>>,
+    /// What the pieces are parts of.
+    pub(super) carriers: Carriers,
     /// The control points of all pieces, those of a piece together.
     controls: Vec<[f64; 2]>,
     curve_of_piece: Vec<u32>,
@@ -55,8 +58,10 @@ impl<'a> Boundaries<'a> {
                 .with_cure("combine the sets in parts"));
         }
         let arenas = arenas.iter().map(|&arena| raised(arena, order)).collect::<Result<Vec<_>, Error>>()?;
+        let borrowed: Vec<&CurveArena> = arenas.iter().map(|arena| &**arena).collect();
         let mut found = Self {
             order,
+            carriers: Carriers::of(&borrowed, order.value()),
             arenas: Vec::new(),
             controls: Vec::with_capacity(piece_count * order.value()),
             curve_of_piece: Vec::with_capacity(piece_count),
@@ -77,7 +82,7 @@ impl<'a> Boundaries<'a> {
             found.arena_starts.push(found.curve_starts.len() as u32 - 1);
         }
         found.arenas = arenas;
-        let [low, high] = bernstein::control_box(&found.controls);
+        let [low, high] = bernstein::control_box(found.carriers.all_controls());
         if !found.controls.is_empty() {
             let extent = [0, 1].map(|axis| high[axis] - low[axis]);
             let largest = [low, high].as_flattened().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
@@ -89,10 +94,6 @@ impl<'a> Boundaries<'a> {
 
     pub(super) fn order(&self) -> Order {
         self.order
-    }
-
-    pub(super) fn arenas(&self) -> Vec<&CurveArena> {
-        self.arenas.iter().map(|arena| &**arena).collect()
     }
 
     pub(super) fn piece_count(&self) -> usize {
@@ -134,17 +135,17 @@ impl<'a> Boundaries<'a> {
         PieceIndex { operand, curve: curve - self.arena_starts[operand as usize], piece: piece - first }
     }
 
-    /// A part of a piece as a source of what is made of it.
+    /// A part of a piece, by the way along it, as a source of what is made of it.
     pub(super) fn source(&self, piece: u32, range: [f64; 2]) -> PieceSource {
+        let length = self.length(piece);
+        let range = range.map(|way| (way / length).clamp(0.0, 1.0));
         let PieceIndex { operand, curve, piece } = self.index(piece);
         PieceSource { operand, curve, piece, range }
     }
 
-    /// How much the parameter of its curve grows along a piece.
-    pub(super) fn knot_difference(&self, piece: u32) -> f64 {
-        let PieceIndex { operand, curve, piece } = self.index(piece);
-        let curve: Curve<'_> = self.arenas[operand as usize].curve(curve as usize);
-        curve.knots()[piece as usize + 1] - curve.knots()[piece as usize]
+    /// The way along a whole piece.
+    pub(super) fn length(&self, piece: u32) -> f64 {
+        self.carriers.length(piece)
     }
 
     /// The knots of the curve that a piece is on.
@@ -153,9 +154,9 @@ impl<'a> Boundaries<'a> {
         self.arenas[operand as usize].curve(curve as usize).knots().to_vec()
     }
 
-    /// The position of a parameter in [0, 1].
+    /// The position so far along a piece.
     pub(super) fn position(&self, piece: u32, parameter: f64) -> Position {
-        if parameter < 1.0 {
+        if parameter < self.length(piece) {
             Position { piece, parameter: parameter.max(0.0) }
         } else {
             Position { piece: self.next(piece), parameter: 0.0 }
@@ -163,12 +164,36 @@ impl<'a> Boundaries<'a> {
     }
 
     pub(super) fn point(&self, position: Position) -> [f64; 2] {
-        bernstein::value(self.controls(position.piece), position.parameter)
+        let Position { piece, parameter } = position;
+        if parameter == 0.0 {
+            return self.controls(piece)[0];
+        }
+        let carrier = self.carriers.controls(self.carriers.of_piece(piece));
+        bernstein::value(carrier, self.carriers.on_carrier(piece, parameter))
     }
 
-    /// The part of a piece from one parameter to another, which may be the smaller one.
+    /// The part of a piece from so far along it to so far, which may be less: as its carrier has it.
     pub(super) fn part(&self, piece: u32, range: [f64; 2]) -> Piece {
-        bernstein::sub_range(self.controls(piece), range)
+        self.carriers.part(piece, range)
+    }
+
+    /// A part of a carrier between these ends, which are on it up to the resolution, as a piece of a curve; and its carrier, if it is not
+    /// the whole one.
+    pub(super) fn cut_out(
+        &self,
+        carrier: u32,
+        range: [f64; 2],
+        ends: [[f64; 2]; 2],
+    ) -> (Piece, Option<Carrier>) {
+        let whole = self.carriers.controls(carrier);
+        let piece = bernstein::sub_range_between(whole, range, ends);
+        let is_whole = match range {
+            [0.0, 1.0] => piece[..] == *whole,
+            [1.0, 0.0] => piece.iter().rev().eq(whole),
+            _ => false,
+        };
+        let growth = self.carriers.growth(carrier);
+        (piece, (!is_whole).then(|| Carrier::from_trusted(0, Piece::new(whole), range, growth)))
     }
 
     /// The parts of pieces on the way along a curve from one position to another; all of it where they are the same.
@@ -176,7 +201,7 @@ impl<'a> Boundaries<'a> {
         &self,
         from: Position,
         to: Position,
-    ) -> impl DoubleEndedIterator<Item = (u32, [f64; 2])> + use<> {
+    ) -> impl DoubleEndedIterator<Item = (u32, [f64; 2])> + '_ {
         let pieces = self.pieces(self.curve_of(from.piece));
         let (start, count) = (pieces.start, pieces.end - pieces.start);
         let steps = if from.piece == to.piece && from.parameter < to.parameter {
@@ -189,9 +214,16 @@ impl<'a> Boundaries<'a> {
         let part = move |step: u32| {
             let piece = start + (from.piece - start + step) % count;
             let begin = if step == 0 { from.parameter } else { 0.0 };
-            (piece, [begin, if step == steps { to.parameter } else { 1.0 }])
+            (piece, [begin, if step == steps { to.parameter } else { self.length(piece) }])
         };
         (0..=steps).map(part).filter(|(_, range)| range[0] < range[1])
+    }
+
+    /// Whether the way between two parameters of a carrier is so short that they are taken for one point.
+    pub(super) fn is_one_point(&self, carrier: u32, range: [f64; 2]) -> bool {
+        let way = bernstein::sub_range(self.carriers.controls(carrier), range);
+        let [low, high] = bernstein::control_box(&way);
+        range[0] == range[1] || (0..2).all(|axis| high[axis] - low[axis] <= 16.0 * self.resolution)
     }
 
     /// Whether the way from one position to another, which is not the same, stays within the resolution.

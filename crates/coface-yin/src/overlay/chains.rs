@@ -39,7 +39,7 @@ impl Chains<'_> {
     }
 
     /// The parts of pieces along a chain.
-    pub(super) fn parts(&self, chain: u32) -> impl DoubleEndedIterator<Item = (u32, [f64; 2])> + use<> {
+    pub(super) fn parts(&self, chain: u32) -> impl DoubleEndedIterator<Item = (u32, [f64; 2])> + '_ {
         let [from, to] = self.breaks(chain);
         self.boundaries.parts(from.leave, to.arrive)
     }

@@ -14,7 +14,7 @@ const HALVINGS: u32 = 44;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ColumnCrossing {
     pub(super) piece: u32,
-    /// The parameters that the crossing is between.
+    /// The parameters that the crossing is between, from 0 to 1 along the piece.
     pub(super) range: [f64; 2],
     /// The heights that it is between.
     pub(super) heights: [f64; 2],

@@ -40,7 +40,7 @@ impl<'a> CurvedOverlay<'a> {
     pub(crate) fn at_coarseness(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
         let boundaries = Boundaries::new(arenas, coarseness)?;
         let mut report = Vec::new();
-        let Meetings { points, overlaps, exhausted } = Meetings::of(&boundaries.arenas(), coarseness)?;
+        let Meetings { points, overlaps, exhausted } = Meetings::of(&boundaries.carriers, coarseness)?;
         if let Some(&pieces) = exhausted.first() {
             let place = boundaries.controls(pieces[0])[0];
             return Err(undecided(

@@ -3,6 +3,9 @@
 //! # Words and conventions
 //! * A **position** is a piece and a parameter on it; pieces of all sets are numbered one after the other. An **event** is a position
 //!   at which a curve comes to a node. A **break** is all events of a curve at one node that follow each other within the resolution.
+//! * Pieces are parts of **carriers**, whole polynomials. A position is the way along the span of its piece on the carrier, exactly, so
+//!   that what runs along the same part of the same carrier is one edge without comparing points. Results keep the carriers of their
+//!   pieces, and two of them that go on along one carrier are joined again: what was cut is whole again, bit for bit.
 //! * A **node** is a point where curves meet. What lies between breaks of a curve is a **chain**; chains along a common arc are one
 //!   **edge**. Around nodes, orbits, faces and winding numbers there is no difference to polygons, and the code is the same.
 //! * Nodes are brought together along curves only: where the arc between two of them is shorter than the resolution, it is

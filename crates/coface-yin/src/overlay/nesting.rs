@@ -165,7 +165,7 @@ impl<'a> Nester<'a> {
             // Multiples of the golden section are spread evenly.
             let part = (0.381_966_011_250_105 + attempt as f64 * 0.618_033_988_749_895).fract();
             let at = range[0] + part * (range[1] - range[0]);
-            let x = bernstein::value(self.boundaries().controls(piece), at)[0];
+            let x = self.boundaries().point(Position { piece, parameter: at })[0];
             // At first heights have to be farther apart than the resolution.
             let apart = if attempt < MOST_LINES / 2 { 4.0 * self.boundaries().resolution } else { 0.0 };
             crossings.clear();
@@ -317,7 +317,7 @@ impl<'a> Nester<'a> {
 
     /// The chain that a place of a piece is on; none where it is at a node.
     fn chain_at(&self, piece: u32, parameter: f64) -> Option<u32> {
-        let position = self.boundaries().position(piece, parameter);
+        let position = self.boundaries().position(piece, parameter * self.boundaries().length(piece));
         let own = self.chains.nodes.breaks_of(self.boundaries().curve_of(piece));
         let breaks = &self.chains.nodes.breaks[own.start as usize..own.end as usize];
         let passed = breaks.partition_point(|own| compare(&own.leave, &position).is_le()) as u32;

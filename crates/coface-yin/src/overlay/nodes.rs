@@ -1,7 +1,7 @@
 //! Where curves meet: events along curves, brought together to nodes.
 
 use super::boundaries::{Boundaries, Position};
-use crate::curve::bernstein;
+use crate::curve::on_grid;
 use crate::meetings::{Meeting, Overlap};
 use crate::{Assumption, UncertifiedDecision};
 use coface_algebra::UnionFind;
@@ -11,18 +11,9 @@ use std::cmp::Ordering;
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
 
-/// Parameters of meetings that are known no better than this are found anew.
-const WIDE: f64 = 1e-10;
-
 /// Two arcs between the same nodes that are shorter than this many times the resolution are contracted: they are within the
 /// resolution of each other.
 const SHORT: f64 = 4096.0;
-
-/// How often two pieces are brought nearer to each other.
-const MOST_STEPS: usize = 40;
-
-/// How much steps are held back, one after the other until one leads nearer.
-const HELD_BACK: [f64; 6] = [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3];
 
 /// A place where a curve comes to a node.
 #[derive(Clone, Copy, Debug)]
@@ -97,13 +88,6 @@ impl Nodes {
             classes: UnionFind::new(meetings.len() + 2 * overlaps.len()),
         };
         for meeting in meetings {
-            let mut meeting = *meeting;
-            let is_wide = meeting.parameters.iter().any(|[low, high]| high - low > WIDE);
-            let is_near =
-                if is_wide || !meeting.is_certified { refine(boundaries, &mut meeting) } else { true };
-            if !is_near && !meeting.is_certified {
-                continue;
-            }
             if !meeting.is_certified {
                 let parts = [0, 1].map(|side| (meeting.pieces[side], meeting.parameters[side]));
                 report.push(tell(boundaries, Assumption::SamePoint, meeting.point, parts));
@@ -145,54 +129,6 @@ impl Nodes {
 
 pub(super) fn compare(a: &Position, b: &Position) -> Ordering {
     a.piece.cmp(&b.piece).then(a.parameter.total_cmp(&b.parameter))
-}
-
-/// Puts an uncertified meeting where its pieces come nearest to each other: whether that is within the resolution.
-///
-/// Meetings that are not certified are where hulls of short arcs are within the resolution of each other; the arcs themselves may be
-/// a little farther apart, and then they have no node.
-fn refine(boundaries: &Boundaries<'_>, meeting: &mut Meeting) -> bool {
-    let offset = |at: [f64; 2]| {
-        let [p, q] = [0, 1].map(|side| bernstein::value(boundaries.controls(meeting.pieces[side]), at[side]));
-        ([p[0] - q[0], p[1] - q[1]], p)
-    };
-    let length = |[x, y]: [f64; 2]| x.hypot(y);
-    let derivatives = meeting.pieces.map(|piece| bernstein::derivative(boundaries.controls(piece)));
-    let mut at = meeting.at;
-    let mut distance = length(offset(at).0);
-    for _ in 0..MOST_STEPS {
-        if distance <= boundaries.rounding {
-            break;
-        }
-        let [x, y] = offset(at).0;
-        let [u, v] = [0, 1].map(|side| bernstein::value(&derivatives[side], at[side]));
-        let cross = |[a, b]: [f64; 2], [c, d]: [f64; 2]| a * d - b * c;
-        let squares = u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1];
-        let turn = cross(u, v);
-        // Least squares of offset + s u - t v, held back no more than needed: where the two are nearly parallel steps would be too long.
-        let trial = |part: f64| {
-            let held = part * squares;
-            let determinant = turn * turn + held * (squares + held);
-            let step = [
-                -(turn * cross([x, y], v) + held * (u[0] * x + u[1] * y)) / determinant,
-                (turn * cross(u, [x, y]) + held * (v[0] * x + v[1] * y)) / determinant,
-            ];
-            let next = [0, 1].map(|side| (at[side] + step[side]).clamp(0.0, 1.0));
-            (next, length(offset(next).0))
-        };
-        let Some((next, found)) =
-            HELD_BACK.iter().map(|&part| trial(part)).find(|&(_, found)| found < distance)
-        else {
-            break;
-        };
-        (at, distance) = (next, found);
-    }
-    if length(offset(meeting.at).0) > boundaries.resolution {
-        meeting.at = at;
-        meeting.parameters = at.map(|own| [own; 2]);
-        meeting.point = offset(at).1;
-    }
-    distance <= boundaries.resolution
 }
 
 impl Gathering<'_> {
@@ -308,8 +244,15 @@ impl Gathering<'_> {
                         || within[1 - side].iter().any(|other| self.classes.find(other.site) == class);
                     if !is_there {
                         let [from, to] = [overlap.ranges[side], overlap.ranges[1 - side]];
-                        let part = (event.position.parameter - from[0]) / (from[1] - from[0]);
-                        let parameter = to[0] + part * (to[1] - to[0]);
+                        let way = event.position.parameter - from[0];
+                        let [own, other] = [from[1] - from[0], to[1] - to[0]];
+                        // On one carrier parameters go along together, exactly.
+                        let way = match own.abs() == other.abs() {
+                            true if own == other => way,
+                            true => -way,
+                            false => way * (other / own),
+                        };
+                        let parameter = on_grid((to[0] + way).clamp(0.0, 1.0));
                         let position = self.boundaries.position(overlap.pieces[1 - side], parameter);
                         added.push(Event { position, site: event.site, at: NONE });
                     }

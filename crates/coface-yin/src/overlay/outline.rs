@@ -2,9 +2,8 @@
 
 use super::CurvedOverlay;
 use crate::boolean::{Combination, PieceSource};
-use crate::curve::bernstein;
 use crate::set::{CanonicalOrder, CurveArena};
-use crate::{Curve, KnotIndex, YinSet};
+use crate::{Carrier, Curve, KnotIndex, YinSet};
 use coface_algebra::Error;
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -13,8 +12,10 @@ use std::cmp::Ordering;
 #[derive(Clone, Copy)]
 struct Part {
     piece: u32,
-    /// Falling where the result runs against the piece.
+    /// The way along the piece; falling where the result runs against it.
     range: [f64; 2],
+    /// The parameters on the carrier of the piece. They go on beyond the piece where others on the same carrier were joined to it.
+    carried: [f64; 2],
     /// The halfedge of the ring that it belongs to first, by its place.
     at: u32,
     /// How many halfedges it runs along.
@@ -23,10 +24,22 @@ struct Part {
     is_at_node: bool,
 }
 
+impl Part {
+    /// Goes on along another part.
+    fn take(&mut self, next: &Self) {
+        if self.piece == next.piece {
+            self.range[1] = next.range[1];
+        }
+        self.carried[1] = next.carried[1];
+        self.span += next.span;
+    }
+}
+
 /// A curve of the result.
 struct Outline {
     controls: Vec<[f64; 2]>,
     knots: Vec<f64>,
+    carriers: Vec<Carrier>,
     kinks: Vec<u32>,
     sources: Vec<PieceSource>,
     /// Further sources, each with its piece.
@@ -94,7 +107,8 @@ impl CurvedOverlay<'_> {
         for (number, &curve) in (0..).zip(order.items()) {
             let outline = &outlines[curve as usize];
             let first = sources.len() as u32;
-            arena.push(&Curve::borrowed(self.boundaries.order(), &outline.controls, &outline.knots));
+            let curve = Curve::borrowed(self.boundaries.order(), &outline.controls, &outline.knots);
+            arena.push(&curve.carried_by(&outline.carriers[..]));
             kinks.extend(outline.kinks.iter().map(|&knot| KnotIndex { curve: number, knot }));
             sources.extend_from_slice(&outline.sources);
             other_sources
@@ -118,16 +132,14 @@ impl CurvedOverlay<'_> {
         for (at, &halfedge) in (0..).zip(halfedges) {
             let own = chains.parts(self.cells.edges().first_chain(halfedge / 2));
             let first = parts.len();
+            let part = |piece: u32, range: [f64; 2]| {
+                let carried = range.map(|way| self.boundaries.carriers.on_carrier(piece, way));
+                Part { piece, range, carried, at, span: 1, is_at_node: false }
+            };
             if halfedge.is_multiple_of(2) {
-                parts.extend(own.map(|(piece, range)| Part { piece, range, at, span: 1, is_at_node: false }));
+                parts.extend(own.map(|(piece, range)| part(piece, range)));
             } else {
-                parts.extend(own.rev().map(|(piece, [a, b])| Part {
-                    piece,
-                    range: [b, a],
-                    at,
-                    span: 1,
-                    is_at_node: false,
-                }));
+                parts.extend(own.rev().map(|(piece, [a, b])| part(piece, [b, a])));
             }
             if let Some(part) = parts.get_mut(first) {
                 part.is_at_node = true;
@@ -152,6 +164,7 @@ impl CurvedOverlay<'_> {
         let mut found = Outline {
             controls: Vec::with_capacity(count * self.boundaries.order().degree() + 1),
             knots: Vec::with_capacity(count + 1),
+            carriers: Vec::new(),
             kinks: Vec::new(),
             sources: Vec::with_capacity(count),
             other_sources: Vec::new(),
@@ -159,18 +172,24 @@ impl CurvedOverlay<'_> {
         let mut knot = 0.0f64;
         for (number, part) in parts.iter().enumerate() {
             let ends = [point(part), point(&parts[(number + 1) % count])];
-            let controls =
-                bernstein::sub_range_between(self.boundaries.controls(part.piece), part.range, ends);
+            let carrier = self.boundaries.carriers.of_piece(part.piece);
+            let (controls, source) = self.boundaries.cut_out(carrier, part.carried, ends);
+            found.carriers.extend(source.map(|source| source.of_piece(number as u32)));
             found.controls.extend_from_slice(&controls[..controls.len() - 1]);
             found.knots.push(knot);
-            let growth = self.boundaries.knot_difference(part.piece) * (part.range[1] - part.range[0]).abs();
+            let growth = self.boundaries.carriers.growth(carrier) * (part.carried[1] - part.carried[0]).abs();
             knot = (knot + growth).max(knot.next_up());
             if self.is_kink(part, halfedges, sets) {
                 found.kinks.push(number as u32);
             }
             found.sources.push(self.boundaries.source(part.piece, part.range));
             for at in part.at..part.at + part.span {
-                self.push_other_sources(halfedges[at as usize % halfedges.len()], number as u32, &mut found);
+                self.push_other_sources(
+                    halfedges[at as usize % halfedges.len()],
+                    number as u32,
+                    part.piece,
+                    &mut found,
+                );
             }
         }
         found.knots.push(knot);
@@ -188,8 +207,16 @@ impl CurvedOverlay<'_> {
         let last_halfedge = |at: u32| halfedges[if at == 0 { halfedges.len() } else { at as usize } - 1];
         let goes_on = |before: &Part, part: &Part| {
             let node = self.cells.tail(halfedges[part.at as usize]);
-            if !part.is_at_node || passes[node as usize] > 1 || before.piece != part.piece {
+            let carriers = &self.boundaries.carriers;
+            let carrier = carriers.of_piece(part.piece);
+            if !part.is_at_node || passes[node as usize] > 1 || carriers.of_piece(before.piece) != carrier {
                 return false;
+            }
+            if before.piece != part.piece {
+                // Parts of one polynomial from different curves: one goes on where the other ends.
+                let rises = |part: &Part| part.carried[0] < part.carried[1];
+                let gap = [before.carried[1], part.carried[0]];
+                return rises(before) == rises(part) && self.boundaries.is_one_point(carrier, gap);
             }
             let is_along = before.range[0] < before.range[1];
             if is_along != (part.range[0] < part.range[1]) {
@@ -206,8 +233,7 @@ impl CurvedOverlay<'_> {
         for part in parts.iter() {
             match joined.last_mut() {
                 Some(before) if goes_on(before, part) => {
-                    before.range[1] = part.range[1];
-                    before.span += part.span;
+                    before.take(part);
                 }
                 _ => joined.push(*part),
             }
@@ -215,8 +241,8 @@ impl CurvedOverlay<'_> {
         if let [first, .., last] = &joined[..]
             && goes_on(last, first)
         {
-            let span = last.span + first.span;
-            let part = Part { range: [last.range[0], first.range[1]], span, ..*last };
+            let mut part = *last;
+            part.take(first);
             joined.pop();
             joined[0] = part;
         }
@@ -227,17 +253,20 @@ impl CurvedOverlay<'_> {
     fn knots_of_whole_curve(&self, parts: &[Part]) -> Option<Vec<f64>> {
         let pieces = self.boundaries.pieces(self.boundaries.curve_of(parts.first()?.piece));
         let is_whole = parts.len() == pieces.len()
-            && parts
-                .iter()
-                .zip(pieces.clone())
-                .all(|(part, piece)| part.piece == piece && part.range == [0.0, 1.0]);
+            && parts.iter().zip(pieces.clone()).all(|(part, piece)| {
+                part.piece == piece && part.range == [0.0, self.boundaries.length(piece)]
+            });
         is_whole.then(|| self.boundaries.knots(pieces.start))
     }
 
-    /// What else runs along a halfedge than the first chain of its edge: each of them is a part of one piece.
-    fn push_other_sources(&self, halfedge: u32, piece: u32, found: &mut Outline) {
+    /// What else runs along a halfedge than the first chain of its edge, or than the first piece of what was joined: each of them is a
+    /// part of one piece.
+    fn push_other_sources(&self, halfedge: u32, piece: u32, first: u32, found: &mut Outline) {
         let chains = self.chains();
-        for &chain in &self.cells.edges().chains().list(halfedge as usize / 2)[1..] {
+        let list = self.cells.edges().chains().list(halfedge as usize / 2);
+        let curve_of = |piece: u32| self.boundaries.curve_of(piece);
+        let is_joined = chains.curve_of(list[0]) != curve_of(first);
+        for &chain in &list[usize::from(!is_joined)..] {
             let is_along = self.cells.edges().halfedge_of_chain()[chain as usize] == halfedge;
             found.other_sources.extend(chains.parts(chain).map(|(own, [a, b])| {
                 (piece, self.boundaries.source(own, if is_along { [a, b] } else { [b, a] }))

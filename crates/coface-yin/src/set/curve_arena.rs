@@ -1,10 +1,10 @@
 //! Many closed curves of one order, one after the other in flat arrays.
 
 use crate::curve::distance;
-use crate::{Curve, Order};
+use crate::{Carrier, Curve, Order};
 
 /// Closed curves of one order.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct CurveArena {
     order: Order,
     /// The control points of each curve, its first one again at its end.
@@ -13,11 +13,23 @@ pub(crate) struct CurveArena {
     knots: Vec<f64>,
     /// The first piece of each curve in all, and their number.
     starts: Vec<u32>,
+    /// The carriers of the pieces of each curve; nothing for the last curves if these have none.
+    carriers: Vec<Vec<Carrier>>,
+}
+
+impl PartialEq for CurveArena {
+    /// As of curves, carriers are not compared.
+    fn eq(&self, other: &Self) -> bool {
+        self.order == other.order
+            && self.starts == other.starts
+            && self.controls == other.controls
+            && self.knots == other.knots
+    }
 }
 
 impl CurveArena {
     pub(crate) fn new(order: Order) -> Self {
-        Self { order, controls: Vec::new(), knots: Vec::new(), starts: vec![0] }
+        Self { order, controls: Vec::new(), knots: Vec::new(), starts: vec![0], carriers: Vec::new() }
     }
 
     pub(crate) fn order(&self) -> Order {
@@ -50,7 +62,8 @@ impl CurveArena {
         let degree = self.order.degree();
         // Each curve has one control point and one knot more than its pieces take.
         let controls = &self.controls[first * degree + curve..=end * degree + curve];
-        Curve::borrowed(self.order, controls, &self.knots[first + curve..=end + curve])
+        let carriers = self.carriers.get(curve).map_or(&[][..], Vec::as_slice);
+        Curve::borrowed(self.order, controls, &self.knots[first + curve..=end + curve]).carried_by(carriers)
     }
 
     pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = Curve<'_>> {
@@ -60,13 +73,25 @@ impl CurveArena {
     /// Adds a closed curve of this order.
     pub(crate) fn push(&mut self, curve: &Curve<'_>) {
         debug_assert!(curve.order() == self.order && curve.is_closed());
+        self.push_carriers(curve.carriers().to_vec());
         self.controls.extend_from_slice(curve.controls());
         self.knots.extend_from_slice(curve.knots());
         self.starts.push((self.piece_count() + curve.piece_count()) as u32);
     }
 
-    /// The control points of a curve, the first one again at the end.
+    /// Adds the carriers of the curve that is added next.
+    fn push_carriers(&mut self, carriers: Vec<Carrier>) {
+        if !carriers.is_empty() {
+            self.carriers.resize(self.len(), Vec::new());
+            self.carriers.push(carriers);
+        }
+    }
+
+    /// The control points of a curve, the first one again at the end. Its pieces are whole from then on.
     pub(crate) fn controls_mut(&mut self, curve: usize) -> &mut [[f64; 2]] {
+        if let Some(carriers) = self.carriers.get_mut(curve) {
+            carriers.clear();
+        }
         let [first, end] = [self.first_piece(curve), self.first_piece(curve + 1)];
         let degree = self.order.degree();
         &mut self.controls[first * degree + curve..=end * degree + curve]
@@ -81,6 +106,7 @@ impl CurveArena {
             controls: Vec::with_capacity(piece_count * order.degree() + curve_count),
             knots: Vec::with_capacity(piece_count + curve_count),
             starts,
+            carriers: Vec::new(),
         }
     }
 
@@ -115,6 +141,11 @@ impl CurveArena {
             let points = curve.controls();
             return self.push_polyline((first..count).chain(0..first).map(|knot| points[knot]));
         }
+        let turned = |piece: u32| (piece as usize + count - first) % count;
+        let mut carriers: Vec<Carrier> =
+            curve.carriers().iter().map(|own| own.of_piece(turned(own.piece()) as u32)).collect();
+        carriers.sort_by_key(Carrier::piece);
+        self.push_carriers(carriers);
         let at = first * self.order.degree();
         let (controls, knots) = (curve.controls(), curve.knots());
         self.controls.extend_from_slice(&controls[at..controls.len() - 1]);

@@ -1,6 +1,7 @@
 //! Tests of `coface-yin`, in one program: each test program links everything anew.
 
 mod splines;
+mod yin_algebra;
 mod yin_booleans;
 mod yin_curved;
 mod yin_curves;
