@@ -392,7 +392,7 @@ pub enum Shape {
     /// This polygon of a mesh.
     Face(usize),
     /// This vertex.
-    Point(u32),
+    Point(VertexId),
 }
 
 /// What a model draws, each with the number of the group that names it: lines and rings, then the polygons, then the
@@ -444,10 +444,10 @@ pub fn shapes(model: &Model) -> Vec<(Shape, Option<usize>)> {
     }
     for point in &model.points {
         used[point.index()] = true;
-        shapes.push((Shape::Point(point.to_u32()), names[point.index()]));
+        shapes.push((Shape::Point(*point), names[point.index()]));
     }
     let isolated = (0..model.vertex_count).filter(|&vertex| !used[vertex]);
-    shapes.extend(isolated.map(|vertex| (Shape::Point(vertex as u32), names[vertex])));
+    shapes.extend(isolated.map(|vertex| (Shape::Point(VertexId::new(vertex)), names[vertex])));
     shapes
 }
 
@@ -591,7 +591,7 @@ mod tests {
         let ring = model.data_named("ring", GroupKind::Lines).unwrap();
         assert_eq!(ring.integer_row(0), Some(vec![-1]));
         assert_eq!(ring.integer_row(2), Some(vec![0]));
-        let expected = [Shape::Line(0), Shape::Line(1), Shape::Rings(2..3), Shape::Point(1)];
+        let expected = [Shape::Line(0), Shape::Line(1), Shape::Rings(2..3), Shape::Point(VertexId::new(1))];
         assert!(shapes(&model).into_iter().map(|(shape, _)| shape).eq(expected));
     }
 

@@ -126,7 +126,7 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
                 }
             }
             Shape::Face(i) => side(closed(model.polygons.list(i)), &mut push)?,
-            Shape::Point(vertex) => push(vertex, vertex)?,
+            Shape::Point(vertex) => push(vertex.to_u32(), vertex.to_u32())?,
         }
     }
     if !written {

@@ -466,7 +466,7 @@ impl Writer<'_> {
                 self.push_path(text, closed(self.model.polygons.list(*i)));
                 text.push(b')');
             }
-            Shape::Point(vertex) => self.push_path(text, std::iter::once(*vertex)),
+            Shape::Point(vertex) => self.push_path(text, std::iter::once(vertex.to_u32())),
         }
     }
 

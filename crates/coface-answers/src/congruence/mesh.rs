@@ -96,13 +96,13 @@ impl ModelCongruence {
             };
             match (&producer.cells, degree) {
                 (Cells::Polygons(mesh), 1) => {
-                    own.segments
-                        .iter()
-                        .filter_map(|&[a, b]| mesh.edge_between(a, b))
-                        .for_each(|e| list(e.index()));
+                    let ends = own.segments.iter().map(|ends| ends.map(VertexId::from_u32));
+                    let edges = ends.filter_map(|[a, b]| mesh.edge_between(a, b));
+                    edges.for_each(|edge| list(edge.index()));
                 }
                 (Cells::Solids(mesh), 1) => {
-                    let edges = own.segments.iter().filter_map(|&[a, b]| mesh.skeleton().edge_between(a, b));
+                    let ends = own.segments.iter().map(|ends| ends.map(VertexId::from_u32));
+                    let edges = ends.filter_map(|[a, b]| mesh.skeleton().edge_between(a, b));
                     edges.for_each(|edge| list(edge.index()));
                 }
                 (Cells::Solids(mesh), 2) => {

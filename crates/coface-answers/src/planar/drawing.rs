@@ -213,7 +213,7 @@ impl PlanarDrawing {
                     let polygon = model.polygons().list(i);
                     self.path(first, polygon.iter().chain(polygon.first()).copied(), ring)?;
                 }
-                Shape::Point(vertex) => self.features.add_point(described, first + vertex),
+                Shape::Point(vertex) => self.features.add_point(described, first + vertex.to_u32()),
             }
             self.features.extend_to(self.segments.len(), described);
         }

@@ -491,8 +491,10 @@ impl Holes {
         if runs_along {
             corners.reverse();
         }
-        let is_free =
-            |pair: [u32; 2]| mesh.edge_between(pair[0], pair[1]).is_none() && !added.contains(&sorted(pair));
+        let is_free = |pair: [u32; 2]| {
+            let [a, b] = pair.map(VertexId::from_u32);
+            mesh.edge_between(a, b).is_none() && !added.contains(&sorted(pair))
+        };
         let is_back_to_back = count == 3 && {
             let mut of_face = mesh.face(face).to_vec();
             let mut of_hole = corners.clone();

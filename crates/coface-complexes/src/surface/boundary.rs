@@ -197,7 +197,7 @@ mod tests {
                     let n = component.vertices().len();
                     for (i, &edge) in component.edges().iter().enumerate() {
                         let (a, b) = (component.vertices()[i], component.vertices()[(i + 1) % n]);
-                        prop_assert_eq!(mesh.edge_between(a.to_u32(), b.to_u32()), Some(edge));
+                        prop_assert_eq!(mesh.edge_between(a, b), Some(edge));
                     }
                 }
             }

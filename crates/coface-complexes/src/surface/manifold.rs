@@ -532,7 +532,7 @@ mod tests {
     fn a_whisker_is_named_and_spoils_its_ends() {
         let flag = mesh(4, &[vec![0, 1, 2]], &[[2, 3]]);
         let verdict = flag.manifold_verdict();
-        let edge = flag.edge_between(2, 3).unwrap();
+        let edge = flag.edge_between(VertexId::new(2), VertexId::new(3)).unwrap();
         assert_eq!(verdict.witness(), Some(&SurfaceDefect::LooseEdge { edge }));
         assert_eq!(verdict.non_manifold_vertices(), [VertexId::new(2), VertexId::new(3)]);
         assert_eq!(flag.link_components(VertexId::new(2))[1].shape(), LinkShape::Point);

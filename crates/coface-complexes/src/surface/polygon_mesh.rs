@@ -20,13 +20,13 @@ use rayon::prelude::*;
 /// # Examples
 /// Two triangles on a common edge, one edge more and one vertex more:
 /// ```
-/// use coface_algebra::RaggedArray;
+/// use coface_algebra::{RaggedArray, VertexId};
 /// use coface_complexes::surface::PolygonMesh;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let mesh = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 2], [2, 1, 3]]), &[[3, 4]])?;
 /// assert_eq!(mesh.f_vector(), [6, 6, 2]);
 /// assert_eq!(mesh.euler_characteristic(), 2);
-/// let shared = mesh.edge_between(2, 1).expect("both triangles have it");
+/// let shared = mesh.edge_between(VertexId::new(2), VertexId::new(1)).expect("both triangles have it");
 /// assert_eq!(mesh.face_count_at(shared), 2);
 /// # Ok(()) }
 /// ```
@@ -272,16 +272,17 @@ impl PolygonMesh {
     ///
     /// # Examples
     /// ```
-    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_algebra::{EdgeId, RaggedArray, VertexId};
     /// use coface_complexes::surface::PolygonMesh;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let square = PolygonMesh::new(4, RaggedArray::from_lists([[0, 1, 2, 3]]), &[])?;
-    /// assert_eq!(square.edge_between(3, 0), Some(EdgeId::new(1)));
-    /// assert_eq!(square.edge_between(0, 2), None);
+    /// let [a, b, c] = [0, 2, 3].map(VertexId::new);
+    /// assert_eq!(square.edge_between(c, a), Some(EdgeId::new(1)));
+    /// assert_eq!(square.edge_between(a, b), None);
     /// # Ok(()) }
     /// ```
-    pub fn edge_between(&self, a: u32, b: u32) -> Option<EdgeId> {
-        let wanted = (a.min(b), a.max(b));
+    pub fn edge_between(&self, a: VertexId, b: VertexId) -> Option<EdgeId> {
+        let wanted = (a.min(b).to_u32(), a.max(b).to_u32());
         let (pairs, _) = self.edges.ends.as_chunks::<2>();
         pairs.binary_search_by_key(&wanted, |&[low, high]| (low, high)).ok().map(EdgeId::new)
     }
@@ -695,6 +696,7 @@ mod tests {
             for ((a, b), (edge, _)) in
                 sides(mesh.polygons().list(face)).into_iter().zip(mesh.face_edges(FaceId::new(face)))
             {
+                let [a, b] = [a, b].map(VertexId::from_u32);
                 assert_eq!(mesh.edge_between(a, b), Some(edge));
             }
         }

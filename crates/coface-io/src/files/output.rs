@@ -207,19 +207,11 @@ fn keep_owner(_: &fs::Metadata, _: &File) {}
 
 #[cfg(test)]
 mod tests {
+    use super::super::temporary::names;
     use super::*;
 
     fn old(path: &Path) -> Result<(), Error> {
         replace_file(path, |out| Ok(out.write_all(b"old")?))
-    }
-
-    fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
     }
 
     #[test]

@@ -317,18 +317,19 @@ impl Drop for MadeFolders {
     }
 }
 
+/// The names of what lies in a folder, sorted.
+#[cfg(test)]
+pub(super) fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
-    }
 
     /// A folder as a process leaves it that was killed.
     fn abandoned(base: &Path, prefix: &str) -> PathBuf {

@@ -249,7 +249,7 @@ impl Writer<'_> {
                 self.push_path(closed(self.model.polygons.list(*i)), text);
                 text.push(b']');
             }
-            Shape::Point(vertex) => self.push_position(*vertex, text),
+            Shape::Point(vertex) => self.push_position(vertex.to_u32(), text),
         }
     }
 

@@ -242,9 +242,10 @@ impl Pen {
             (p[0] / largest) * (q[0] / largest) + (p[1] / largest) * (q[1] / largest)
         };
         let (uu, vv, uv) = (product(u, u), product(v, v), product(u, v));
-        let reach = match largest > 0.0 {
-            true => largest * f64::midpoint(uu + vv, (uu - vv).hypot(2.0 * uv)).sqrt(),
-            false => 0.0,
+        let reach = if largest > 0.0 {
+            largest * f64::midpoint(uu + vv, (uu - vv).hypot(2.0 * uv)).sqrt()
+        } else {
+            0.0
         };
         let numbers = [from, sweep, reach].into_iter().chain(u).chain(v).chain(self.map.point(center));
         if !numbers.into_iter().all(f64::is_finite) {

@@ -82,7 +82,7 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
             }
             Shape::Point(vertex) => {
                 text.extend_from_slice(b"<polyline stroke-linecap=\"round\" points=\"");
-                push_corners(model, [vertex, vertex].into_iter(), b",", b" ", &mut text);
+                push_corners(model, [vertex.to_u32(); 2].into_iter(), b",", b" ", &mut text);
             }
         }
         text.extend_from_slice(b"\"/>\n");

@@ -52,6 +52,11 @@ pub struct Section {
 }
 
 /// The page about some models.
+///
+/// # Examples
+/// ```
+/// assert!(coface_pictures::pages::html::page("A & B", &[]).contains("<title>A &amp; B</title>"));
+/// ```
 pub fn page(title: &str, sections: &[Section]) -> String {
     let mut page = format!("{HEAD}<title>{}</title>\n</head>\n<body>\n", escaped(title));
     for section in sections {

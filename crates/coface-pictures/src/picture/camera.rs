@@ -23,6 +23,11 @@ impl Default for Camera {
 
 impl Camera {
     /// Straight from above onto the plane of x and y, as drawings are seen.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_pictures::Camera::above().from, [0.0, 0.0, 1.0]);
+    /// ```
     pub fn above() -> Self {
         Self { from: [0.0, 0.0, 1.0], ..Self::default() }
     }

@@ -110,6 +110,18 @@ impl FlatPicture {
     }
 
     /// Width and height of the picture in its own unit.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::{Layer, Pane, pane_picture};
+    /// let mut layer = Layer::new("graph", "an edge");
+    /// layer.lines.push(&[0, 1]);
+    /// let mut pane = Pane::default();
+    /// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
+    /// pane.layers.push(layer);
+    /// let picture = pane_picture(&pane);
+    /// assert!(picture.size().iter().all(|&side| side > 0.0));
+    /// ```
     pub fn size(&self) -> [f64; 2] {
         self.size
     }
@@ -118,6 +130,21 @@ impl FlatPicture {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a size of 0.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Layer, Pane, pane_picture};
+    /// let mut layer = Layer::new("graph", "an edge");
+    /// layer.lines.push(&[0, 1]);
+    /// let mut pane = Pane::default();
+    /// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
+    /// pane.layers.push(layer);
+    /// let picture = pane_picture(&pane);
+    /// assert!(picture.svg(Some([80, 60]))?.contains("width=\"80\" height=\"60\""));
+    /// assert!(picture.svg(Some([0, 60])).is_err());
+    /// # Ok(()) }
+    /// ```
     pub fn svg(&self, size: Option<[usize; 2]>) -> Result<String, Error> {
         let [wide, high] = self.size;
         let [width, height] = match size {
@@ -146,6 +173,20 @@ impl FlatPicture {
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a size of 0, [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond
     /// $2^{25}$ pixels; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) should the encoder fail.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Layer, Pane, pane_picture};
+    /// let mut layer = Layer::new("graph", "an edge");
+    /// layer.lines.push(&[0, 1]);
+    /// let mut pane = Pane::default();
+    /// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
+    /// pane.layers.push(layer);
+    /// let picture = pane_picture(&pane);
+    /// assert!(picture.png([80, 60])?.starts_with(b"\x89PNG"));
+    /// # Ok(()) }
+    /// ```
     pub fn png(&self, size: [usize; 2]) -> Result<Vec<u8>, Error> {
         check_size(size)?;
         let [width, height] = size;

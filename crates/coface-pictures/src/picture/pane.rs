@@ -13,6 +13,20 @@ const MARGIN: f64 = 40.0;
 ///
 /// # Complexity
 /// Linear in the points, lines and triangles.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// use coface_pictures::{Layer, Pane, pane_picture};
+/// let mut layer = Layer::new("graph", "an edge");
+/// layer.lines.push(&[0, 1]);
+/// let mut pane = Pane::default();
+/// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
+/// pane.layers.push(layer);
+/// let picture = pane_picture(&pane);
+/// assert!(picture.svg(None)?.contains("<path"));
+/// # Ok(()) }
+/// ```
 pub fn pane_picture(pane: &Pane) -> FlatPicture {
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];

@@ -82,6 +82,18 @@ impl<'a> Picture<'a> {
     ///
     /// # Complexity
     /// $O(n \log n)$ in the cells.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Picture, PictureStyle, Scene};
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// let picture = Picture::new(&scene, &PictureStyle::default())?;
+    /// assert!(picture.svg().contains("<title>square</title>"));
+    /// # Ok(()) }
+    /// ```
     pub fn new(scene: &'a Scene, style: &PictureStyle) -> Result<Self, Error> {
         check_size(style.size)?;
         let usual = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
@@ -151,6 +163,18 @@ impl<'a> Picture<'a> {
     ///
     /// # Complexity
     /// Linear in the triangles and in the pixels that they cover.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Picture, PictureStyle, Scene};
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// let picture = Picture::new(&scene, &PictureStyle::default())?;
+    /// assert!(picture.png()?.starts_with(b"\x89PNG"));
+    /// # Ok(()) }
+    /// ```
     pub fn png(&self) -> Result<Vec<u8>, Error> {
         let mut raster = self.raster(SAMPLES);
         let factor = SAMPLES as f64;

@@ -21,6 +21,18 @@ impl Picture<'_> {
     ///
     /// # Complexity
     /// Linear in the triangles, the pixels and the lengths of lines in pixels, and sorting what is seen.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Picture, PictureStyle, Scene};
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// let picture = Picture::new(&scene, &PictureStyle::default())?;
+    /// assert!(picture.svg().starts_with("<svg "));
+    /// # Ok(()) }
+    /// ```
     pub fn svg(&self) -> String {
         let mut raster = self.raster(FACTOR);
         let order = painting_order(&self.facets, &mut raster, FACTOR);

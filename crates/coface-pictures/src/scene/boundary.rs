@@ -11,6 +11,17 @@ impl Scene {
     /// cells of higher dimension or without polygons stay as they are.
     ///
     /// $O(n \log n)$ for n sides of polygons.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.with_boundary().layers()[0].group, "boundary");
+    /// # Ok(()) }
+    /// ```
     pub fn with_boundary(mut self) -> Self {
         let is_surface =
             self.parts.cells.is_empty() && self.parts.simplices.iter().all(|simplex| simplex.len() < 4);

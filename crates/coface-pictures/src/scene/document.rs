@@ -179,6 +179,17 @@ fn packed(lists: &RaggedArray) -> PackedLists {
 
 impl Scene {
     /// The scene as the document that a page shows.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.document().title, "square");
+    /// # Ok(()) }
+    /// ```
     pub fn document(&self) -> SceneDocument {
         let shifted = |point: &[f64; 3]| [0, 1, 2].map(|axis| point[axis] - self.origin[axis]);
         // Triangles that are the polygons need not be there twice.

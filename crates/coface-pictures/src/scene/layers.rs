@@ -32,11 +32,27 @@ pub struct Layer {
 
 impl Layer {
     /// A layer without content.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::Layer;
+    /// let mut layer = Layer::new("notes", "a triangle");
+    /// layer.is_on = true;
+    /// assert_eq!((layer.group.as_str(), layer.name.as_str()), ("notes", "a triangle"));
+    /// ```
     pub fn new(group: &str, name: impl Into<String>) -> Self {
         Self { name: name.into(), group: group.to_owned(), ..Self::default() }
     }
 
     /// Adds a cell of dimension 0, 1 or 2 by its vertices; of higher dimension its triangles.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::Layer;
+    /// let mut layer = Layer::new("notes", "a triangle");
+    /// layer.push_simplex(&[0, 1, 2]);
+    /// assert_eq!(layer.triangles, [[0, 1, 2]]);
+    /// ```
     pub fn push_simplex(&mut self, vertices: &[u32]) {
         match *vertices {
             [] => {}
@@ -66,6 +82,15 @@ impl Layer {
     }
 
     /// Whether nothing would be seen of it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::Layer;
+    /// let mut layer = Layer::new("notes", "a triangle");
+    /// assert!(layer.is_empty());
+    /// layer.push_simplex(&[7]);
+    /// assert!(!layer.is_empty());
+    /// ```
     pub fn is_empty(&self) -> bool {
         self.lines.is_empty() && self.points.is_empty() && self.triangles.is_empty()
     }

@@ -52,6 +52,17 @@ impl Scene {
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`] for models without cells that could be seen; [`ErrorKind::InvalidInput`] if no vertex has
     /// finite coordinates; [`ErrorKind::TooLarge`] for facets with more than $2^{22}$ edges; those of [`triangulated`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!((scene.polygons().len(), scene.triangles().len()), (1, 2));
+    /// # Ok(()) }
+    /// ```
     pub fn of(title: &str, model: &Model) -> Result<Self, Error> {
         let subdivided;
         let model = match model.structure() {
@@ -135,6 +146,18 @@ impl Scene {
     }
 
     /// The same with a report beside it; its witness and its problems become layers.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// let report = coface_answers::Report::of(square)?;
+    /// assert!(scene.with_report(&report.answer(10)).document().report.is_some());
+    /// # Ok(()) }
+    /// ```
     pub fn with_report(mut self, report: &InfoAnswer) -> Self {
         let marks = report
             .problems
@@ -166,6 +189,20 @@ impl Scene {
 
     /// Adds a layer, if there is something to be seen of it and its points are there; without what is at vertices that are left out. Its
     /// vertices have the numbers of the model.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Layer, Scene};
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let mut scene = Scene::of("square", &square)?;
+    /// let mut layer = Layer::new("notes", "diagonal");
+    /// layer.push_simplex(&[0, 2]);
+    /// scene.push_layer(layer);
+    /// assert_eq!(scene.layers()[0].name, "diagonal");
+    /// # Ok(()) }
+    /// ```
     pub fn push_layer(&mut self, layer: Layer) {
         self.add_layer(self.numbering.of_layer(layer));
     }
@@ -180,6 +217,17 @@ impl Scene {
     }
 
     /// Whether there are 3-cells.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert!(!scene.has_cells(), "a polygon is no 3-cell");
+    /// # Ok(()) }
+    /// ```
     pub fn has_cells(&self) -> bool {
         !self.parts.cells.is_empty()
     }
@@ -206,46 +254,145 @@ impl Scene {
     }
 
     /// What it is called.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.title(), "square");
+    /// # Ok(()) }
+    /// ```
     pub fn title(&self) -> &str {
         &self.title
     }
 
     /// The positions of the vertices. The vertices of a facet list are those that lie in a facet, in the order of their numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
     pub fn positions(&self) -> &[[f64; 3]] {
         &self.positions
     }
 
     /// The polygons, those around 3-cells included, by the vertices around them.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.polygons().list(0), [0, 1, 2, 3]);
+    /// # Ok(()) }
+    /// ```
     pub fn polygons(&self) -> &RaggedArray {
         &self.parts.polygons
     }
 
     /// Further walks around polygons: their holes.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert!(scene.rims().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn rims(&self) -> &RaggedArray {
         &self.parts.rims
     }
 
     /// The number of coordinates that matter: 2 for drawings, else 3.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.dimension(), 3, "an OBJ is in space, also where z = 0");
+    /// # Ok(()) }
+    /// ```
     pub fn dimension(&self) -> usize {
         self.dimension
     }
 
     /// The sides of polygons and the edges of simplices, rising and each once. $O(n \log n)$.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.edges(), [[0, 1], [0, 3], [1, 2], [2, 3]]);
+    /// # Ok(()) }
+    /// ```
     pub fn edges(&self) -> Vec<[u32; 2]> {
         self.parts.edges()
     }
 
     /// What is shaded.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert_eq!(scene.triangles().len(), 2);
+    /// # Ok(()) }
+    /// ```
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
     /// What is drawn over the model.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert!(scene.layers().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn layers(&self) -> &[Layer] {
         &self.layers
     }
 
     /// The pictures beside the model.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let scene = Scene::of("square", &square)?;
+    /// assert!(scene.panes().is_empty());
+    /// # Ok(()) }
+    /// ```
     pub fn panes(&self) -> &[Pane] {
         &self.panes
     }

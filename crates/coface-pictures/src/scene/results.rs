@@ -17,6 +17,21 @@ impl Scene {
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an object with nothing that could be shown, that has no number
     /// where one should be, or that names vertices or counts cells which the model does not have.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::Scene;
+    /// let square = &b"v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n"[..];
+    /// let square = coface_io::read(square, coface_io::Format::Obj)?;
+    /// let mut scene = Scene::of("square", &square)?;
+    /// // The link of vertex 0 in the boundary: two points.
+    /// scene.add_result("link", &serde_json::json!({"simplices": [[1], [3]]}))?;
+    /// assert_eq!(scene.layers()[0].points, [1, 3]);
+    /// let fault = scene.add_result("link", &serde_json::json!({"simplices": [[1], ["x"]]}));
+    /// assert!(fault.is_err_and(|fault| fault.message().starts_with("simplices[1][0] is")));
+    /// # Ok(()) }
+    /// ```
     pub fn add_result(&mut self, name: &str, answer: &impl Serialize) -> Result<(), Error> {
         let written = serde_json::to_value(answer)
             .map_err(|error| Error::invalid(format!("{name} is no answer: {error}")))?;

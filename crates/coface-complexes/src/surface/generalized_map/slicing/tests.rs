@@ -236,10 +236,11 @@ proptest! {
 fn what_is_no_path_to_cut_names_the_step() {
     // A strip of two squares: vertices 0 1 2 above 3 4 5; edge 4 = {1, 4} is the only one inside.
     let strip = PolygonMesh::new(6, RaggedArray::from_lists([[0, 1, 4, 3], [1, 2, 5, 4]]), &[]).unwrap();
-    let inside = strip.edge_between(1, 4).unwrap().to_u32();
+    let edge = |a, b| strip.edge_between(VertexId::new(a), VertexId::new(b)).unwrap().to_u32();
+    let inside = edge(1, 4);
     let map = GeneralizedMap::new(strip.two_skeleton().unwrap()).unwrap();
     let fault = |steps: &[u32]| map.slice_path(steps).unwrap_err().message().to_owned();
-    let [top, other] = [(0, 1), (1, 2)].map(|(a, b)| strip.edge_between(a, b).unwrap().to_u32());
+    let [top, other] = [(0, 1), (1, 2)].map(|(a, b)| edge(a, b));
     assert_eq!(fault(&[]), "a path to cut along needs an edge, and this one has no step");
     assert_eq!(
         fault(&[2 * top, 2 * other, 2 * inside]),
@@ -286,7 +287,9 @@ fn one_sided_cycles_are_told() {
     // The inner edges 12, 23, 34, 40, 01 in order; all vertices lie on the boundary.
     let steps: Vec<u32> = [(1, 2), (2, 3), (3, 4), (4, 0), (0, 1)]
         .iter()
-        .map(|&(a, b)| 2 * band.edge_between(a, b).unwrap().to_u32() + u32::from(a > b))
+        .map(|&(a, b)| {
+            2 * band.edge_between(VertexId::new(a), VertexId::new(b)).unwrap().to_u32() + u32::from(a > b)
+        })
         .collect();
     let slice = map.slice_path(&steps).unwrap();
     assert_eq!(slice.path_kind(), Some(PathKind::OneSided));
