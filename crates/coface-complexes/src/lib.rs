@@ -10,6 +10,7 @@
 //! * [`cell_mesh`]: tetrahedra, hexahedra, wedges and pyramids with shared faces.
 //! * [`lar`]: cells as lists of vertices, incidence operators, oriented boundaries.
 //! * [`grids`], [`cubical`], [`shapes`]: products of intervals, voxels, and mapped grids with positions.
+//! * [`families`]: the shapes and known spaces by name, with their parameters.
 //!
 #![doc = include_str!("../README.md")]
 
@@ -18,6 +19,7 @@ mod cells;
 mod coherence;
 mod components;
 pub mod cubical;
+pub mod families;
 pub mod gluing;
 pub mod grids;
 pub mod known_spaces;

@@ -14,7 +14,7 @@
 //!
 //! | curves | surfaces | solids |
 //! |---|---|---|
-//! | [`circle`], [`helix`] | [`disk`], [`ring`], [`helicoid`], [`cylinder`], [`cone`], [`sphere`], [`torus`], [`crown`], [`moebius`], [`klein_bottle`], [`klein_bottle_in_4d`], [`csaszar_torus`] | [`cuboid`], [`ball`], [`rod`], [`solid_torus`], [`hollow_cylinder`], [`hollow_ball`], [`plate_with_holes`] |
+//! | [`circle`], [`helix`] | [`disk`], [`ring`], [`helicoid`], [`cylinder`], [`cone`], [`sphere`], [`torus`], [`crown`], [`moebius`], [`klein_bottle`], [`klein_bottle_in_4d`], [`csaszar_torus`] | [`simplex`], [`cuboid`], [`ball`], [`rod`], [`solid_torus`], [`hollow_cylinder`], [`hollow_ball`], [`plate_with_holes`] |
 
 mod assembly;
 mod csaszar;
@@ -32,7 +32,7 @@ pub use curves::{circle, helix};
 #[doc(hidden)]
 pub use faces::turn_cell;
 pub use placed_cells::{CellKind, PlacedCells};
-pub use solids::{ball, cuboid, hollow_ball, hollow_cylinder, plate_with_holes, rod, solid_torus};
+pub use solids::{ball, cuboid, hollow_ball, hollow_cylinder, plate_with_holes, rod, simplex, solid_torus};
 pub use spheres::{SphereGrid, sphere};
 pub use surfaces::{
     DiskGrid, cone, crown, cylinder, disk, helicoid, klein_bottle, klein_bottle_in_4d, moebius, ring, torus,

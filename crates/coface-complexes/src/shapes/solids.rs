@@ -6,8 +6,32 @@ use super::spheres::{SphereGrid, on_sphere, sphere};
 use super::surfaces::{centered, disk_point, is_before_center};
 use super::{CellKind, PlacedCells};
 use coface_algebra::RaggedArray;
-use coface_algebra::{Error, VertexId};
-use coface_geometry::Angle;
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_geometry::{Angle, Positions};
+
+/// The simplex of this dimension: the origin and the unit vectors. A point lies on a line.
+///
+/// # Errors
+/// [`coface_algebra::ErrorKind::TooLarge`] above dimension 20.
+///
+/// # Examples
+/// ```
+/// let tetrahedron = coface_complexes::shapes::simplex(3)?;
+/// assert_eq!(tetrahedron.chain_complex()?.f_vector(), [4, 6, 4, 1]);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
+pub fn simplex(dimension: u32) -> Result<PlacedCells, Error> {
+    if dimension > 20 {
+        return Err(Error::new(ErrorKind::TooLarge, format!("a simplex of dimension {dimension}"))
+            .with_cure("give a dimension of 20 or less"));
+    }
+    let space = dimension.max(1) as usize;
+    let coordinate = |vertex: u32| (0..space).map(move |axis| f64::from(u8::from(axis as u32 + 1 == vertex)));
+    let coordinates = (0..=dimension).flat_map(coordinate).collect();
+    let cell: Vec<u32> = (0..=dimension).collect();
+    let positions = Positions::from_flat(space, coordinates)?;
+    PlacedCells::new(positions, CellKind::Simplex, dimension as usize, RaggedArray::from_lists([cell]))
+}
 
 /// The box from the origin to these sizes, of any dimension from 1 on, cut into `grid[a]` parts along axis a.
 ///

@@ -9,6 +9,7 @@ use clap::Subcommand;
 use coface::algebra::RaggedArray;
 use coface::algebra::chains::ProductComplex;
 use coface::answers::{Producer, simplicial_complex};
+use coface::complexes::families::FamilyModel;
 use coface::complexes::grids::CuboidGrid;
 use coface::complexes::shapes::{CellKind, PlacedCells};
 use coface::complexes::simplicial::{Simplex, SimplicialGrid, extrude};
@@ -25,6 +26,10 @@ pub(super) struct Numbers<T>(Vec<T>);
 impl<T> Numbers<T> {
     pub(super) fn as_slice(&self) -> &[T] {
         &self.0
+    }
+
+    pub(super) fn into_inner(self) -> Vec<T> {
+        self.0
     }
 }
 
@@ -108,7 +113,7 @@ impl Construction {
             Self::Grid { shape } => {
                 let grid = SimplicialGrid::new(shape)?;
                 let cells = grid.simplices()?.to_oriented();
-                Ok(Made::Cells(PlacedCells::new(grid.positions()?, CellKind::Simplex, shape.len(), cells)?))
+                Ok(of_cells(PlacedCells::new(grid.positions()?, CellKind::Simplex, shape.len(), cells)?))
             }
             Self::Cuboids { shape, lengths } => {
                 let grid = if lengths.is_empty() {
@@ -120,7 +125,7 @@ impl Construction {
                     return Err(Failure::new("the grid is empty: an axis has no full interval"));
                 };
                 let cells = grid.cells(dimension)?;
-                Ok(Made::Cells(PlacedCells::new(grid.positions()?, CellKind::Cuboid, dimension, cells)?))
+                Ok(of_cells(PlacedCells::new(grid.positions()?, CellKind::Cuboid, dimension, cells)?))
             }
             Self::Prism { input, layers, direction } => {
                 let loaded = input::read(input, common.reading(), progress)?;
@@ -132,6 +137,10 @@ impl Construction {
             Self::Product { first, second, chains } => product(first, second, *chains, common, progress),
         }
     }
+}
+
+fn of_cells(cells: PlacedCells) -> Made {
+    Made::Family(FamilyModel::Cells(cells))
 }
 
 /// The sweep of the simplices of a model.
@@ -185,7 +194,7 @@ fn prism(model: &Model, layers: &[f64], direction: Option<&[f64]>) -> Result<Mad
         }
     };
     let cells = sweep.simplices().to_oriented();
-    Ok(Made::Cells(PlacedCells::new(positions, CellKind::Simplex, dimension + 1, cells)?))
+    Ok(of_cells(PlacedCells::new(positions, CellKind::Simplex, dimension + 1, cells)?))
 }
 
 /// Copies of all points at these heights in a direction.
@@ -212,7 +221,7 @@ fn product(
     progress.stage("making the product");
     if !chains && let (Ok(a), Ok(b)) = (simplicial_complex(&first.model), simplicial_complex(&second.model)) {
         let (complex, _) = a.product(&b)?;
-        return Ok(Made::Complex(complex));
+        return Ok(Made::Family(FamilyModel::Complex(complex)));
     }
     let complex = |loaded: input::Loaded| {
         Producer::of(loaded.model)

@@ -1,9 +1,8 @@
 //! `coface generate`: models made by rule.
 
 mod construction;
+mod member;
 mod scene;
-mod shape;
-mod space;
 
 use crate::arguments::{Common, format_of_name};
 use crate::commands::convert::losses_of;
@@ -15,13 +14,11 @@ use crate::target::unknown_extension;
 use clap::{Args, Subcommand};
 use coface::answers::answer::GenerateAnswer;
 use coface::answers::text;
-use coface::complexes::shapes::PlacedCells;
-use coface::complexes::simplicial::{SimplexSet, SimplicialComplex};
+use coface::complexes::families::FamilyModel;
 use coface::io;
 use coface::io::{Format, Model};
 use construction::Construction;
-use shape::Shape;
-use space::Space;
+use member::Member;
 
 /// Make a model by rule: grids, shapes with positions, known spaces, sweeps and products.
 ///
@@ -50,17 +47,13 @@ enum Family {
     #[command(flatten)]
     Construction(Construction),
     #[command(flatten)]
-    Shape(Shape),
-    #[command(flatten)]
-    Space(Space),
+    Member(Member),
 }
 
 /// What a rule makes.
 enum Made {
-    /// Cells with positions.
-    Cells(PlacedCells),
-    /// A complex without positions.
-    Complex(SimplicialComplex),
+    /// A member of a family.
+    Family(FamilyModel),
     /// A model of cells of several sorts, or a structure.
     Model(Box<Model>),
 }
@@ -68,43 +61,22 @@ enum Made {
 impl Made {
     fn boundary(self) -> Result<Self, Failure> {
         match self {
-            Self::Cells(cells) => {
-                let boundary = cells.boundary()?.compacted();
-                if boundary.cell_count() == 0 {
-                    return Err(no_boundary());
-                }
-                Ok(Self::Cells(boundary))
-            }
-            Self::Complex(complex) => {
-                let boundary = SimplexSet::from(&complex).boundary_complex()?;
-                if boundary.is_empty() { Err(no_boundary()) } else { Ok(Self::Complex(boundary)) }
-            }
+            Self::Family(made) => Ok(Self::Family(made.boundary()?.ok_or_else(no_boundary)?)),
             Self::Model(_) => Err(no_parts("boundary")),
         }
     }
 
     fn skeleton(self, dimension: usize) -> Result<Self, Failure> {
         match self {
-            Self::Cells(cells) => Ok(Self::Cells(cells.skeleton(dimension)?)),
-            Self::Complex(complex) => {
-                let top = complex.dimension().unwrap_or(0);
-                if dimension > top {
-                    let message = format!(
-                        "there is no skeleton of dimension {dimension}; the complex has dimension {top}"
-                    );
-                    return Err(Failure::new(message));
-                }
-                let simplices = (0..=dimension).flat_map(|k| complex.simplices(k).collect::<Vec<_>>());
-                Ok(Self::Complex(SimplicialComplex::from_simplices(simplices)?))
-            }
+            Self::Family(made) => Ok(Self::Family(made.skeleton(dimension)?)),
             Self::Model(_) => Err(no_parts("skeleton")),
         }
     }
 
     fn model(self) -> Result<Model, Failure> {
         Ok(match self {
-            Self::Cells(cells) => Model::from_placed_cells(cells)?,
-            Self::Complex(complex) => construction::facets(&complex.facets()),
+            Self::Family(FamilyModel::Cells(cells)) => Model::from_placed_cells(cells)?,
+            Self::Family(FamilyModel::Complex(complex)) => construction::facets(&complex.facets()),
             Self::Model(model) => *model,
         })
     }
@@ -124,8 +96,7 @@ impl Family {
     fn make(&self, common: &Common, progress: &Progress) -> Result<Made, Failure> {
         match self {
             Self::Construction(construction) => construction.make(common, progress),
-            Self::Shape(shape) => Ok(Made::Cells(shape.cells()?)),
-            Self::Space(space) => Ok(Made::Complex(space.complex()?)),
+            Self::Member(member) => Ok(Made::Family(member.make()?)),
         }
     }
 }

@@ -1,11 +1,12 @@
 //! Scenes: nested lists of shapes, files and affine maps, as JSON.
 
-use super::shape::Shape;
+use super::member::{Member, command_of};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
 use crate::progress::Progress;
-use clap::{Command, FromArgMatches, Subcommand};
+use clap::{Command, FromArgMatches};
+use coface::complexes::families::{Family, FamilyModel};
 use coface::complexes::shapes::{Assembly, PlacedCells};
 use coface::geometry::{AffineMap, Angle};
 use coface::io::Model;
@@ -185,12 +186,13 @@ impl Reading<'_> {
                 other => words.push(format!("{option}={other}")),
             }
         }
-        let command = Shape::augment_subcommands(Command::new("scene")).subcommand_required(true);
+        let shapes = Family::all().filter(|family| family.has_positions()).map(command_of);
+        let command = Command::new("scene").subcommands(shapes).subcommand_required(true);
         let shape = command
             .disable_help_flag(true)
             .disable_help_subcommand(true)
             .try_get_matches_from(words)
-            .and_then(|matches| Shape::from_arg_matches(&matches))
+            .and_then(|matches| Member::from_arg_matches(&matches))
             .map_err(|error| {
                 let text = error.render().to_string();
                 let first = text.lines().next().unwrap_or_default();
@@ -200,7 +202,12 @@ impl Reading<'_> {
                     &format!("parameters that `coface generate {name} --help` lists"),
                 )
             })?;
-        self.embedded(shape.cells()?)
+        match shape.make()? {
+            FamilyModel::Cells(cells) => self.embedded(cells),
+            FamilyModel::Complex(_) => {
+                Err(fault(format!("{name:?} has no positions"), "a shape with positions"))
+            }
+        }
     }
 
     fn file(&mut self, value: &Value) -> Result<Vec<Arc<PlacedCells>>, Error> {
