@@ -63,11 +63,44 @@ pub struct Combination {
     /// Further sources of pieces, by rising pieces.
     pub(crate) other_sources: Vec<(u32, PieceSource)>,
     pub(crate) collapsed_count: usize,
+    pub(crate) repair_count: usize,
     pub(crate) resolution: f64,
     pub(crate) report: Vec<UncertifiedDecision>,
 }
 
+impl PieceSource {
+    /// The source in what another piece came from, of a part of which this is the source.
+    fn within(&self, source: &Self) -> Self {
+        let [from, to] = source.range;
+        let at = |t: f64| if t == 1.0 { to } else { from + t * (to - from) };
+        Self { range: self.range.map(at), ..*source }
+    }
+}
+
 impl Combination {
+    /// The same with the sources that the operand has, which is the set of another combination.
+    pub(super) fn after(self, first: &Self) -> Self {
+        let place = |source: &PieceSource| {
+            first.set.arena().first_piece(source.curve as usize) + source.piece as usize
+        };
+        let mut sources = Vec::with_capacity(self.sources.len());
+        let mut other_sources = Vec::with_capacity(self.other_sources.len());
+        for (number, own) in self.sources.iter().enumerate() {
+            sources.push(own.within(&first.sources[place(own)]));
+            let all = self.sources_of(number).flat_map(|own| {
+                first.sources_of(place(own)).map(move |source| (number as u32, own.within(source)))
+            });
+            other_sources.extend(all.skip(1));
+        }
+        Self {
+            sources,
+            other_sources,
+            collapsed_count: self.collapsed_count + first.collapsed_count,
+            repair_count: first.repair_count + 1,
+            ..self
+        }
+    }
+
     /// The set.
     ///
     /// # Examples
@@ -147,6 +180,22 @@ impl Combination {
     /// ```
     pub fn collapsed_curve_count(&self) -> usize {
         self.collapsed_count
+    }
+
+    /// How often curves of order 2 were laid over each other once more because rounding of their corners had made them meet; 0 if it
+    /// had not. Then parts that are thinner than rounding may be gone, and corners moved by a little more.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// use coface_yin::{Curve, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let same = YinSet::combine(&[&square], &BooleanFormula::parse("a", &[])?)?;
+    /// assert_eq!(same.repair_count(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn repair_count(&self) -> usize {
+        self.repair_count
     }
 
     /// What was nearer together than this, in the unit of the input, may have been taken for one, and [`Self::report`] lists the places; 0

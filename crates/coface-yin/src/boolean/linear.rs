@@ -1,6 +1,7 @@
 //! Boolean combinations of sets of order 2, exactly.
 
 use super::outline::Outline;
+use super::rounding::is_doubtful;
 use super::{Combination, PieceSource};
 use crate::set::{CurveArena, parameter};
 use crate::{KnotIndex, YinSet};
@@ -61,15 +62,41 @@ impl<'a> Membership<'a> {
     }
 }
 
-/// The set of the faces whose winding numbers satisfy a condition.
+/// How often a result is repaired before it is given up.
+const MOST_REPAIRS: usize = 100;
+
+/// The set of the faces whose winding numbers satisfy a condition. Where rounding of its corners made curves meet, they are laid over
+/// each other once more.
 pub(super) fn combine_linear(
     sets: &[&YinSet],
     condition: impl Fn(&[(u32, i32)]) -> bool,
 ) -> Result<Combination, Error> {
+    let (mut found, mut is_doubtful) = combine_once(sets, condition)?;
+    for _ in 0..MOST_REPAIRS {
+        if !is_doubtful || found.set.validate()?.is_none() {
+            return Ok(found);
+        }
+        let again = [&found.set];
+        let membership = Membership::new(&again);
+        let (repaired, is_again) = combine_once(&again, |windings| membership.is_inside(0, windings))?;
+        (found, is_doubtful) = (repaired.after(&found), is_again);
+    }
+    Err(Error::invalid(format!(
+        "rounding makes curves meet again and again: {MOST_REPAIRS} repairs are not enough"
+    ))
+    .with_cure("scale the sets up, or remove curves that nearly coincide"))
+}
+
+/// The same without a look at what rounding did: and whether there is need of one.
+fn combine_once(
+    sets: &[&YinSet],
+    condition: impl Fn(&[(u32, i32)]) -> bool,
+) -> Result<(Combination, bool), Error> {
     let arenas: Vec<&CurveArena> = sets.iter().map(|set| set.arena()).collect();
     let overlay = linear_overlay(&arenas)?;
     let (polygons, parents) = overlay.select_nested(condition)?;
     let outline = Outline::new(&polygons, &parents);
+    let is_doubtful = is_doubtful(&polygons, &outline);
     let operands = Operands::new(&arenas);
     let ((sources, other_sources), kinks) = rayon::join(
         || operands.sources(&arenas, &polygons, &outline),
@@ -77,14 +104,16 @@ pub(super) fn combine_linear(
     );
     let is_unbounded = polygons.has_exterior();
     let Outline { curves, parents, collapsed_count, .. } = outline;
-    Ok(Combination {
+    let found = Combination {
         set: YinSet::from_parts(curves, is_unbounded, parents, kinks),
         sources,
         other_sources,
         collapsed_count,
+        repair_count: 0,
         resolution: 0.0,
         report: Vec::new(),
-    })
+    };
+    Ok((found, is_doubtful))
 }
 
 /// The set that rings bound by a fill rule.
@@ -96,7 +125,14 @@ pub(crate) fn combine_rings(flat: Vec<f64>, rings: &RaggedArray, rule: InsideRul
     let starts: Vec<u32> = (0..=rings.len()).map(|ring| rings.start(ring) as u32).collect();
     let operands = Operands { curve_of_side: curve_of_side(&starts), starts, first_curves: vec![0] };
     let kinks = operands.kinks(&[], &polygons, &outline);
-    Ok(YinSet::from_parts(outline.curves, false, outline.parents, kinks))
+    let is_doubtful = is_doubtful(&polygons, &outline);
+    let set = YinSet::from_parts(outline.curves, false, outline.parents, kinks);
+    if is_doubtful && set.validate()?.is_some() {
+        let again = [&set];
+        let membership = Membership::new(&again);
+        return Ok(combine_linear(&again, |windings| membership.is_inside(0, windings))?.into_set());
+    }
+    Ok(set)
 }
 
 fn curve_of_side(starts: &[u32]) -> Vec<u32> {

@@ -7,6 +7,7 @@ mod curved;
 mod linear;
 mod outline;
 mod repair;
+mod rounding;
 
 pub use algebra::Normalized;
 pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision};

@@ -19,11 +19,11 @@ use coface_algebra::{Error, ErrorKind};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let set = |corners: &[[f64; 2]]| YinSet::new(&[Curve::polyline(corners)?.raised(Order::CUBIC)?]);
 /// let triangle = set(&[[0., 0.], [3., 0.], [0., 3.], [0., 0.]])?;
-/// let left = set(&[[-1., -1.], [1., -1.], [1., 9.], [-1., 9.], [-1., -1.]])?;
+/// let left = set(&[[-1., -1.], [1.5, -1.], [1.5, 9.], [-1., 9.], [-1., -1.]])?;
 /// let half = triangle.meet(&left)?;
 /// let curve = half.curve(0);
 /// let cut = &curve.carriers()[0];
-/// assert_eq!((cut.piece(), cut.range()), (0, [0.0, 1.0 / 3.0]));
+/// assert_eq!((cut.piece(), cut.range()), (0, [0.0, 0.5]));
 /// assert_eq!(cut.controls(), [[0., 0.], [1., 0.], [2., 0.], [3., 0.]]);
 /// # Ok(()) }
 /// ```

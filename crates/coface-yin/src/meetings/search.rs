@@ -7,6 +7,7 @@ use super::piece_pair::PairSolver;
 use super::polynomial::is_apart;
 use super::refinement::refine;
 use super::{Meeting, Overlap, Pieces};
+use crate::curve::bernstein::is_straight;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
 use rayon::prelude::*;
@@ -20,6 +21,21 @@ pub(crate) struct Meetings {
     pub(crate) overlaps: Vec<Overlap>,
     /// Pieces that run so near to each other for so long that it was given up to find all that they have in common.
     pub(crate) exhausted: Vec<[u32; 2]>,
+}
+
+/// Puts a meeting inside of a segment along an axis on its line, which rounding may have moved it from.
+fn put_on_axes(carriers: &Carriers, meeting: &mut Meeting) {
+    if meeting.at.iter().any(|&t| t == 0.0 || t == 1.0) {
+        return;
+    }
+    for controls in meeting.pieces.map(|carrier| carriers.controls(carrier)) {
+        let last = controls[controls.len() - 1];
+        for axis in 0..2 {
+            if controls[0][axis] == last[axis] && is_straight(controls) {
+                meeting.point[axis] = last[axis];
+            }
+        }
+    }
 }
 
 impl Meetings {
@@ -39,6 +55,7 @@ impl Meetings {
         let mut found = Self::of_pieces(&pieces);
         let resolution = pieces.frame.world_length(pieces.frame.resolution);
         found.points.retain_mut(|meeting| refine(carriers, meeting, resolution));
+        found.points.iter_mut().for_each(|meeting| put_on_axes(carriers, meeting));
         Ok(found.distributed(carriers, resolution))
     }
 

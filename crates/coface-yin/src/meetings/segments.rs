@@ -86,19 +86,21 @@ fn parts_of_one_line(pieces: &Pieces<'_>, pair: [u32; 2]) -> Option<Overlap> {
     }) {
         return None;
     }
-    let local = [p, q].map(|piece| pieces.polynomial(piece));
-    let rounding = pieces.frame.rounding;
     // Coordinates along the first segment, and across it.
-    let origin = local[0].first();
-    let chord = local[0].chord();
+    let [[origin, end], other] = given;
+    let chord = minus(end, origin);
     let length = chord[0].hypot(chord[1]);
+    // What rounding of coordinates makes across the segment: nothing where it runs along an axis through the origin.
+    let largest =
+        [0, 1].map(|axis| given.as_flattened().iter().fold(0.0, |x: f64, end| x.max(end[axis].abs())));
+    let rounding = 32.0 * f64::EPSILON * (chord[1].abs() * largest[0] + chord[0].abs() * largest[1]) / length;
     let place = |point: [f64; 2]| {
         let way = minus(point, origin);
         [dot(chord, way) / length, cross(chord, way) / length]
     };
-    let [from, to] = [local[1].first(), local[1].last()].map(place);
+    let [from, to] = other.map(place);
     let [low, high] = [from[0].min(to[0]).max(0.0), from[0].max(to[0]).min(length)];
-    if high - low <= 4096.0 * rounding {
+    if high - low <= 4096.0 * pieces.frame.world_length(pieces.frame.rounding) {
         return None;
     }
     let height = |x: f64| from[1] + (x - from[0]) * ((to[1] - from[1]) / (to[0] - from[0]));

@@ -46,7 +46,9 @@ fn circle(center: [f64; 2], radius: f64, n: usize, turn: f64) -> Vec<[f64; 2]> {
 }
 
 fn of(arenas: &[&CurveArena]) -> Meetings {
-    Meetings::of(&carriers(arenas), 1.0).expect("control points of tests are finite")
+    let carriers = carriers(arenas);
+    let pieces = Pieces::of(&carriers, 1.0).expect("control points of tests are finite");
+    Meetings::of_pieces(&pieces).distributed(&carriers, pieces.frame.world_length(pieces.frame.resolution))
 }
 
 fn carriers(arenas: &[&CurveArena]) -> Carriers {

@@ -120,6 +120,7 @@ impl CurvedOverlay<'_> {
             sources,
             other_sources,
             collapsed_count: 0,
+            repair_count: 0,
             resolution: self.boundaries.resolution,
             report: self.report,
         })
