@@ -30,7 +30,7 @@ pub use interface::{
     DirectedEdge, InterfaceEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, Trail,
 };
 pub use kinks::{Kinks, KnotIndex, turning_kinks};
-pub use set::{Atom, AtomKind, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};
+pub use set::{Atom, AtomKind, Comparison, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};
 pub use tracking::{
     Flow, InterfaceRepair, Repair, RungeKutta, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions,
     VanishedCurve, Verification,

@@ -2,6 +2,7 @@
 
 mod atoms;
 mod canonical;
+mod comparison;
 mod construction;
 mod curve_arena;
 mod fault;
@@ -13,6 +14,7 @@ mod yin_set;
 
 pub use atoms::{Atom, AtomKind};
 pub(crate) use canonical::CanonicalOrder;
+pub use comparison::Comparison;
 pub(crate) use construction::{Lying, lying};
 pub(crate) use curve_arena::CurveArena;
 pub use fault::YinFault;

@@ -3,6 +3,7 @@
 mod splines;
 mod yin_algebra;
 mod yin_booleans;
+mod yin_comparisons;
 mod yin_curved;
 mod yin_curves;
 mod yin_cut_cells;

@@ -1,0 +1,528 @@
+//! How far two sets are apart, without a decision on how their curves cross.
+//!
+//! On a vertical line, the symmetric difference of two sets is where an odd number of boundary points lies below. So its area is an
+//! integral of differences of sorted heights, whatever the curves do: it does not matter whether curves cross, touch or run along each
+//! other, and nothing is lost below a resolution.
+
+use super::YinSet;
+use crate::curve::{bernstein, distance, gauss_legendre, monotone_breaks};
+use coface_algebra::Error;
+use coface_geometry::{AxisBox, BoxTree, Sum};
+use rayon::prelude::*;
+
+/// How deep a strip is halved.
+const DEEPEST: u32 = 44;
+
+/// At how many places of a piece distances are taken.
+const PLACES: usize = 16;
+
+/// How often the way around a place of greatest distance is narrowed.
+const NARROWINGS: u32 = 40;
+
+/// How far two sets are apart.
+///
+/// # Examples
+/// Two unit squares, one moved by a millionth.
+/// ```
+/// use coface_yin::{Curve, YinSet};
+/// let square = Curve::polyline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]])?;
+/// let moved = YinSet::new(&[square.translated([1e-6, 0.0])])?;
+/// let found = YinSet::new(&[square])?.comparison(&moved)?;
+/// assert!((found.area_xor() - 2e-6).abs() <= found.area_xor_error());
+/// assert!(found.area_xor_error() < 1e-14 && found.area_signed().abs() <= found.area_signed_error());
+/// assert!((found.hausdorff() - 1e-6).abs() < 1e-15);
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    area_xor: f64,
+    area_xor_error: f64,
+    area_signed: f64,
+    area_signed_error: f64,
+    hausdorff: f64,
+}
+
+impl Comparison {
+    /// The area of the symmetric difference, in the square of the unit of the coordinates; infinite if one of the sets alone is bounded.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::plane(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!(found.area_xor(), f64::INFINITY);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn area_xor(&self) -> f64 {
+        self.area_xor
+    }
+
+    /// An estimate from above of how far [`Self::area_xor`] is off: the sum of what two rules of quadrature differ by, of what arcs that
+    /// come near each other between places may hide, and of a bound on rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::empty(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!((found.area_xor(), found.area_xor_error()), (0.0, 0.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn area_xor_error(&self) -> f64 {
+        self.area_xor_error
+    }
+
+    /// The area of the first set less that of the second; infinite if one of the sets alone is bounded.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::empty(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!(found.area_signed(), 0.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn area_signed(&self) -> f64 {
+        self.area_signed
+    }
+
+    /// How far [`Self::area_signed`] is off at most by rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::empty(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!(found.area_signed_error(), 0.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn area_signed_error(&self) -> f64 {
+        self.area_signed_error
+    }
+
+    /// The Hausdorff distance of the boundaries: the greatest distance of a point of one of them from the other. It is the distance of
+    /// a point that was found, by looking at 16 places of each piece and narrowing down the farthest; infinite if one set alone has a
+    /// boundary.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::empty(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!(found.hausdorff(), 0.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn hausdorff(&self) -> f64 {
+        self.hausdorff
+    }
+}
+
+impl YinSet {
+    /// How far another set is from this one: the area of the symmetric difference with an estimate of its error, about 1e-14 of the box
+    /// around both, the difference of the areas, and the Hausdorff distance of the boundaries. No resolution limits them: sets that are
+    /// apart by 1e-10 of their size are right to five digits.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for coordinates whose differences are not finite.
+    ///
+    /// # Complexity
+    /// $O(n \\log n + k)$ for n pieces, of which k pairs are over each other and next to each other, times the depth to which strips with
+    /// crossings are halved.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order, YinSet};
+    /// let circle = Curve::circle([0.0, 0.0], 1.0, 32, Order::CUBIC)?;
+    /// let moved = YinSet::new(&[circle.translated([1e-10, 0.0])])?;
+    /// let found = YinSet::new(&[circle])?.comparison(&moved)?;
+    /// assert!((found.area_xor() - 4e-10).abs() < 1e-14);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn comparison(&self, other: &Self) -> Result<Comparison, Error> {
+        let sets = [self, other];
+        let boxes: Vec<[[f64; 2]; 2]> = sets.iter().filter_map(|set| set.bounding_box()).collect();
+        let Some([low, high]) = boxes.into_iter().reduce(|[a, b], [c, d]| {
+            [[0, 1].map(|k| f64::min(a[k], c[k])), [0, 1].map(|k| f64::max(b[k], d[k]))]
+        }) else {
+            let area = if self.is_bounded() == other.is_bounded() { 0.0 } else { f64::INFINITY };
+            let area_signed = if self.is_bounded() { -area } else { area };
+            return Ok(Comparison {
+                area_xor: area,
+                area_xor_error: 0.0,
+                area_signed,
+                area_signed_error: 0.0,
+                hausdorff: 0.0,
+            });
+        };
+        let extent = [0, 1].map(|axis| high[axis] - low[axis]);
+        if extent.iter().any(|extent| !extent.is_finite()) {
+            return Err(Error::invalid("the sets are too far apart to be compared")
+                .with_cure("scale both down by the same factor"));
+        }
+        // Coordinates are taken from the middle of the box, so that large ones do no harm.
+        let center = [0, 1].map(|axis| low[axis] + 0.5 * extent[axis]);
+        let pieces = sets.map(|set| local_pieces(set, center));
+        let hausdorff = farthest(&pieces[0], &pieces[1]).max(farthest(&pieces[1], &pieces[0]));
+        let arcs: Vec<Arc> = pieces.iter().flatten().flat_map(|piece| arcs_of(piece)).collect();
+        let largest = extent[0].max(extent[1]);
+        let signed = pieces.each_ref().map(|pieces| {
+            let mut sum = Sum::default();
+            pieces.iter().for_each(|piece| add_area(piece, &mut sum));
+            sum.value()
+        });
+        let area_signed_error =
+            16.0 * f64::EPSILON * largest * largest * (pieces[0].len() + pieces[1].len()) as f64;
+        let same = self.is_bounded() == other.is_bounded();
+        let [area_xor, area_xor_error] = if same { area_between(arcs, extent) } else { [f64::INFINITY, 0.0] };
+        Ok(Comparison {
+            area_xor,
+            area_xor_error,
+            area_signed: match same {
+                true => signed[0] - signed[1],
+                false if self.is_bounded() => f64::NEG_INFINITY,
+                false => f64::INFINITY,
+            },
+            area_signed_error: area_signed_error.min(largest * largest * 64.0 * f64::EPSILON * 8.0),
+            hausdorff,
+        })
+    }
+}
+
+/// The control points of a piece, from the middle of all.
+type Controls = Vec<[f64; 2]>;
+
+fn local_pieces(set: &YinSet, center: [f64; 2]) -> Vec<Controls> {
+    let curves = (0..set.curve_count()).map(|curve| set.curve(curve));
+    let pieces = curves.flat_map(|curve| {
+        let own = |piece: usize| -> Controls {
+            let local = curve.piece(piece).iter().map(|point| [0, 1].map(|k| point[k] - center[k]));
+            let local: Controls = local.collect();
+            match bernstein::is_straight(curve.piece(piece)) {
+                true => bernstein::straight_piece([local[0], local[local.len() - 1]], local.len()).to_vec(),
+                false => local,
+            }
+        };
+        (0..curve.piece_count()).map(own).collect::<Vec<_>>()
+    });
+    pieces.collect()
+}
+
+/// Adds the area between a piece and the origin: half the integral of the cross product of points and derivatives.
+fn add_area(piece: &[[f64; 2]], sum: &mut Sum) {
+    let degree = piece.len() - 1;
+    // Exact for the degree of the integrand, 2 d - 1 up to 13.
+    let derivative = bernstein::derivative(piece);
+    let rule = gauss_legendre();
+    if degree == 1 || bernstein::is_straight(piece) {
+        let [a, b] = [piece[0], piece[degree]];
+        sum.add(0.5 * (a[0] * b[1]));
+        sum.add(-0.5 * (a[1] * b[0]));
+        return;
+    }
+    for [x, weight] in rule {
+        let s = 0.5 + 0.5 * x;
+        let (point, way) = (bernstein::value(piece, s), bernstein::value(&derivative, s));
+        sum.add(0.25 * weight * (point[0] * way[1]));
+        sum.add(-0.25 * weight * (point[1] * way[0]));
+    }
+}
+
+/// A part of a piece over which x rises.
+struct Arc {
+    controls: bernstein::Piece,
+    from: f64,
+    to: f64,
+}
+
+impl Arc {
+    /// The height at a place.
+    fn height(&self, x: f64) -> f64 {
+        let [first, last] = [self.controls[0], self.controls[self.controls.len() - 1]];
+        if bernstein::is_straight(&self.controls) {
+            let part = ((x - first[0]) / (last[0] - first[0])).clamp(0.0, 1.0);
+            return if part < 0.5 {
+                first[1] + part * (last[1] - first[1])
+            } else {
+                last[1] + (last[0] - x) / (last[0] - first[0]) * (first[1] - last[1])
+            };
+        }
+        let slopes = bernstein::derivative(&self.controls);
+        let [mut low, mut high] = [0.0f64, 1.0f64];
+        let mut s = ((x - first[0]) / (last[0] - first[0])).clamp(0.0, 1.0);
+        // Newton's iteration, held between bounds that halve where it does not converge.
+        for _ in 0..64 {
+            let miss = bernstein::value(&self.controls, s)[0] - x;
+            if miss == 0.0 {
+                break;
+            }
+            if miss > 0.0 {
+                high = s;
+            } else {
+                low = s;
+            }
+            let step = s - miss / bernstein::value(&slopes, s)[0];
+            let next = if low < step && step < high { step } else { 0.5 * (low + high) };
+            if (next - s).abs() <= 0.25 * f64::EPSILON || next <= low || next >= high {
+                break;
+            }
+            s = next;
+        }
+        bernstein::value(&self.controls, s)[1]
+    }
+}
+
+/// The parts of a piece over which x rises or falls, turned so that it rises; those that are upright are none.
+fn arcs_of(piece: &[[f64; 2]]) -> Vec<Arc> {
+    let breaks = if bernstein::is_straight(piece) { Vec::new() } else { monotone_breaks(piece) };
+    let ends: Vec<f64> = [0.0].into_iter().chain(breaks).chain([1.0]).collect();
+    let points: Vec<[f64; 2]> = ends.iter().map(|&s| bernstein::value(piece, s)).collect();
+    let parts = ends.windows(2).zip(points.windows(2));
+    let arc = |(range, points): (&[f64], &[[f64; 2]])| {
+        let ends = [points[0], points[1]];
+        let part = bernstein::sub_range_between(piece, [range[0], range[1]], ends);
+        let controls = if ends[0][0] < ends[1][0] { part } else { part.reversed() };
+        let [from, to] = [ends[0][0].min(ends[1][0]), ends[0][0].max(ends[1][0])];
+        (from < to).then_some(Arc { controls, from, to })
+    };
+    parts.filter_map(arc).collect()
+}
+
+/// The area where an odd number of arcs lies below, and a bound on its error.
+fn area_between(mut arcs: Vec<Arc>, extent: [f64; 2]) -> [f64; 2] {
+    arcs.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.to.total_cmp(&b.to)));
+    let mut places: Vec<f64> = arcs.iter().flat_map(|arc| [arc.from, arc.to]).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    // The arcs over each strip.
+    let mut strips: Vec<(f64, f64, Vec<u32>)> = Vec::with_capacity(places.len());
+    let (mut active, mut next): (Vec<u32>, usize) = (Vec::new(), 0);
+    for pair in places.windows(2) {
+        active.retain(|&arc| arcs[arc as usize].to > pair[0]);
+        while arcs.get(next).is_some_and(|arc| arc.from <= pair[0]) {
+            active.push(next as u32);
+            next += 1;
+        }
+        if !active.is_empty() {
+            strips.push((pair[0], pair[1], active.clone()));
+        }
+    }
+    let rule = gauss_legendre();
+    let rounding = 4.0 * f64::EPSILON * (extent[0] + extent[1]);
+    let found: Vec<[f64; 2]> = strips
+        .par_iter()
+        .map(|(from, to, own)| {
+            let own: Vec<&Arc> = own.iter().map(|&arc| &arcs[arc as usize]).collect();
+            Strip { arcs: own, from: *from, to: *to, rounding }.area(&rule)
+        })
+        .collect();
+    let mut sums = [Sum::default(), Sum::default()];
+    for [area, error] in found {
+        sums[0].add(area);
+        sums[1].add(error);
+    }
+    sums.map(Sum::value)
+}
+
+/// Arcs over an interval.
+struct Strip<'a> {
+    arcs: Vec<&'a Arc>,
+    from: f64,
+    to: f64,
+    /// How far heights are off at most.
+    rounding: f64,
+}
+
+impl Strip<'_> {
+    /// What of the line at a place is over an odd number of arcs.
+    fn measure(&self, x: f64, heights: &mut Vec<f64>) -> f64 {
+        heights.clear();
+        heights.extend(self.arcs.iter().map(|arc| arc.height(x)));
+        heights.sort_by(f64::total_cmp);
+        heights.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+    }
+
+    /// The integral, and a bound on its error.
+    ///
+    /// With $x = m + h (3 u - u^3) / 2$ square roots at the ends, where arcs are upright, are smooth.
+    fn area(&self, rule: &[[f64; 2]; 8]) -> [f64; 2] {
+        let (middle, half) = (0.5 * (self.from + self.to), 0.5 * (self.to - self.from));
+        let count = self.arcs.len();
+        let mut heights = Vec::with_capacity(count);
+        // The integral over an interval, and the heights at all places of it.
+        let mut integral = |low: f64, high: f64| {
+            let (center, reach) = (0.5 * (low + high), 0.5 * (high - low));
+            let mut sum = 0.0;
+            let mut samples = Vec::with_capacity(rule.len());
+            // The rule has its places falling.
+            for [x, weight] in rule.iter().rev() {
+                let u = center + reach * x;
+                let at = (middle + half * (0.5 * u * (3.0 - u * u))).clamp(self.from, self.to);
+                sum += weight * 1.5 * (1.0 - u * u) * self.measure(at, &mut heights);
+                samples.push((u, heights.clone()));
+            }
+            Integral { value: half * reach * sum, samples }
+        };
+        // Places are rounded as heights are: where arcs are steep that counts more.
+        let rise = |arc: &&Arc| (arc.height(self.to) - arc.height(self.from)).abs();
+        let rises: f64 = self.arcs.iter().map(rise).sum();
+        let floor = self.rounding * (half * self.arcs.len() as f64 + 0.25 * rises);
+        let [mut area, mut error] = [Sum::default(), Sum::default()];
+        error.add(2.0 * floor);
+        let mut waiting = vec![(-1.0, 1.0, integral(-1.0, 1.0).value, 0)];
+        while let Some((low, high, whole, depth)) = waiting.pop() {
+            let center = 0.5 * (low + high);
+            let halves = [integral(low, center), integral(center, high)];
+            let found = halves[0].value + halves[1].value;
+            let miss = (found - whole).abs();
+            let hidden = hidden_area(&halves, [low, high], count) * half;
+            let is_done = miss <= floor * (1.0 / 64.0 + 0.5 * (high - low)) && hidden <= floor / 64.0;
+            if is_done || depth >= DEEPEST {
+                area.add(found);
+                error.add(miss + hidden);
+            } else {
+                waiting.push((center, high, halves[1].value, depth + 1));
+                waiting.push((low, center, halves[0].value, depth + 1));
+            }
+        }
+        [area.value(), error.value()]
+    }
+}
+
+/// An integral with all heights that it is made of.
+struct Integral {
+    value: f64,
+    samples: Vec<(f64, Vec<f64>)>,
+}
+
+/// How large a part between two arcs that cross twice between places may be: where the parabola through three gaps next to each other
+/// falls well below all of them.
+fn hidden_area(halves: &[Integral; 2], [low, high]: [f64; 2], count: usize) -> f64 {
+    let samples: Vec<&(f64, Vec<f64>)> = halves.iter().flat_map(|half| &half.samples).collect();
+    let mut most = 0.0f64;
+    for k in 1..count {
+        let gap = |at: usize| samples[at].1[k] - samples[at].1[k - 1];
+        for at in 1..samples.len() - 1 {
+            let [p, q, r] = [at - 1, at, at + 1];
+            let is_lowest = gap(q) <= gap(p) && gap(q) <= gap(r);
+            let is_end = (p == 0 && gap(p) < gap(q)) || (r + 1 == samples.len() && gap(r) < gap(q));
+            if !is_lowest && !is_end {
+                continue;
+            }
+            let [u, v, w] = [p, q, r].map(|at| samples[at].0);
+            let first = (gap(q) - gap(p)) / (v - u);
+            let second = ((gap(r) - gap(q)) / (w - v) - first) / (w - u);
+            let parabola = |x: f64| gap(p) + (x - u) * (first + (x - v) * second);
+            let least = gap(p).min(gap(q)).min(gap(r));
+            // What is beyond the outermost places.
+            let ends = [(p == 0).then_some((low, u)), (r + 1 == samples.len()).then_some((high, w))];
+            for (end, place) in ends.into_iter().flatten() {
+                if parabola(end) < 0.0 {
+                    most = most.max((least - parabola(end)) * (end - place).abs());
+                }
+            }
+            let lowest = 0.5 * (u + v - first / second);
+            if second > 0.0 && (low..=high).contains(&lowest) && parabola(lowest) < 0.25 * least {
+                most = most.max((least - parabola(lowest)) * (high - low));
+            }
+        }
+    }
+    most
+}
+
+/// The greatest distance of points of the first pieces from the others.
+fn farthest(from: &[Controls], to: &[Controls]) -> f64 {
+    if from.is_empty() {
+        return 0.0;
+    }
+    if to.is_empty() {
+        return f64::INFINITY;
+    }
+    let boxes: Vec<AxisBox> = to
+        .iter()
+        .map(|piece| {
+            let [low, high] = bernstein::control_box(piece);
+            [[low[0], high[0]], [low[1], high[1]], [0.0; 2]]
+        })
+        .collect();
+    let tree = BoxTree::new(&boxes);
+    let nearest = |point: [f64; 2], guess: f64| {
+        let mut reach = guess;
+        loop {
+            let mut best = f64::INFINITY;
+            let query =
+                [[point[0] - reach, point[0] + reach], [point[1] - reach, point[1] + reach], [0.0; 2]];
+            tree.visit(&query, |piece| best = best.min(distance_to(&to[piece as usize], point, best)));
+            if best <= reach {
+                return best;
+            }
+            reach = if best.is_finite() { best } else { 4.0 * reach };
+        }
+    };
+    let of_piece = |piece: &Controls| {
+        let [low, high] = bernstein::control_box(piece);
+        let step = distance(low, high) / PLACES as f64;
+        let mut guess = step.max(f64::MIN_POSITIVE);
+        let mut at = |s: f64| {
+            let found = nearest(bernstein::value(piece, s), guess);
+            guess = (2.0 * found).max(1e-3 * step).max(f64::MIN_POSITIVE);
+            found
+        };
+        let places: Vec<f64> = (0..=PLACES).map(|i| at(i as f64 / PLACES as f64)).collect();
+        let Some(best) = (0..=PLACES).max_by(|&i, &j| places[i].total_cmp(&places[j])) else { return 0.0 };
+        let [mut low, mut high] =
+            [best.saturating_sub(1), (best + 1).min(PLACES)].map(|i| i as f64 / PLACES as f64);
+        let mut most = places[best];
+        for _ in 0..NARROWINGS {
+            let [a, b] = [1.0 / 3.0, 2.0 / 3.0].map(|part| low + part * (high - low));
+            let [of_a, of_b] = [at(a), at(b)];
+            most = most.max(of_a).max(of_b);
+            if of_a < of_b {
+                low = a;
+            } else {
+                high = b;
+            }
+        }
+        most
+    };
+    from.par_iter().with_min_len(8).map(of_piece).reduce(|| 0.0, f64::max)
+}
+
+/// The distance of a point from a piece, if it is less than what is known.
+fn distance_to(piece: &[[f64; 2]], point: [f64; 2], known: f64) -> f64 {
+    let mut best = known;
+    let mut waiting = vec![(bernstein::Piece::new(piece), 0)];
+    while let Some((part, depth)) = waiting.pop() {
+        let [low, high] = bernstein::control_box(&part);
+        let gap = [0, 1].map(|k| (low[k] - point[k]).max(point[k] - high[k]).max(0.0));
+        if distance([0.0; 2], gap) >= best {
+            continue;
+        }
+        let [first, last] = [part[0], part[part.len() - 1]];
+        best = best.min(distance(first, point)).min(distance(last, point));
+        let way = [0, 1].map(|k| last[k] - first[k]);
+        let square = way[0] * way[0] + way[1] * way[1];
+        let bend = bernstein::derivative(&bernstein::derivative(&part));
+        let bent = if part.len() > 2 {
+            bend.iter().fold(0.0, |most: f64, v| most.max(v[0].abs() + v[1].abs()))
+        } else {
+            0.0
+        };
+        if part.len() == 2 || bent * bent <= 1e-4 * square || depth >= 40 {
+            // Nearly straight: Newton's iteration for the foot of the point.
+            let slopes = bernstein::derivative(&part);
+            let offset = [0, 1].map(|k| point[k] - first[k]);
+            let mut s = if square > 0.0 { (way[0] * offset[0] + way[1] * offset[1]) / square } else { 0.0 };
+            for _ in 0..6 {
+                s = s.clamp(0.0, 1.0);
+                let (at, slope) = (bernstein::value(&part, s), bernstein::value(&slopes, s));
+                let gap = [0, 1].map(|k| point[k] - at[k]);
+                best = best.min(distance(at, point));
+                let speed = slope[0] * slope[0] + slope[1] * slope[1];
+                if speed == 0.0 {
+                    break;
+                }
+                s += (gap[0] * slope[0] + gap[1] * slope[1]) / speed;
+            }
+            continue;
+        }
+        let [before, after] = bernstein::split(&part, 0.5);
+        waiting.push((after, depth + 1));
+        waiting.push((before, depth + 1));
+    }
+    best
+}

@@ -1,0 +1,124 @@
+//! Small differences of sets against closed forms and against Booleans.
+#![allow(clippy::unwrap_used, reason = "a failing test shows where")]
+
+use crate::splines::{Random, case_count, smooth_set};
+use coface_yin::{Curve, Order, YinSet};
+
+fn circle(count: usize) -> Curve<'static> {
+    Curve::circle([0.0, 0.0], 1.0, count, Order::CUBIC).unwrap()
+}
+
+/// A unit circle against itself moved by a little: twice its width times the way.
+#[test]
+fn a_circle_and_itself_moved_by_next_to_nothing() {
+    let set = YinSet::new(&[circle(32)]).unwrap();
+    let [low, high] = set.bounding_box().unwrap();
+    for shift in [1e-3, 1e-6, 1e-9, 1e-10, 1e-11, 1e-13] {
+        let moved = YinSet::new(&[set.curve(0).translated([shift, 0.0])]).unwrap();
+        let found = set.comparison(&moved).unwrap();
+        // Of strips of height dy the part that changes is twice as long as the way; the third power is what their ends add.
+        let expected = 2.0 * shift * (high[1] - low[1]);
+        let miss = (found.area_xor() - expected).abs();
+        assert!(miss <= 1e-15 + found.area_xor_error() + shift * shift * shift, "{shift:e}: {miss:e}");
+        assert!(found.area_xor_error() < 2e-13, "{shift:e}: {:e}", found.area_xor_error());
+        assert!(found.area_signed().abs() <= found.area_signed_error(), "{shift:e}");
+        assert!(
+            (found.hausdorff() - shift).abs() <= 1e-15 + 1e-2 * shift * shift,
+            "{shift:e} {}",
+            found.hausdorff()
+        );
+    }
+}
+
+/// Squares of order 4 at 1e12, where a resolution of the largest coordinate swallows them.
+#[test]
+fn squares_far_from_the_origin() {
+    let square = |at: f64| {
+        let corners = [[at, at], [at + 4.0, at], [at + 4.0, at + 4.0], [at, at + 4.0], [at, at]];
+        YinSet::new(&[Curve::polyline(&corners).unwrap().raised(Order::CUBIC).unwrap()]).unwrap()
+    };
+    let found = square(1e12).comparison(&square(1e12 + 2.0)).unwrap();
+    assert!((found.area_xor() - 24.0).abs() <= found.area_xor_error() && found.area_xor_error() < 1e-12);
+    assert_eq!(found.area_signed(), 0.0);
+}
+
+/// Fits of one circle with n and n + 1 knots: their areas differ by less than each is off, and lie to both sides of each other.
+#[test]
+fn fits_of_one_circle() {
+    for count in [32, 64, 128, 256, 512] {
+        let [a, b] = [count, count + 1].map(|count| YinSet::new(&[circle(count)]).unwrap());
+        let found = a.comparison(&b).unwrap();
+        let bound = 2.0 * 13.7 / (count as f64).powi(4);
+        assert!(found.area_xor() > found.area_xor_error() && found.area_xor() < bound, "{count} {found:?}");
+        assert!(
+            found.area_signed().abs() <= found.area_xor() + found.area_signed_error(),
+            "{count} {found:?}"
+        );
+    }
+}
+
+/// Two arcs that cross twice next to each other, far narrower than the pieces they are on.
+#[test]
+fn a_lens_between_two_arcs_is_seen() {
+    for power in 6..24 {
+        let depth = 2f64.powi(-power);
+        // The parabolas y = x^2 - depth and y = 0 over [-1, 1], closed above and below.
+        let bowl = vec![
+            [-1.0, 1.0 - depth],
+            [-1.0 / 3.0, -1.0 / 3.0 - depth],
+            [1.0 / 3.0, -1.0 / 3.0 - depth],
+            [1.0, 1.0 - depth],
+            [1.0, 2.0],
+            [-1.0, 2.0],
+            [-1.0, 1.0 - depth],
+        ];
+        let bowl = Curve::from_controls(Order::CUBIC, bowl, vec![0.0, 1.0, 2.0]).unwrap();
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 0.0], [-1.0, 0.0], [-1.0, -1.0]];
+        let flat = Curve::polyline(&corners).unwrap();
+        let [bowl, flat] = [bowl, flat].map(|curve| YinSet::new(&[curve]).unwrap());
+        let found = bowl.comparison(&flat).unwrap();
+        let lens = 4.0 / 3.0 * depth * depth.sqrt();
+        let expected = bowl.area().unwrap() + flat.area().unwrap() - 2.0 * lens;
+        assert!(
+            (found.area_xor() - expected).abs() <= found.area_xor_error(),
+            "{power} {found:?} {expected}"
+        );
+        assert!(found.area_xor_error() < 1e-12);
+    }
+}
+
+/// Where sets are far apart, Booleans say the same.
+#[test]
+fn comparisons_agree_with_booleans() {
+    for seed in 0..case_count(15) {
+        let mut random = Random::new(seed + (9 << 32));
+        let [a, b] = [0, 1].map(|_| smooth_set(&mut random, 1.0));
+        let found = a.comparison(&b).unwrap();
+        let xor = a.symmetric_difference(&b).unwrap().area().unwrap();
+        assert!(
+            (found.area_xor() - xor).abs() <= 1e-10 && found.area_xor_error() < 1e-12,
+            "{seed}: {found:?} {xor}"
+        );
+        assert!((found.area_signed() - a.area().unwrap() + b.area().unwrap()).abs() < 1e-12);
+        let turned = b.complement().unwrap().comparison(&a.complement().unwrap()).unwrap();
+        assert!(
+            (turned.area_xor() - found.area_xor()).abs() <= 1e-13
+                && (turned.hausdorff() - found.hausdorff()).abs() <= 1e-9
+        );
+        assert!(a.comparison(&b.complement().unwrap()).unwrap().area_xor().is_infinite());
+        // No point of one boundary is farther from the other.
+        let curve = a.curve(0);
+        let nearest = |p: [f64; 2]| {
+            let curves = (0..b.curve_count()).map(|curve| b.curve(curve).into_owned());
+            curves
+                .flat_map(|curve| {
+                    let [from, to] = [curve.knots()[0], *curve.knots().last().unwrap()];
+                    (0..400)
+                        .map(|i| curve.point(from + (to - from) * f64::from(i) / 400.0))
+                        .collect::<Vec<_>>()
+                })
+                .fold(f64::INFINITY, |best: f64, q| best.min((p[0] - q[0]).hypot(p[1] - q[1])))
+        };
+        assert!(nearest(curve.point(0.123)) <= found.hausdorff() + 1e-2, "{seed}");
+    }
+}
