@@ -391,6 +391,15 @@ answer! { YinSet {
         self.with(py, other, "xor")
     }
 
+    /// How far another set is from this one: ``area_xor`` (the area of the symmetric difference; ``None`` if it is infinite) and
+    /// ``area_xor_error`` (an estimate from above, about 1e-14 of the box), ``area_signed``, ``area_signed_error``, ``hausdorff`` (of the
+    /// boundaries), ``components`` and ``holes`` of both.
+    fn compare<'py>(&self, py: Python<'py>, other: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let [first, second] = [&self.set, &other.get().set].map(Arc::clone);
+        let value = run(py, None, || Ok(value_of(&first.compared_with("self", &second, "other")?)))?;
+        to_python(py, &value)
+    }
+
     fn __invert__(&self, py: Python<'_>) -> PyResult<Self> {
         self.complement(py)
     }

@@ -83,8 +83,8 @@ pub use simplices::SimplicesAnswer;
 pub use view::{LayerAnswer, ViewAnswer};
 pub use yin::{
     CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer,
-    YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint, YinKinksAnswer, YinPieceSource,
-    YinProvenance, YinRepairAnswer, YinSetAnswer,
+    YinComparisonAnswer, YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint,
+    YinKinksAnswer, YinPieceSource, YinProvenance, YinRepairAnswer, YinSetAnswer,
 };
 
 use serde::Serialize;

@@ -6,7 +6,7 @@ use super::{
     InfoAnswer, InfoReports, LoopsAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer,
     PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer,
     SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
-    YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
+    YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -91,6 +91,7 @@ answers! {
     "yin meet" => YinCombinationAnswer,
     "yin fit" => YinSetAnswer,
     "yin kinks" => YinKinksAnswer,
+    "yin compare" => YinComparisonAnswer,
     "yin cut-cells" => YinCutCellsAnswer,
     "yin advect" => YinAdvectAnswer,
 }

@@ -174,6 +174,30 @@ impl YinKinkPoint {
     }
 }
 
+/// The answer of `yin compare`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct YinComparisonAnswer {
+    /// The names of the inputs.
+    pub files: Vec<String>,
+    /// The area of the symmetric difference; null if it is infinite.
+    pub area_xor: Option<f64>,
+    /// An estimate from above of how far that is off.
+    pub area_xor_error: f64,
+    /// The area of the first set less that of the second; null if it is infinite.
+    pub area_signed: Option<f64>,
+    /// How far that is off at most by rounding.
+    pub area_signed_error: f64,
+    /// The Hausdorff distance of the boundaries; null if one set alone has a boundary.
+    pub hausdorff: Option<f64>,
+    /// The number of components of each set.
+    pub components: [usize; 2],
+    /// The number of holes of each set.
+    pub holes: [usize; 2],
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
 /// The answer of `yin cut-cells`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[non_exhaustive]

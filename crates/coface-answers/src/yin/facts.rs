@@ -1,7 +1,9 @@
 //! What is known of a set.
 
 use super::PlanarSet;
-use crate::answer::{YinCurve, YinDecision, YinKinkPoint, YinPieceSource, YinProvenance, YinSetAnswer};
+use crate::answer::{
+    YinComparisonAnswer, YinCurve, YinDecision, YinKinkPoint, YinPieceSource, YinProvenance, YinSetAnswer,
+};
 use coface_algebra::{Error, VertexId};
 use coface_yin::{Assumption, Combination, KnotIndex, PieceSource, UncertifiedDecision, YinSet};
 
@@ -29,6 +31,48 @@ impl PlanarSet {
                 [0, 1].map(|axis| f64::min(low[axis], lower[axis])),
                 [0, 1].map(|axis| f64::max(high[axis], higher[axis])),
             ]
+        })
+    }
+
+    /// How far another set is from this one, as an answer; both with the names of their files.
+    ///
+    /// # Errors
+    /// Those of [`YinSet::comparison`] and [`YinSet::betti_open`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let read = |text: &str| {
+    ///     let drawing = read_boundary(text.as_bytes(), Format::Wkt, &ReadOptions::default())?;
+    ///     PlanarSet::of(&drawing, &SetRequest::default())
+    /// };
+    /// let square = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))")?;
+    /// let taller = read("POLYGON ((0 0, 2 0, 2 3, 0 3, 0 0))")?;
+    /// let found = square.compared_with("a.wkt", &taller, "b.wkt")?;
+    /// assert!((found.area_xor.unwrap_or(0.0) - 2.0).abs() <= found.area_xor_error && found.area_xor_error < 1e-12);
+    /// assert!((found.hausdorff.unwrap_or(0.0) - 1.0).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
+    pub fn compared_with(
+        &self,
+        name: &str,
+        other: &Self,
+        other_name: &str,
+    ) -> Result<YinComparisonAnswer, Error> {
+        let found = self.set.comparison(&other.set)?;
+        let betti = [self.set.betti_open()?, other.set.betti_open()?];
+        Ok(YinComparisonAnswer {
+            files: vec![name.to_owned(), other_name.to_owned()],
+            area_xor: finite(found.area_xor()),
+            area_xor_error: found.area_xor_error(),
+            area_signed: finite(found.area_signed()),
+            area_signed_error: found.area_signed_error(),
+            hausdorff: finite(found.hausdorff()),
+            components: betti.map(|[components, _]| components),
+            holes: betti.map(|[_, holes]| holes),
+            remarks: self.remarks.iter().chain(&other.remarks).cloned().collect(),
         })
     }
 

@@ -214,6 +214,7 @@ fn sets_are_typed() {
     assert_prints("yin info", &["yin", "info", &a]);
     assert_prints("yin fit", &["yin", "fit", &b]);
     assert_prints("yin kinks", &["yin", "kinks", &a]);
+    assert_prints("yin compare", &["yin", "compare", &a, &b]);
     assert_prints("yin cut-cells", &["yin", "cut-cells", &b, "--grid", "4x4"]);
     let moved = ["--flow", "rotation", "--center", "0,0", "--step", "0.1", "--spacing", "0.5"];
     assert_prints("yin advect", &[&["yin", "advect", &a], &moved[..]].concat());

@@ -755,3 +755,33 @@ fn what_is_no_set_is_refused_with_the_place() {
     assert!(fails(&["info", argument(&folder.path().join("missing.json"))]).contains("no such file"));
     assert_eq!(coface(&["yin", "turn", "a.json"]).status, 2);
 }
+
+/// What one verb writes the others take: the meet of a kinked triangle and a blob meets its own operands.
+#[test]
+fn results_meet_their_operands_through_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let triangle = r#"{"order":4,"curves":[{"points":[[0,0],[3,1],[1,2]],"kinks":[0,1,2]}]}"#;
+    let blob = r#"{"order":4,"curves":[{"points":[[2,1],[1,1.5],[0.5,0.5],[1.5,-0.2]]}]}"#;
+    let [triangle, blob] =
+        [("triangle.json", triangle), ("blob.json", blob)].map(|(name, text)| file(&folder, name, text));
+    let [meet, rest, again] = ["m.json", "rest.json", "again.json"].map(|name| folder.path().join(name));
+    let (a, b, m) = (argument(&triangle), argument(&blob), argument(&meet));
+    let area = |value: &Value| value["area"].as_f64().unwrap();
+    let both = area(&yin(&["meet", a, b, "-o", m]));
+    assert_eq!(area(&yin(&["meet", a, m])), both);
+    let without = area(&yin(&["difference", a, m, "-o", argument(&rest)]));
+    assert!((area(&yin(&["xor", a, m])) - without).abs() < 1e-14);
+    let whole = yin(&["join", m, argument(&rest), "-o", argument(&again)]);
+    assert_eq!((area(&whole), whole["curves"][0]["knots"].as_u64()), (2.5, Some(3)));
+    assert_eq!(yin(&["xor", argument(&again), a])["empty"], true);
+    // Nothing is between the whole and what was put together again.
+    let compared = yin(&["compare", a, argument(&again)]);
+    assert_eq!(compared["area_xor"], json!(0.0));
+    assert!(compared["hausdorff"].as_f64().unwrap() < 1e-14);
+    assert_eq!(compared["components"], json!([1, 1]));
+    let compared = yin(&["compare", a, m]);
+    let [found, error] = ["area_xor", "area_xor_error"].map(|key| compared[key].as_f64().unwrap());
+    assert!((found - without).abs() <= error + 1e-14 && error < 1e-12);
+    assert!(fails(&["compare", a, m, "-o", argument(&folder.path().join("c.svg"))]).contains(".json"));
+    assert!(fails(&["compare", a, m, "--picture", "kinks"]).contains("yin xor"));
+}

@@ -2,6 +2,7 @@
 
 mod advect;
 mod combine;
+mod compare;
 mod cut_cells;
 mod edit;
 mod page;
@@ -66,6 +67,7 @@ enum Task {
     Fit(One),
     /// The kinks of a set: list, insert, erase or reset them; what lies beside them is fitted again
     Kinks(edit::Kinks),
+    Compare(compare::Compare),
     CutCells(cut_cells::Cells),
     Advect(advect::Advect),
 }
@@ -369,6 +371,7 @@ impl Yin {
             Task::Combine(verb) => verb.run(common),
             Task::Fit(verb) => verb.fit(common),
             Task::Kinks(verb) => verb.run(common),
+            Task::Compare(verb) => verb.run(common),
             Task::CutCells(verb) => verb.run(common),
             Task::Advect(verb) => verb.run(common),
         }
