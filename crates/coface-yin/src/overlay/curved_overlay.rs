@@ -11,6 +11,7 @@ use crate::set::CurveArena;
 use coface_algebra::Error;
 use coface_arrange::planar::{Faces, Orbits, RingCells, Windings};
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 /// The curves of several arenas laid over each other. A region is what one arena bounds.
 pub(crate) struct CurvedOverlay<'a> {
@@ -60,7 +61,7 @@ impl<'a> CurvedOverlay<'a> {
         });
         departures.finish(&mut report)?;
         check_plane(&chains, &orbits, edges.ends())?;
-        let nester = Nester { chains: &chains, edges: &edges, orbits: &orbits };
+        let nester = Nester { chains: &chains, edges: &edges, orbits: &orbits, heights: OnceLock::new() };
         let nesting = nester.nesting()?;
         let orbits = orbits.with_outer_orbits(nesting.outer_orbits);
         let faces = Faces::new(&orbits, &nesting.below, 0..nesting.below.len());

@@ -14,6 +14,7 @@ use coface_algebra::{RaggedArray, UnionFind};
 use coface_arrange::planar::{ChainEdges, Orbits};
 use coface_geometry::{AxisBox, BoxTree};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// How many lines are tried through a component.
 const MOST_LINES: usize = 48;
@@ -46,6 +47,8 @@ pub(super) struct Nester<'a> {
     pub(super) chains: &'a Chains<'a>,
     pub(super) edges: &'a ChainEdges,
     pub(super) orbits: &'a Orbits,
+    /// The lowest and the highest height of all pieces, once that is known.
+    pub(super) heights: OnceLock<[f64; 2]>,
 }
 
 impl<'a> Nester<'a> {
@@ -220,8 +223,10 @@ impl<'a> Nester<'a> {
         apart: f64,
         is_own: &mut dyn FnMut(u32) -> bool,
     ) -> Result<Option<u32>, NearDegenerate> {
-        let whole = boxes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |whole, own| {
-            [whole[0].min(own[1][0]), whole[1].max(own[1][1])]
+        let whole = *self.heights.get_or_init(|| {
+            boxes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |whole, own| {
+                [whole[0].min(own[1][0]), whole[1].max(own[1][1])]
+            })
         });
         let mut crossings = Vec::new();
         let mut others = Vec::new();
