@@ -4,8 +4,9 @@ use super::PolygonalComplex;
 use super::face_planes::FacePlanes;
 use super::predicates::SpatialPredicates;
 use super::shells::Shells;
-use coface_algebra::Error;
 use coface_algebra::progress::Steps;
+use coface_algebra::{Error, RaggedArray};
+use coface_geometry::{AxisBox, BoxTree};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -19,6 +20,13 @@ use std::cmp::Ordering;
 /// the ray leaves through minus those that it enters by; p is within the shells of winding number one, and the deepest
 /// of these is the parent. All is decided by signs of coordinates of normals and of orientations; no crossing is
 /// computed, and crossings need no order along the ray.
+///
+/// What lies within a shell has its box within the box of that. So only components with p in their boxes are tried, the
+/// smallest boxes first, and the first that p is within is the parent.
+///
+/// # Complexity
+/// $O(n \log n)$ for n faces and components, where few boxes that have the point of a component in them are smaller
+/// than that of its parent; boxes that have it in them are counted without a look at their faces.
 ///
 /// # Errors
 /// `InvalidInput` when a component crosses a face of another one at its point p, or winding numbers are not those of
@@ -34,77 +42,141 @@ pub(super) fn parents(
     if count < 2 {
         return Ok(vec![None; count]);
     }
-    let columns = Columns::new(complex, predicates);
-    let around: Vec<Result<Vec<u32>, Error>> = (0..count)
+    let components = Components::new(complex, predicates, shells);
+    let nesting = Nesting { complex, predicates, planes, shells, components: &components };
+    let tree = BoxTree::new(&components.boxes);
+    (0..count as u32)
         .into_par_iter()
         .map(|component| {
             steps.advance(0);
-            let ray = Ray { complex, predicates, planes, near: shells.anchors[component] };
-            shells_around(&ray, &columns, shells, component as u32)
-        })
-        .collect();
-    let around = around.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let component_of = |shell: u32| shells.component_of_shell[shell as usize];
-    around
-        .iter()
-        .enumerate()
-        .map(|(component, own)| {
-            if own.is_empty() {
-                return Ok(None);
-            }
-            let is_parent = |shell: &&u32| around[component_of(**shell) as usize].len() + 1 == own.len();
-            own.iter().find(is_parent).map(|&shell| Some(shell)).ok_or_else(|| {
-                crossing(&format!("the faces at v{}", shells.anchors[component][0]), "other faces")
-            })
+            nesting.parent(component, &tree)
         })
         .collect()
+}
+
+/// The components with their boxes and faces.
+struct Components {
+    boxes: Vec<AxisBox>,
+    /// A measure of each box that is no larger for boxes inside of it, but for rounding.
+    sizes: Vec<f64>,
+    faces: RaggedArray,
+    /// The faces of components with many.
+    columns: Columns,
+}
+
+/// Components of up to so many faces are looked at face by face.
+const FEW_FACES: usize = 48;
+/// What rounding may do to the size of a box.
+const SLACK: f64 = 1.0 + 1e-9;
+
+impl Components {
+    fn new(complex: &PolygonalComplex, predicates: &impl SpatialPredicates, shells: &Shells) -> Self {
+        let component_of = |face: usize| shells.component_of_face(face);
+        let faces = RaggedArray::grouped(shells.outer.len(), (0..complex.face_count()).map(component_of));
+        let box_of = |own: &[u32]| {
+            let mut around: AxisBox = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+            for &face in own {
+                for &side in complex.packed_sides().list(face as usize) {
+                    for (axis, [least, most]) in around.iter_mut().enumerate() {
+                        let [low, high] = predicates.range(axis, complex.side_ends(side)[0]);
+                        (*least, *most) = (least.min(low), most.max(high));
+                    }
+                }
+            }
+            around
+        };
+        let boxes: Vec<AxisBox> =
+            (0..faces.len()).into_par_iter().map(|component| box_of(faces.list(component))).collect();
+        // Divided, so that no sum leaves the range.
+        let sizes = boxes.iter().map(|own| own.iter().map(|[low, high]| high / 8.0 - low / 8.0).sum());
+        let sizes = sizes.collect();
+        let columns = Columns::new(complex, predicates, &faces);
+        Self { boxes, sizes, faces, columns }
+    }
+}
+
+struct Nesting<'a, P> {
+    complex: &'a PolygonalComplex,
+    predicates: &'a P,
+    planes: &'a FacePlanes,
+    shells: &'a Shells,
+    components: &'a Components,
+}
+
+impl<P: SpatialPredicates> Nesting<'_, P> {
+    fn parent(&self, component: u32, tree: &BoxTree) -> Result<Option<u32>, Error> {
+        let sizes = &self.components.sizes;
+        let size = |other: &u32| sizes[*other as usize];
+        let vertex = self.shells.anchors[component as usize][0];
+        let least = size(&component) / SLACK;
+        let mut around = Vec::new();
+        tree.visit(&[0, 1, 2].map(|axis| self.predicates.range(axis, vertex)), |other| {
+            if other != component && size(&other) >= least {
+                around.push(other);
+            }
+        });
+        around.sort_by(|a, b| size(a).total_cmp(&size(b)).then(a.cmp(b)));
+        let mut found: Option<(u32, u32)> = None;
+        for other in around {
+            if found.is_some_and(|(known, _)| size(&other) > size(&known) * SLACK) {
+                break;
+            }
+            let Some(shell) = self.shell_around(component, other)? else { continue };
+            // Of two that are as large as each other, the one that is within the other.
+            let is_deeper = match found {
+                None => true,
+                Some((known, _)) => self.shell_around(other, known)?.is_some(),
+            };
+            if is_deeper {
+                found = Some((other, shell));
+            }
+        }
+        Ok(found.map(|(_, shell)| shell))
+    }
+
+    /// The shell of another component, not its outer one, that the point of a component lies within.
+    fn shell_around(&self, component: u32, other: u32) -> Result<Option<u32>, Error> {
+        let Self { complex, predicates, planes, shells, components } = *self;
+        let ray = Ray { complex, predicates, planes, near: shells.anchors[component as usize] };
+        let mut terms: Vec<(u32, i32)> = Vec::new();
+        let mut add = |face: usize| {
+            let sign = ray.crossing(face)?;
+            // The front is towards the origin of the ray when the crossing is positive: the ray enters what is behind.
+            if sign != 0 {
+                terms.extend([(shells.shell_of[2 * face], -sign), (shells.shell_of[2 * face + 1], sign)]);
+            }
+            Ok::<_, Error>(())
+        };
+        let faces = components.faces.list(other as usize);
+        if faces.len() <= FEW_FACES {
+            faces.iter().try_for_each(|&face| add(face as usize))?;
+        } else {
+            components.columns.faces_at(other, predicates, ray.near[0]).into_iter().try_for_each(add)?;
+        }
+        terms.sort_unstable();
+        let mut around = None;
+        for own in terms.chunk_by(|x, y| x.0 == y.0) {
+            let shell = own[0].0;
+            let is_outer = shells.outer[other as usize] == shell;
+            match own.iter().map(|&(_, sign)| sign).sum::<i32>() {
+                0 => {}
+                1 if !is_outer && around.is_none() => around = Some(shell),
+                -1 if is_outer => {}
+                _ => {
+                    return Err(crossing(
+                        &format!("the faces at v{}", ray.near[0]),
+                        "each other or other faces",
+                    ));
+                }
+            }
+        }
+        Ok(around)
+    }
 }
 
 fn crossing(what: &str, other: &str) -> Error {
     Error::invalid(format!("{what} cross {other} elsewhere than in common edges and vertices"))
         .with_cure("cut the faces against each other first")
-}
-
-/// The shells of other components that the point of a component lies within, rising.
-fn shells_around<P: SpatialPredicates>(
-    ray: &Ray<'_, P>,
-    columns: &Columns,
-    shells: &Shells,
-    component: u32,
-) -> Result<Vec<u32>, Error> {
-    let mut terms: Vec<(u32, i32)> = Vec::new();
-    let mut fault = None;
-    columns.visit(ray.predicates, ray.near[0], |face| {
-        if fault.is_some() || shells.component_of_face(face) == component {
-            return;
-        }
-        match ray.crossing(face) {
-            Ok(0) => {}
-            // The front is towards the origin of the ray when the crossing is positive: the ray enters what is behind.
-            Ok(sign) => {
-                terms.extend([(shells.shell_of[2 * face], -sign), (shells.shell_of[2 * face + 1], sign)]);
-            }
-            Err(error) => fault = Some(error),
-        }
-    });
-    if let Some(error) = fault {
-        return Err(error);
-    }
-    terms.sort_unstable();
-    let mut around = Vec::new();
-    for own in terms.chunk_by(|x, y| x.0 == y.0) {
-        let shell = own[0].0;
-        let is_outer = shells.outer[shells.component_of_shell[shell as usize] as usize] == shell;
-        match own.iter().map(|&(_, sign)| sign).sum::<i32>() {
-            0 => {}
-            1 if !is_outer => around.push(shell),
-            -1 if is_outer => {}
-            _ => {
-                return Err(crossing(&format!("the faces at v{}", ray.near[0]), "each other or other faces"));
-            }
-        }
-    }
-    Ok(around)
 }
 
 /// A ray towards $-(1, \varepsilon, \varepsilon^2)$ from the point infinitely near the first of two vertices on the way
@@ -169,25 +241,29 @@ impl<P: SpatialPredicates> Ray<'_, P> {
     }
 }
 
-/// Faces by the boxes around them seen along the first axis, in grids that are finer for smaller faces.
+/// Faces by the boxes around them seen along the first axis, in grids that are finer for smaller faces; of components
+/// with many faces, each by itself.
 struct Columns {
     /// Where coordinates on the other two axes begin, halved, and the larger extent, halved.
     origin: [f64; 2],
     extent: f64,
-    /// The place in the grid of a level, and a face, sorted.
-    entries: Vec<(u64, u32)>,
+    /// The component, the place in the grid of a level, and a face, sorted.
+    entries: Vec<(u32, u64, u32)>,
 }
 
 /// The finest level: at level k the grid has $2^k$ places on each axis.
 const FINEST: u32 = 24;
 
 impl Columns {
-    fn new(complex: &PolygonalComplex, predicates: &impl SpatialPredicates) -> Self {
-        let boxes: Vec<[[f64; 2]; 2]> = (0..complex.face_count())
-            .into_par_iter()
-            .map(|face| {
+    fn new(complex: &PolygonalComplex, predicates: &impl SpatialPredicates, faces: &RaggedArray) -> Self {
+        let many = (0u32..).zip(faces.iter()).filter(|(_, own)| own.len() > FEW_FACES);
+        let many: Vec<(u32, u32)> =
+            many.flat_map(|(component, own)| own.iter().map(move |&face| (component, face))).collect();
+        let boxes: Vec<[[f64; 2]; 2]> = many
+            .par_iter()
+            .map(|&(_, face)| {
                 let mut own = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-                for &side in complex.packed_sides().list(face) {
+                for &side in complex.packed_sides().list(face as usize) {
                     for (axis, [least, most]) in own.iter_mut().enumerate() {
                         let [low, high] = predicates.range(axis + 1, complex.side_ends(side)[0]);
                         (*least, *most) = (least.min(low), most.max(high));
@@ -203,14 +279,14 @@ impl Columns {
         let extent = (end(0) - origin[0]).max(end(1) - origin[1]);
         let mut columns = Self { origin, extent, entries: Vec::new() };
         let mut entries = Vec::with_capacity(2 * boxes.len());
-        for (face, own) in boxes.iter().enumerate() {
+        for (&(component, face), own) in many.iter().zip(&boxes) {
             let places = [0, 1].map(|axis| own[axis].map(|x| columns.place(axis, x)));
             let size = places.iter().map(|[low, high]| high - low).max().unwrap_or(0);
             // So coarse that the box is in at most two places on each axis.
             let level = FINEST - (u32::BITS - size.leading_zeros()).min(FINEST);
-            for_each_key(level, places, |key| entries.push((key, face as u32)));
+            for_each_key(level, places, |key| entries.push((component, key, face)));
         }
-        entries.sort_unstable();
+        entries.par_sort_unstable();
         columns.entries = entries;
         columns
     }
@@ -225,21 +301,20 @@ impl Columns {
         ((part * f64::from(1u32 << FINEST)) as u32).min((1 << FINEST) - 1)
     }
 
-    /// Calls for each face whose box has the vertex in it, or nearly, seen along the first axis.
-    fn visit(&self, predicates: &impl SpatialPredicates, vertex: u32, mut call: impl FnMut(usize)) {
+    /// The faces of a component whose boxes have the vertex in them, or nearly, seen along the first axis.
+    fn faces_at(&self, component: u32, predicates: &impl SpatialPredicates, vertex: u32) -> Vec<usize> {
         let places = [0, 1].map(|axis| predicates.range(axis + 1, vertex).map(|x| self.place(axis, x)));
         let mut faces = Vec::new();
         for level in 0..=FINEST {
             for_each_key(level, places, |key| {
-                let start = self.entries.partition_point(|entry| entry.0 < key);
-                faces.extend(
-                    self.entries[start..].iter().take_while(|entry| entry.0 == key).map(|entry| entry.1),
-                );
+                let start = self.entries.partition_point(|entry| (entry.0, entry.1) < (component, key));
+                let own = self.entries[start..].iter().take_while(|entry| (entry.0, entry.1) == (component, key));
+                faces.extend(own.map(|entry| entry.2 as usize));
             });
         }
         faces.sort_unstable();
         faces.dedup();
-        faces.into_iter().for_each(|face| call(face as usize));
+        faces
     }
 }
 
